@@ -1,0 +1,113 @@
+package deSolvers.catalog;
+
+import deSolvers.DESolver;
+import deSolvers.EulerSolver;
+import deSolvers.MidpointSolver;
+import deSolvers.RK4Solver;
+import deSolvers.symplectic.SymplecticEulerSolver;
+import deSolvers.symplectic.VelocityVerletSolver;
+import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NoSuchElementException;
+import java.util.function.Supplier;
+
+/**
+ * The one list of all solvers. {@code create("rk4")} makes one; a fully-qualified class name makes a student's own.
+ */
+public final class SolverCatalog {
+    private static final double NONE = Double.NaN;
+
+    private static final Map<String, Entry> ENTRIES = new LinkedHashMap<>();
+
+    private record Entry(SolverInfo info, Supplier<DESolver> maker) {
+    }
+
+    static {
+        add(EulerSolver::new, "euler", EulerSolver.class, 1, "slides", "1", false, 2, 0,
+                "One straight step along the derivative; every undamped spring gains energy.");
+        add(MidpointSolver::new, "midpoint", MidpointSolver.class, 2, "slides", "2", false, 2, 0,
+                "The derivative half way makes the step; undamped springs gain energy, slowly.");
+        add(RK4Solver::new, "rk4", RK4Solver.class, 4, "slides", "4", false, 2.7853, 2.8284,
+                "The old workhorse: accurate and stable enough for most scenes.");
+        add(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class, 1, "symplectic", "1", true, NONE, 2,
+                "The slides' simple algorithm: new velocity first, so that energy errors stay bounded.");
+        add(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class, 2, "symplectic", "1, more with damping", true, NONE, 2,
+                "Kick, drift, kick: reversible, and the energy error stays bounded for ever.");
+    }
+
+    private SolverCatalog() {
+    }
+
+    private static void add(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order, String family,
+                            String evaluations, boolean secondOrder, double realLimit, double imaginaryLimit, String sentence) {
+        ENTRIES.put(name, new Entry(new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder,
+                realLimit, imaginaryLimit, sentence), maker));
+    }
+
+    /** @return what there is to know of every solver, in the order in which they are taught */
+    public static List<SolverInfo> all() {
+        List<SolverInfo> all = new ArrayList<>();
+        ENTRIES.values().forEach(entry -> all.add(entry.info()));
+        return all;
+    }
+
+    /** @return the names of all solvers, in the order in which they are taught */
+    public static List<String> names() {
+        return List.copyOf(ENTRIES.keySet());
+    }
+
+    /**
+     * @param name a catalogue name
+     * @return what there is to know of that solver
+     * @throws NoSuchElementException if no solver has this name
+     */
+    public static SolverInfo info(String name) {
+        Entry entry = ENTRIES.get(name);
+        if (entry == null) {
+            throw new NoSuchElementException("no solver is called '" + name + "'; known: " + String.join(", ", names()));
+        }
+        return entry.info();
+    }
+
+    /**
+     * Makes a solver.
+     *
+     * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg constructor
+     * @return a new solver
+     * @throws NoSuchElementException   if there is neither a solver nor a class of this name
+     * @throws IllegalArgumentException if the class is no {@link DESolver} or cannot be made
+     */
+    public static DESolver create(String name) {
+        Entry entry = ENTRIES.get(name);
+        if (entry != null) {
+            return entry.maker().get();
+        }
+        return name.indexOf('.') > 0 ? ofClass(name) : throwUnknown(name);
+    }
+
+    private static DESolver throwUnknown(String name) {
+        info(name);
+        throw new AssertionError("a known name was not in the list: " + name);
+    }
+
+    private static DESolver ofClass(String name) {
+        try {
+            Class<?> found = Class.forName(name, true, Thread.currentThread().getContextClassLoader());
+            if (!DESolver.class.isAssignableFrom(found)) {
+                throw new IllegalArgumentException("class " + name + " is no solver: it has to extend " + DESolver.class.getName());
+            }
+            return found.asSubclass(DESolver.class).getConstructor().newInstance();
+        } catch (ClassNotFoundException e) {
+            throw new NoSuchElementException("no class is called '" + name + "', and no solver; known solvers: "
+                    + String.join(", ", names()), e);
+        } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
+            throw new IllegalArgumentException("class " + name + " cannot be made: it has to be public, not abstract, and have"
+                    + " a public constructor without parameters", e);
+        } catch (InvocationTargetException e) {
+            throw new IllegalArgumentException("the constructor of " + name + " failed: " + e.getCause(), e);
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package deSolvers.symplectic;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.SecondOrderStateSource;
+
+/** The moves on the layout (x1, v1, x2, v2, ...) that all symplectic solvers are composed of. */
+final class BlockLayout {
+    private BlockLayout() {
+    }
+
+    /** The source as one of second order, or an error that says what is missing. */
+    static SecondOrderStateSource secondOrder(DESolver solver, DEStateSource source) {
+        if (!(source instanceof SecondOrderStateSource)) {
+            throw new IllegalArgumentException(solver.getClass().getSimpleName() + " moves positions and velocities in turn and"
+                    + " needs a " + SecondOrderStateSource.class.getName() + "; " + source.getClass().getName()
+                    + " is only a " + DEStateSource.class.getName());
+        }
+        SecondOrderStateSource second = (SecondOrderStateSource) source;
+        int d = second.getDimension();
+        if (d < 1 || second.getStateSize() % (2 * d) != 0) {
+            throw new IllegalArgumentException(source.getClass().getName() + " has dimension " + d + " and "
+                    + second.getStateSize() + " state entries; the state has to be made of blocks of d positions and"
+                    + " d velocities, d >= 1");
+        }
+        return second;
+    }
+
+    /** Moves the positions with the state's own velocities: x += h v. */
+    static void drift(double[] state, int d, double h) {
+        for (int x = 0; x < state.length; x += 2 * d) {
+            for (int c = x; c < x + d; c++) {
+                state[c] += h * state[c + d];
+            }
+        }
+    }
+
+    /** Changes the velocities by an acceleration, read from the derivative's velocity entries: v += h a. */
+    static void kick(double[] state, double[] dSdt, int d, double h) {
+        for (int v = d; v < state.length; v += 2 * d) {
+            for (int c = v; c < v + d; c++) {
+                state[c] += h * dSdt[c];
+            }
+        }
+    }
+}

@@ -1,0 +1,58 @@
+package deSolvers.symplectic;
+
+import deSolvers.GuardedStep;
+
+/**
+ * The kick that closes a symplectic step where the acceleration depends on the velocity: v = v0 + h a(x, v, t) is solved
+ * for v by fixed-point iteration. Taken explicitly, the kick would not be the mirror image of the one that opened the
+ * step, and the order would fall to 1.
+ */
+final class ClosingKick {
+    /** Relative to the largest velocity; some hundred roundings, so that it is always reached where the iteration converges. */
+    private static final double TOLERANCE = 1e-13;
+    private static final int MOST_ITERATIONS = 100;
+
+    private double[] before = {};
+
+    /**
+     * Solves for the velocities and leaves the source at the new state.
+     *
+     * @param source the step's source, its clock already at the kick's time
+     * @param state  holds x and, before the kick, v0; receives v
+     * @param dSdt   holds the derivative of the last kick, for a first guess; receives the derivative at (x, v)
+     * @param d      positions in a block
+     * @param h      the kick's length (s)
+     */
+    void solve(GuardedStep source, double[] state, double[] dSdt, int d, double h) {
+        if (before.length != state.length) {
+            before = new double[state.length];
+        }
+        System.arraycopy(state, 0, before, 0, state.length);
+        BlockLayout.kick(state, dSdt, d, h);            // first guess: the acceleration as it was
+        double change = 0;
+        double scale = 0;
+        for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
+            source.setState(state);
+            source.getStateDerivative(dSdt);            // at (x, v, t) with the latest v
+            change = 0;
+            scale = 0;
+            for (int v = d; v < state.length; v += 2 * d) {
+                for (int c = v; c < v + d; c++) {
+                    double kicked = before[c] + h * dSdt[c];
+                    change = Math.max(change, Math.abs(kicked - state[c]));
+                    scale = Math.max(scale, Math.max(Math.abs(kicked), Math.abs(before[c])));
+                    state[c] = kicked;
+                }
+            }
+            if (change <= TOLERANCE * scale) {
+                return;
+            }
+            if (!(change <= Double.MAX_VALUE)) {
+                break;                                  // diverged to infinity or NaN
+            }
+        }
+        throw source.failure(-1, "the velocity at the end of the step was not found in " + MOST_ITERATIONS
+                + " iterations (last change " + change + " of " + scale + "); drag or spring damping is too stiff for"
+                + " this deltaT: take a smaller one or an implicit solver");
+    }
+}
