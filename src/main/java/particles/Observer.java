@@ -1,0 +1,49 @@
+package particles;
+
+/**
+ * Reads along and changes nothing: the trajectory has the same bits with and without it. Called by simulated time.
+ */
+public interface Observer {
+
+    /**
+     * Before the first step.
+     *
+     * @param system the system at its initial state, to be read only
+     */
+    default void started(ParticleSystem system) {
+    }
+
+    /**
+     * Until which time the observer needs nothing. Steps that end earlier are not reported to it, so that a frame every
+     * 1/25 s costs nothing in the many steps between.
+     *
+     * @return the next simulated time of interest (s); negative infinity for every step
+     */
+    default double getNextTime() {
+        return Double.NEGATIVE_INFINITY;
+    }
+
+    /**
+     * A step was made, and no rule has acted yet.
+     *
+     * @param motion the smooth motion from the step's beginning to its end; valid during this call only
+     */
+    default void moved(Motion motion) {
+    }
+
+    /**
+     * Rules changed something at the end of the step that was just made.
+     *
+     * @param system the system after the change, to be read only
+     */
+    default void changed(ParticleSystem system) {
+    }
+
+    /**
+     * After the last step.
+     *
+     * @param system the system at its final state, to be read only
+     */
+    default void finished(ParticleSystem system) {
+    }
+}

@@ -1,0 +1,201 @@
+package particles;
+
+import deSolvers.SecondOrderStateSource;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * A system of n particles in space as a source for solvers: the state is
+ * s = (x<sub>1</sub>, v<sub>1</sub>, ..., x<sub>n</sub>, v<sub>n</sub>) in R<sup>6n</sup>, its derivative
+ * (v<sub>1</sub>, F<sub>1</sub>/m<sub>1</sub>, ...), where F is the sum over the effects that were added and then the
+ * answer of the reactions. Nothing acts that was not added.
+ *
+ * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
+ */
+public final class ParticleSystem implements SecondOrderStateSource {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private final Particles particles = new Particles();
+    private final List<Effect> effects = new ArrayList<>();
+    private final List<Reaction> reactions = new ArrayList<>();
+    private double[] state = {};
+    private double time;
+    private boolean velocityMatters;
+    private long evaluations;
+
+    /**
+     * Adds a particle.
+     *
+     * @param id       its name, not used by any other; not checked here
+     * @param mass     m (kg), positive
+     * @param position x (m)
+     * @param velocity v (m/s); zero if it is fixed
+     * @param fixed    whether it stays where it is, whatever the forces
+     * @return its index
+     * @throws IllegalArgumentException if mass, position or velocity cannot be
+     */
+    public int addParticle(String id, double mass, Vector3 position, Vector3 velocity, boolean fixed) {
+        if (!position.isFinite() || !velocity.isFinite()) {
+            throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity " + velocity
+                    + "; both have to be finite");
+        }
+        if (fixed && !velocity.equals(Vector3.ZERO)) {
+            throw new IllegalArgumentException("particle '" + id + "' is fixed and has velocity " + velocity
+                    + "; a fixed particle's velocity is zero");
+        }
+        int i = particles.add(id, mass, fixed);
+        int needed = STRIDE * particles.count();
+        if (state.length < needed) {
+            state = Arrays.copyOf(state, Math.max(needed, STRIDE * particles.masses().length));
+        }
+        double[] values = {position.x(), position.y(), position.z(), velocity.x(), velocity.y(), velocity.z()};
+        System.arraycopy(values, 0, state, STRIDE * i, STRIDE);
+        return i;
+    }
+
+    /** @param effect a force to act from now on, after those added before */
+    public void addEffect(Effect effect) {
+        effects.add(effect);
+        velocityMatters |= effect.dependsOnVelocity();
+    }
+
+    /** @param reaction a reaction to act from now on, after all effects */
+    public void addReaction(Reaction reaction) {
+        reactions.add(reaction);
+        velocityMatters |= reaction.dependsOnVelocity();
+    }
+
+    /** @return what the particles are */
+    public Particles getParticles() {
+        return particles;
+    }
+
+    /** @return the effects, in the order in which they act; to be read only */
+    public List<Effect> getEffects() {
+        return Collections.unmodifiableList(effects);
+    }
+
+    /** @return the reactions, in the order in which they act; to be read only */
+    public List<Reaction> getReactions() {
+        return Collections.unmodifiableList(reactions);
+    }
+
+    /** @return the state itself, for rules: 6 doubles a particle, valid for all particles there are, not to be kept */
+    public double[] getOwnState() {
+        return state;
+    }
+
+    /** @return how often the derivative was evaluated by solvers */
+    public long getEvaluations() {
+        return evaluations;
+    }
+
+    @Override
+    public int getDimension() {
+        return 3;
+    }
+
+    @Override
+    public boolean accelerationDependsOnVelocity() {
+        return velocityMatters;
+    }
+
+    @Override
+    public int getStateSize() {
+        return STRIDE * particles.count();
+    }
+
+    @Override
+    public void getState(double[] state) {
+        System.arraycopy(this.state, 0, state, 0, getStateSize());
+    }
+
+    @Override
+    public void setState(double[] state) {
+        System.arraycopy(state, 0, this.state, 0, getStateSize());
+    }
+
+    @Override
+    public double getTime() {
+        return time;
+    }
+
+    @Override
+    public void incTime(double deltaT) {
+        time += deltaT;
+    }
+
+    @Override
+    public void getStateDerivative(double[] dSdt) {
+        evaluations++;
+        addUpForces(state, time, dSdt);
+        double[] inverseMasses = particles.inverseMasses();
+        int n = particles.count();
+        for (int i = 0, x = 0; i < n; i++, x += STRIDE) {
+            double inverseMass = inverseMasses[i];
+            dSdt[x] = state[x + 3];
+            dSdt[x + 1] = state[x + 4];
+            dSdt[x + 2] = state[x + 5];
+            dSdt[x + 3] *= inverseMass;
+            dSdt[x + 4] *= inverseMass;
+            dSdt[x + 5] *= inverseMass;
+        }
+    }
+
+    /** Clears the array, lets all effects act, then the reactions that hold something. */
+    private void addUpForces(double[] state, double time, double[] force) {
+        addUpEffects(state, time, force);
+        for (int r = 0; r < reactions.size(); r++) {
+            Reaction reaction = reactions.get(r);
+            if (reaction.isActive()) {
+                reaction.addForces(state, time, force);
+            }
+        }
+    }
+
+    /**
+     * The forces of all effects, without the reactions' answer, for ledgers and checks; not counted as an evaluation.
+     *
+     * @param state a state of this system
+     * @param time  t (s)
+     * @param force receives the forces (N) where the velocities stand in the state, 0 in the other entries
+     */
+    public void addUpEffects(double[] state, double time, double[] force) {
+        Arrays.fill(force, 0, getStateSize(), 0.0);
+        for (int e = 0; e < effects.size(); e++) {
+            Effect effect = effects.get(e);
+            effect.addForces(state, time, force, 0, effect.size());
+        }
+    }
+
+    /**
+     * @param state a state of this system
+     * @return the kinetic energy of all particles that are not fixed, the sum of m v&sup2;/2 (J)
+     */
+    public double getKineticEnergy(double[] state) {
+        double[] masses = particles.masses();
+        double[] inverseMasses = particles.inverseMasses();
+        double twice = 0;
+        for (int i = 0, v = 3; i < particles.count(); i++, v += STRIDE) {
+            if (inverseMasses[i] != 0) {
+                twice += masses[i] * (state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2]);
+            }
+        }
+        return twice / 2;
+    }
+
+    /**
+     * @param state a state of this system
+     * @param time  t (s)
+     * @return kinetic energy plus what every effect stores (J)
+     */
+    public double getEnergy(double[] state, double time) {
+        double energy = getKineticEnergy(state);
+        for (Effect effect : effects) {
+            energy += effect.getPotentialEnergy(state, time);
+        }
+        return energy;
+    }
+}

@@ -1,0 +1,67 @@
+package particles;
+
+import java.util.Arrays;
+
+/**
+ * What particles are, beside where they are: id, mass, whether they are fixed. Flat arrays, grown as particles are added;
+ * the index of a particle is its place in the state: its position begins at entry 6 i, its velocity at 6 i + 3.
+ */
+public final class Particles {
+    /** Doubles per particle in a state: three positions, three velocities. */
+    public static final int STRIDE = 6;
+
+    private int count;
+    private String[] ids = new String[8];
+    private double[] masses = new double[8];
+    private double[] inverseMasses = new double[8];
+
+    Particles() {
+    }
+
+    int add(String id, double mass, boolean fixed) {
+        if (!(mass > 0) || !(mass <= Double.MAX_VALUE) || !(1 / mass <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("particle '" + id + "' has mass " + mass
+                    + "; it has to be positive and finite (a particle that stays where it is, is fixed)");
+        }
+        if (count == ids.length) {
+            int capacity = Math.max(8, count + count / 2);
+            ids = Arrays.copyOf(ids, capacity);
+            masses = Arrays.copyOf(masses, capacity);
+            inverseMasses = Arrays.copyOf(inverseMasses, capacity);
+        }
+        ids[count] = id;
+        masses[count] = mass;
+        inverseMasses[count] = fixed ? 0 : 1 / mass;
+        return count++;
+    }
+
+    /** @return the number of particles */
+    public int count() {
+        return count;
+    }
+
+    /** @return the id of particle i, its own for the whole run and never another's */
+    public String id(int i) {
+        return ids[i];
+    }
+
+    /** @return the mass of particle i (kg), also if it is fixed */
+    public double mass(int i) {
+        return masses[i];
+    }
+
+    /** @return whether particle i stays where it is, whatever the forces */
+    public boolean isFixed(int i) {
+        return inverseMasses[i] == 0;
+    }
+
+    /** @return the masses themselves (kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept */
+    public double[] masses() {
+        return masses;
+    }
+
+    /** @return 1/m, 0 for fixed particles (1/kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept */
+    public double[] inverseMasses() {
+        return inverseMasses;
+    }
+}

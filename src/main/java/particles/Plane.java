@@ -1,0 +1,27 @@
+package particles;
+
+/**
+ * A plane that bounds a half-space: particles belong on the side to which the normal points.
+ *
+ * @param point  any point of the plane (m)
+ * @param normal N, out of the solid; made a unit vector
+ */
+public record Plane(Vector3 point, Vector3 normal) {
+    /** @throws IllegalArgumentException if the normal has no direction or the point is not finite */
+    public Plane {
+        if (!point.isFinite()) {
+            throw new IllegalArgumentException("a plane's point has to be finite, not " + point);
+        }
+        normal = normal.normalized();
+    }
+
+    /** @return a level ground at the given height */
+    public static Plane ground(double height) {
+        return new Plane(new Vector3(0, height, 0), new Vector3(0, 1, 0));
+    }
+
+    /** @return how far the point is outside; negative inside the solid (m) */
+    public double distance(double x, double y, double z) {
+        return (x - point.x()) * normal.x() + (y - point.y()) * normal.y() + (z - point.z()) * normal.z();
+    }
+}
