@@ -67,7 +67,8 @@ public final class SolverCatalog {
     public static SolverInfo info(String name) {
         Entry entry = ENTRIES.get(name);
         if (entry == null) {
-            throw new NoSuchElementException("no solver is called '" + name + "'; known: " + String.join(", ", names()));
+            throw new NoSuchElementException("no solver is called '" + name + "'" + DidYouMean.hint(name, names(), "'%s'"::formatted)
+                    + " known: " + String.join(", ", names()));
         }
         return entry.info();
     }

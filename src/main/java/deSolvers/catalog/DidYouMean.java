@@ -1,0 +1,56 @@
+package deSolvers.catalog;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+
+/** Finds the name that was probably meant, for every message about an unknown one. */
+public final class DidYouMean {
+    private DidYouMean() {
+    }
+
+    /**
+     * @param found a name that is not known
+     * @param known the names that are
+     * @return the known name that is nearest, if one is near: a slip of the finger in every three letters, or a beginning
+     */
+    public static Optional<String> nearest(String found, Collection<String> known) {
+        String lower = found.toLowerCase(Locale.ROOT);
+        Comparator<String> byDistance = Comparator.comparingInt(name -> distance(lower, name.toLowerCase(Locale.ROOT)));
+        Optional<String> nearest = known.stream().min(byDistance)
+                .filter(name -> distance(lower, name.toLowerCase(Locale.ROOT)) <= Math.max(1, Math.min(lower.length(), name.length()) / 3));
+        return nearest.isPresent() || lower.length() < 2 ? nearest
+                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(lower)).min(Comparator.naturalOrder());
+    }
+
+    /**
+     * @param found a name that is not known
+     * @param known the names that are
+     * @param write how a name is written in the message
+     * @return {@code "; did you mean X?"}, or {@code ";"} if nothing is near: the message goes on with what is known
+     */
+    public static String hint(String found, Collection<String> known, UnaryOperator<String> write) {
+        return nearest(found, known).map(name -> "; did you mean " + write.apply(name) + "?").orElse(";");
+    }
+
+    /** Insertions, deletions, replacements and swaps of neighbours that make one word of the other. */
+    private static int distance(String a, String b) {
+        int[][] d = new int[a.length() + 1][b.length() + 1];
+        for (int i = 0; i <= a.length(); i++) {
+            for (int j = 0; j <= b.length(); j++) {
+                if (i == 0 || j == 0) {
+                    d[i][j] = i + j;
+                    continue;
+                }
+                int replaced = d[i - 1][j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+                d[i][j] = Math.min(replaced, 1 + Math.min(d[i - 1][j], d[i][j - 1]));
+                if (i > 1 && j > 1 && a.charAt(i - 1) == b.charAt(j - 2) && a.charAt(i - 2) == b.charAt(j - 1)) {
+                    d[i][j] = Math.min(d[i][j], d[i - 2][j - 2] + 1);
+                }
+            }
+        }
+        return d[a.length()][b.length()];
+    }
+}

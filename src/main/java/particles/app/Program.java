@@ -1,0 +1,87 @@
+package particles.app;
+
+import java.io.PrintWriter;
+import java.util.List;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParseResult;
+
+/** The program as a function: commands, arguments and two streams in, an exit code out. */
+final class Program {
+    private final List<ProgramCommand> commands;
+    private final OptionStyle style;
+    private final PrintWriter out;
+    private final PrintWriter err;
+
+    /**
+     * @param commands what it can do; each is used for one call of {@link #execute} only, as it holds that call's options
+     * @param style    how options are written in what is printed
+     * @param out      where results go
+     * @param err      where it goes what is wrong
+     */
+    Program(List<ProgramCommand> commands, OptionStyle style, PrintWriter out, PrintWriter err) {
+        this.commands = commands;
+        this.style = style;
+        this.out = out;
+        this.err = err;
+    }
+
+    /**
+     * @param args a command's name and its options, {@code --name=value}
+     * @return how the program ends
+     */
+    ExitCode execute(String... args) {
+        try {
+            run(args);
+            return ExitCode.DONE;
+        } catch (Throwable thrown) {
+            return new Failures(err).print(thrown);
+        } finally {
+            out.flush();
+            err.flush();
+        }
+    }
+
+    private void run(String... args) throws Exception {
+        CommandLine program = commandLine();
+        ParseResult parsed = program.parseArgs(args);
+        ParseResult chosen = parsed.hasSubcommand() ? parsed.subcommand() : parsed;
+        if (chosen.isUsageHelpRequested()) {
+            out.print(style.help(chosen.commandSpec().commandLine().getUsageMessage()));
+            return;
+        }
+        List<Exception> errors = parsed.errors().isEmpty() ? chosen.errors() : parsed.errors();
+        if (!errors.isEmpty()) {
+            throw new UsageFailures(style).of(errors);
+        }
+        if (!(chosen.commandSpec().userObject() instanceof ProgramCommand command)) {
+            throw new UsageFailures(style).noCommand(program);
+        }
+        command.run(out);
+    }
+
+    private CommandLine commandLine() {
+        CommandLine program = new CommandLine(new Root());
+        for (ProgramCommand command : commands) {
+            CommandLine line = new CommandLine(command);
+            program.addSubcommand(line.getCommandName(), line);
+        }
+        // No @file: a value is a value. All that is wrong is said in one go.
+        program.setExpandAtFiles(false);
+        collectErrors(program.getCommandSpec());
+        program.getSubcommands().values().forEach(line -> collectErrors(line.getCommandSpec()));
+        return program;
+    }
+
+    private static void collectErrors(CommandSpec spec) {
+        spec.parser().collectErrors(true);
+    }
+
+    /** The program without a command. */
+    @Command(name = "desolver", description = "Physically-based animation for teaching.")
+    private static final class Root {
+        @CommandLine.Option(names = "--help", usageHelp = true, description = "Shows the commands.")
+        private boolean help;
+    }
+}

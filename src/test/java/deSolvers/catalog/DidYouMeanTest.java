@@ -1,0 +1,47 @@
+package deSolvers.catalog;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class DidYouMeanTest {
+    private static final List<String> KNOWN = List.of("gravity", "drag", "wind", "stiffness", "restLength", "deltaT", "duration");
+
+    @ParameterizedTest
+    @CsvSource({"gravty,gravity", "gravityy,gravity", "gravtiy,gravity", "GRAVITY,gravity", "deltat,deltaT", "dletaT,deltaT",
+        "restlenght,restLength", "wnd,wind", "stiff,stiffness", "durtaion,duration"})
+    void slipsOfTheFingerAreSeenThrough(String found, String meant) {
+        assertEquals(Optional.of(meant), DidYouMean.nearest(found, KNOWN));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"magnetism", "grab", "x", "d", "''", "wand-er", "ratio"})
+    void whatIsNotNearIsNotGuessed(String found) {
+        assertEquals(Optional.empty(), DidYouMean.nearest(found, KNOWN));
+    }
+
+    @Test
+    void hintLeadsOnToWhatIsKnown() {
+        assertEquals("; did you mean 'drag'?", DidYouMean.hint("darg", KNOWN, "'%s'"::formatted));
+        assertEquals(";", DidYouMean.hint("magnetism", KNOWN, "'%s'"::formatted));
+        assertEquals(";", DidYouMean.hint("magnetism", List.of(), "'%s'"::formatted));
+    }
+
+    @Test
+    void catalogueUsesIt() {
+        assertEquals("no solver is called 'rk5'; did you mean 'rk4'?", message("rk5"));
+        assertEquals("no solver is called 'leapfrog'; known: euler,", message("leapfrog").substring(0, 45));
+    }
+
+    private static String message(String name) {
+        try {
+            return "found " + SolverCatalog.create(name);
+        } catch (java.util.NoSuchElementException e) {
+            return e.getMessage().replaceFirst("\\? known: euler, .*", "?");
+        }
+    }
+}
