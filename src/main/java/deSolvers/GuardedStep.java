@@ -36,11 +36,15 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @param client the source to be stepped
      * @param deltaT the time step (s)
      * @return this, which stands for the client until the step ends
-     * @throws DESolverException if deltaT is not finite
+     * @throws DESolverException if deltaT or the client's time is not finite
      */
     public GuardedStep begin(DEStateSource client, double deltaT) {
         if (!Double.isFinite(deltaT)) {
             throw new DESolverException(solver, client.getTime(), deltaT, -1, "the time step has to be a finite number");
+        }
+        double time = client.getTime();
+        if (!Double.isFinite(time)) {
+            throw new DESolverException(solver, time, deltaT, -1, "the clock of the source has to be a finite number");
         }
         int n = client.getStateSize();
         if (stateFound.length != n) {
@@ -48,7 +52,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         }
         client.getState(stateFound);
         this.client = client;
-        this.timeFound = client.getTime();
+        this.timeFound = time;
         this.deltaT = deltaT;
         this.open = true;
         return this;
@@ -79,14 +83,60 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     public void close() {
         if (open) {
             open = false;
-            client.setState(stateFound);
-            moveClockTo(timeFound);
+            try {
+                client.setState(stateFound);
+            } finally {
+                moveClockTo(timeFound);
+            }
         }
+    }
+
+    /** @return the state in which the step began; to be read only */
+    public double[] getStartState() {
+        return stateFound;
     }
 
     /** @return the time at which the step began (s) */
     public double getStartTime() {
         return timeFound;
+    }
+
+    /** @return the time at which {@link #finish} leaves the clock (s) */
+    public double getEndTime() {
+        return timeFound + deltaT;
+    }
+
+    /** @return the time step (s) */
+    public double getDeltaT() {
+        return deltaT;
+    }
+
+    /**
+     * Checks a derivative by itself, for methods that do not put every entry of it into the new state.
+     *
+     * @param dSdt the derivative at the present state and time
+     * @throws DESolverException if an entry is not finite
+     */
+    public void requireFinite(double[] dSdt) {
+        int entry = firstNonFinite(dSdt);
+        if (entry >= 0) {
+            requireFiniteStart();
+            throw failure(entry, "entry " + entry + " of the derivative is " + dSdt[entry] + " at t = " + client.getTime()
+                    + "; the source divides by zero or overflows there");
+        }
+    }
+
+    /**
+     * Checks the state in which the step began.
+     *
+     * @throws DESolverException if an entry is not finite
+     */
+    public void requireFiniteStart() {
+        int entry = firstNonFinite(stateFound);
+        if (entry >= 0) {
+            throw failure(entry, "entry " + entry + " of the state is " + stateFound[entry]
+                    + " before the step; whatever set the state has to be mended");
+        }
     }
 
     /**
@@ -123,21 +173,13 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
 
     /** Looks for the cause where the step began: in the state, in the derivative, or else in the size of the step. */
     private DESolverException notFinite(int entry, double value) {
-        int foundEntry = firstNonFinite(stateFound);
-        if (foundEntry >= 0) {
-            return failure(foundEntry, "entry " + foundEntry + " of the state is " + stateFound[foundEntry]
-                    + " before the step; whatever set the state has to be mended");
-        }
+        requireFiniteStart();
         close();
         double[] dSdt = new double[stateFound.length];
         client.getStateDerivative(dSdt);
-        int rateEntry = firstNonFinite(dSdt);
-        if (rateEntry >= 0) {
-            return failure(rateEntry, "entry " + rateEntry + " of the derivative is " + dSdt[rateEntry]
-                    + " where the step begins; the source divides by zero or overflows there");
-        }
-        return failure(entry, "entry " + entry + " of the state became " + value
-                + " within the step, from a finite state and derivative; deltaT is probably too large");
+        requireFinite(dSdt);
+        return failure(entry, "entry " + entry + " of the state became " + value + " within the step, from a finite state and"
+                + " derivative; deltaT is probably too large, or the derivative is not finite further on");
     }
 
     @Override

@@ -34,6 +34,7 @@ final class ClosingKick {
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
             source.setState(state);
             source.getStateDerivative(dSdt);            // at (x, v, t) with the latest v
+            source.requireFinite(dSdt);
             change = 0;
             scale = 0;
             for (int v = d; v < state.length; v += 2 * d) {
@@ -48,7 +49,7 @@ final class ClosingKick {
                 return;
             }
             if (!(change <= Double.MAX_VALUE)) {
-                break;                                  // diverged to infinity or NaN
+                break;                                  // diverged to infinity
             }
         }
         throw source.failure(-1, "the velocity at the end of the step was not found in " + MOST_ITERATIONS

@@ -41,6 +41,7 @@ public final class SymplecticEulerSolver extends DESolver {
         try (GuardedStep source = guard.begin(client, deltaT)) {
             source.getState(state);
             source.getStateDerivative(dSdt);            // at (x, v, t)
+            source.requireFinite(dSdt);
             kick(state, dSdt, d, deltaT);
             drift(state, d, deltaT);                    // with the new velocity
             source.finish(state);

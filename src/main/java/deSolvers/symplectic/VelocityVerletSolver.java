@@ -46,10 +46,12 @@ public final class VelocityVerletSolver extends DESolver {
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
             source.getState(state);
-            if (!memory.holds(client, source.getTime(), state, deltaT)) {
-                source.getStateDerivative(dSdt);        // at (x, v, t)
-            }
+            boolean continues = memory.holds(client, source.getStartTime(), state, deltaT);
             memory.forget();                            // until this step has ended well
+            if (!continues) {
+                source.getStateDerivative(dSdt);        // at (x, v, t)
+                source.requireFinite(dSdt);
+            }
             kick(state, dSdt, d, deltaT / 2);
             drift(state, d, deltaT);
             source.incTime(deltaT);
@@ -58,10 +60,11 @@ public final class VelocityVerletSolver extends DESolver {
             } else {
                 source.setState(state);
                 source.getStateDerivative(dSdt);        // at (x(t + h), t + h)
+                source.requireFinite(dSdt);
                 kick(state, dSdt, d, deltaT / 2);
             }
             source.finish(state);
-            memory.keep(client, client.getTime(), state, deltaT);
+            memory.keep(client, source.getEndTime(), state, deltaT);
         }
     }
 

@@ -1,0 +1,18 @@
+package deSolvers;
+
+class EulerSolverTest extends FixedStepContract {
+    @Override
+    protected DESolver createSolver() {
+        return new EulerSolver();
+    }
+
+    @Override
+    protected int order() {
+        return 1;
+    }
+
+    @Override
+    protected double[] oscillatorStep(double h) {
+        return StepMatrix.polynomial(h, 1, 1);
+    }
+}

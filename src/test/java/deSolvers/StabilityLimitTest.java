@@ -1,0 +1,126 @@
+package deSolvers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.problems.Chain;
+import deSolvers.problems.Oscillator;
+import deSolvers.problems.ReferenceProblem;
+import deSolvers.symplectic.SymplecticEulerSolver;
+import deSolvers.symplectic.VelocityVerletSolver;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The stability limits on both axes, found by bisection on the solvers' real code. */
+class StabilityLimitTest {
+
+    /** s' = -s. */
+    private static final class Decay extends ReferenceProblem {
+        Decay() {
+            super(1);
+            startAt(0);
+        }
+
+        @Override
+        public double[] exactState(double t) {
+            return new double[] {StrictMath.exp(-t)};
+        }
+
+        @Override
+        protected void rates(double t, double[] s, double[] dSdt) {
+            dSdt[0] = -s[0];
+        }
+    }
+
+    private static double growthOfDecay(DESolver solver, double h) {
+        Decay decay = new Decay();
+        solver.stepState(decay, h);
+        return Math.abs(decay.state()[0]);
+    }
+
+    /** The larger eigenvalue's modulus of the 2x2 matrix of one step on x'' = -x. */
+    private static double growthOfOscillator(DESolver solver, double h) {
+        Oscillator x = new Oscillator(1, 1, 0);
+        Oscillator v = new Oscillator(1, 0, 1);
+        solver.stepState(x, h);
+        solver.stepState(v, h);
+        double halfTrace = (x.state()[0] + v.state()[1]) / 2;
+        double determinant = x.state()[0] * v.state()[1] - v.state()[0] * x.state()[1];
+        double discriminant = halfTrace * halfTrace - determinant;
+        return discriminant < 0 ? Math.sqrt(determinant) : Math.abs(halfTrace) + Math.sqrt(discriminant);
+    }
+
+    private interface Growth {
+        double at(double h);
+    }
+
+    private static double limit(Growth growth) {
+        double low = 0.5;
+        double high = 4;
+        assertTrue(growth.at(low) <= 1 + 1e-12 && growth.at(high) > 1);
+        while (high - low > 1e-10) {
+            double mid = (low + high) / 2;
+            if (growth.at(mid) <= 1 + 1e-12) {
+                low = mid;
+            } else {
+                high = mid;
+            }
+        }
+        return low;
+    }
+
+    @Test
+    void realAxis() {
+        assertEquals(2, limit(h -> growthOfDecay(new EulerSolver(), h)), 1e-9);
+        assertEquals(2, limit(h -> growthOfDecay(new MidpointSolver(), h)), 1e-9);
+        assertEquals(2.785293563405, limit(h -> growthOfDecay(new RK4Solver(), h)), 1e-9);
+    }
+
+    @Test
+    void imaginaryAxis() {
+        assertEquals(2 * Math.sqrt(2), limit(h -> growthOfOscillator(new RK4Solver(), h)), 1e-9);
+        assertEquals(2, limit(h -> growthOfOscillator(new SymplecticEulerSolver(), h)), 1e-9);
+        assertEquals(2, limit(h -> growthOfOscillator(new VelocityVerletSolver(), h)), 1e-9);
+    }
+
+    @Test
+    void eulerAndMidpointGrowOnTheImaginaryAxisHoweverSmallTheStep() {
+        for (double h : new double[] {0.001, 0.01, 0.1}) {
+            assertEquals(Math.sqrt(1 + h * h), growthOfOscillator(new EulerSolver(), h), 1e-15);
+        }
+        assertEquals(1, (growthOfOscillator(new MidpointSolver(), 0.1) - 1) / (1e-4 / 8), 1e-4);    // h^4/8
+        assertEquals(1, (1 - growthOfOscillator(new RK4Solver(), 0.1)) / (1e-6 / 144), 0.01);       // h^6/144
+    }
+
+    /** Fixed-fixed chains, m = k = 1, omega_max = 2 sin(n pi / (2 (n + 1))), started in the fastest mode. */
+    @ParameterizedTest
+    @CsvSource({"1, 1.414213562, 2.000000000", "2, 1.154700538, 1.632993162", "10, 1.010283227, 1.428756241",
+        "100, 1.000120951, 1.414384613"})
+    void theLargestStepOfAChain(int n, double leapfrog, double rk4) {
+        assertLimit(n, leapfrog, SymplecticEulerSolver::new);
+        assertLimit(n, leapfrog, VelocityVerletSolver::new);
+        assertLimit(n, rk4, RK4Solver::new);
+    }
+
+    private static void assertLimit(int n, double limit, Supplier<DESolver> solver) {
+        // Below its limit RK4 loses amplitude, verlet keeps it and symplectic Euler's x stays on an ellipse of at most
+        // 1/sqrt(1 - 0.999^2) = 22.4 times the start's; above it RK4 grows by 0.7 % a step, the other two by 9 %.
+        assertTrue(amplitudeAfter2000(n, limit * 0.999, solver.get()) < 22.4);
+        assertTrue(amplitudeAfter2000(n, limit * 1.001, solver.get()) > 1e5);
+    }
+
+    private static double amplitudeAfter2000(int n, double deltaT, DESolver solver) {
+        Chain chain = new Chain(n, n);
+        double largest = 0;
+        for (int i = 0; i < 2000; i++) {
+            solver.stepState(chain, deltaT);
+            double[] s = chain.state();
+            for (int x = 0; x < s.length; x += 2) {
+                largest = Math.max(largest, Math.abs(s[x]));
+            }
+        }
+        return largest;
+    }
+}

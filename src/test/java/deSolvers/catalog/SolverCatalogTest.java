@@ -1,0 +1,101 @@
+package deSolvers.catalog;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.problems.ForcedOscillator;
+import deSolvers.problems.GrowthInSeason;
+import java.util.List;
+import java.util.NoSuchElementException;
+import org.junit.jupiter.api.Test;
+
+class SolverCatalogTest {
+
+    /** A student's own solver. */
+    public static final class Own extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            source.incTime(deltaT);
+        }
+    }
+
+    /** A solver that cannot be made: no constructor without parameters. */
+    public static final class Unmakeable extends DESolver {
+        public Unmakeable(int unused) {
+        }
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+        }
+    }
+
+    /** A solver whose constructor fails. */
+    public static final class Failing extends DESolver {
+        public Failing() {
+            throw new IllegalStateException("no luck");
+        }
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+        }
+    }
+
+    @Test
+    void everyEntryIsMadeAndSaysWhatItIs() {
+        assertEquals("euler", SolverCatalog.names().get(0));
+        for (SolverInfo info : SolverCatalog.all()) {
+            DESolver solver = SolverCatalog.create(info.name());
+            assertEquals(info.className(), solver.getClass().getName());
+            assertNotSame(solver, SolverCatalog.create(info.name()), "each call makes a new one");
+            assertEquals(info, SolverCatalog.info(info.name()));
+            assertTrue(info.order() >= 1, info.name());
+            assertTrue(info.sentence().endsWith("."), info.name());
+        }
+    }
+
+    @Test
+    void everyEntryNeedsASecondOrderSourceIfItSaysSo() {
+        for (SolverInfo info : SolverCatalog.all()) {
+            SolverCatalog.create(info.name()).stepState(new ForcedOscillator(), 0.125);
+            DESolver solver = SolverCatalog.create(info.name());
+            if (info.secondOrder()) {
+                assertThrows(IllegalArgumentException.class, () -> solver.stepState(new GrowthInSeason(), 0.125), info.name());
+            } else {
+                solver.stepState(new GrowthInSeason(), 0.125);
+            }
+        }
+    }
+
+    @Test
+    void anUnknownNameIsAnsweredWithTheKnownOnes() {
+        for (String name : List.of("rk5", "", "no.such.Solver")) {
+            Exception e = assertThrows(NoSuchElementException.class, () -> SolverCatalog.create(name));
+            assertTrue(e.getMessage().contains("'" + name + "'"), e.getMessage());
+            assertTrue(e.getMessage().contains("euler, midpoint, rk4"), e.getMessage());
+        }
+    }
+
+    @Test
+    void aClassNameMakesAStudentsOwn() {
+        assertInstanceOf(Own.class, SolverCatalog.create(Own.class.getName()));
+    }
+
+    @Test
+    void aClassThatIsNoUsableSolverIsRefusedWithTheReason() {
+        assertRefused("java.lang.String", "has to extend deSolvers.DESolver");
+        assertRefused(Unmakeable.class.getName(), "constructor without parameters");
+        assertRefused("deSolvers.DESolver", "not abstract");
+        assertRefused(Failing.class.getName(), "no luck");
+    }
+
+    private static void assertRefused(String name, String reason) {
+        Exception e = assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create(name));
+        assertTrue(e.getMessage().contains(name), e.getMessage());
+        assertTrue(e.getMessage().contains(reason), e.getMessage());
+    }
+}

@@ -1,0 +1,73 @@
+package deSolvers.problems;
+
+/**
+ * A planet on an orbit of semi-major axis 1 and eccentricity e about a sun of mass 1, from the perihelion; period 2 pi.
+ * The state is (x, y, v_x, v_y), one block of dimension 2. Exact through Kepler's equation E - e sin E = t.
+ */
+public final class Kepler extends SecondOrderProblem {
+    private final double e;
+
+    /** @param eccentricity 0 to below 1 */
+    public Kepler(double eccentricity) {
+        super(2, 1);
+        this.e = eccentricity;
+        startAt(0);
+    }
+
+    @Override
+    public double[] exactState(double t) {
+        double mean = StrictMath.IEEEremainder(t, 2 * Math.PI);
+        double low = -Math.PI;
+        double high = Math.PI;
+        double anomaly = mean;
+        for (int i = 0; i < 200; i++) {                 // Newton's method, kept inside a shrinking bracket
+            double f = anomaly - e * StrictMath.sin(anomaly) - mean;
+            if (f > 0) {
+                high = anomaly;
+            } else {
+                low = anomaly;
+            }
+            double next = anomaly - f / (1 - e * StrictMath.cos(anomaly));
+            if (!(next > low && next < high)) {
+                next = (low + high) / 2;
+            }
+            if (next == anomaly) {
+                break;
+            }
+            anomaly = next;
+        }
+        double c = StrictMath.cos(anomaly);
+        double s = StrictMath.sin(anomaly);
+        double b = Math.sqrt(1 - e * e);
+        double rate = 1 / (1 - e * c);
+        return new double[] {c - e, b * s, -s * rate, b * c * rate};
+    }
+
+    @Override
+    protected void accelerate(double t, double[] s, double[] dSdt) {
+        double r2 = s[0] * s[0] + s[1] * s[1];
+        double r3 = r2 * Math.sqrt(r2);
+        dSdt[2] = -s[0] / r3;
+        dSdt[3] = -s[1] / r3;
+    }
+
+    @Override
+    public boolean accelerationDependsOnVelocity() {
+        return false;
+    }
+
+    /** @return the orbit's energy at the present state; -1/2 exactly */
+    public double energy() {
+        double[] s = state();
+        return (s[2] * s[2] + s[3] * s[3]) / 2 - 1 / Math.sqrt(s[0] * s[0] + s[1] * s[1]);
+    }
+
+    /** @return the squared distance from the exact position at the present time */
+    public double squaredPositionError() {
+        double[] s = state();
+        double[] exact = exactState(getTime());
+        double dx = s[0] - exact[0];
+        double dy = s[1] - exact[1];
+        return dx * dx + dy * dy;
+    }
+}

@@ -1,0 +1,39 @@
+package deSolvers.problems;
+
+import deSolvers.SecondOrderStateSource;
+
+/** A reference problem x'' = a(x, v, t) in blocks of d positions and d velocities. */
+public abstract class SecondOrderProblem extends ReferenceProblem implements SecondOrderStateSource {
+    private final int d;
+
+    /**
+     * @param d      positions in a block
+     * @param blocks how many blocks
+     */
+    protected SecondOrderProblem(int d, int blocks) {
+        super(2 * d * blocks);
+        this.d = d;
+    }
+
+    /**
+     * The acceleration, to be written into the velocity entries of the derivative.
+     *
+     * @param t    the time (s)
+     * @param s    the state
+     * @param dSdt receives the acceleration
+     */
+    protected abstract void accelerate(double t, double[] s, double[] dSdt);
+
+    @Override
+    protected final void rates(double t, double[] s, double[] dSdt) {
+        for (int x = 0; x < s.length; x += 2 * d) {
+            System.arraycopy(s, x + d, dSdt, x, d);
+        }
+        accelerate(t, s, dSdt);
+    }
+
+    @Override
+    public final int getDimension() {
+        return d;
+    }
+}

@@ -1,0 +1,26 @@
+package deSolvers.symplectic;
+
+import deSolvers.DESolver;
+import deSolvers.FixedStepContract;
+
+class SymplecticEulerSolverTest extends FixedStepContract {
+    @Override
+    protected DESolver createSolver() {
+        return new SymplecticEulerSolver();
+    }
+
+    @Override
+    protected boolean needsSecondOrder() {
+        return true;
+    }
+
+    @Override
+    protected int order() {
+        return 1;
+    }
+
+    @Override
+    protected double[] oscillatorStep(double h) {
+        return new double[] {1 - h * h, h, -h, 1};      // v' = v - h x, then x' = x + h v'
+    }
+}

@@ -1,0 +1,126 @@
+package deSolvers.symplectic;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.FixedStepContract;
+import deSolvers.SecondOrderStateSource;
+import deSolvers.problems.ForcedOscillator;
+import deSolvers.problems.SecondOrderProblem;
+import org.junit.jupiter.api.Test;
+
+class VelocityVerletSolverTest extends FixedStepContract {
+    @Override
+    protected DESolver createSolver() {
+        return new VelocityVerletSolver();
+    }
+
+    @Override
+    protected boolean needsSecondOrder() {
+        return true;
+    }
+
+    @Override
+    protected int order() {
+        return 2;
+    }
+
+    @Override
+    protected double[] oscillatorStep(double h) {
+        double c = 1 - h * h / 2;                       // kick, drift, kick multiplied out
+        return new double[] {c, h, -h * (1 - h * h / 4), c};
+    }
+
+    @Test
+    void theLastAccelerationIsTheNextStepsFirst() {
+        ForcedOscillator problem = new ForcedOscillator();
+        DESolver solver = createSolver();
+        for (int i = 0; i < 10; i++) {
+            solver.stepState(problem, 0.125);
+        }
+        assertEquals(11, problem.evaluations());
+        solver.reset();
+        solver.stepState(problem, 0.125);
+        assertEquals(13, problem.evaluations());
+    }
+
+    /** v' = -c v from v = 1, at 0. */
+    private static final class Drag extends SecondOrderProblem {
+        private final double c;
+
+        Drag(double c) {
+            super(1, 1);
+            this.c = c;
+            startAt(0);
+        }
+
+        @Override
+        public double[] exactState(double t) {
+            double v = StrictMath.exp(-c * t);
+            return new double[] {(1 - v) / c, v};
+        }
+
+        @Override
+        protected void accelerate(double t, double[] s, double[] dSdt) {
+            dSdt[1] = -c * s[1];
+        }
+    }
+
+    @Test
+    void theClosingKickIsSolvedOrRefused() {
+        SecondOrderProblem mild = new Drag(1);
+        createSolver().stepState(mild, 0.5);
+        assertEquals((1 - 0.25) / (1 + 0.25), mild.state()[1], 1e-12);  // (1 - hc/2) / (1 + hc/2): implicit
+        SecondOrderProblem stiff = new Drag(6);                         // hc/2 = 1.5: the iteration diverges
+        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(stiff, 0.5));
+        assertTrue(e.getMessage().contains("damping is too stiff"), e.getMessage());
+        assertEquals(0, stiff.error());
+    }
+
+    @Test
+    void aLayoutThatDoesNotFitIsRefused() {
+        SecondOrderStateSource wrong = new SecondOrderStateSource() {
+            private final SecondOrderProblem problem = new Drag(1);
+
+            @Override
+            public int getDimension() {
+                return 3;                               // of a state of 2
+            }
+
+            @Override
+            public int getStateSize() {
+                return problem.getStateSize();
+            }
+
+            @Override
+            public void getState(double[] state) {
+                problem.getState(state);
+            }
+
+            @Override
+            public void setState(double[] state) {
+                problem.setState(state);
+            }
+
+            @Override
+            public void getStateDerivative(double[] dSdt) {
+                problem.getStateDerivative(dSdt);
+            }
+
+            @Override
+            public double getTime() {
+                return problem.getTime();
+            }
+
+            @Override
+            public void incTime(double deltaT) {
+                problem.incTime(deltaT);
+            }
+        };
+        Exception e = assertThrows(IllegalArgumentException.class, () -> createSolver().stepState(wrong, 0.1));
+        assertTrue(e.getMessage().contains("dimension 3"), e.getMessage());
+    }
+}
