@@ -1,0 +1,50 @@
+package particles.effects;
+
+import particles.Vector3;
+
+/**
+ * A wind that is the same everywhere and swells and falls in time: u(t) = mean + gust sin(2 pi t / period). With no gust it
+ * is a steady wind. "In mass-spring systems, often no t dependence but might have e.g. time-varying wind field."
+ */
+public final class GustyWind implements Wind {
+    private final Vector3 mean;
+    private final Vector3 gust;
+    private final double period;
+
+    /**
+     * @param mean   the steady part (m/s)
+     * @param gust   the amplitude of the varying part (m/s)
+     * @param period from gust to gust (s), positive
+     * @throws IllegalArgumentException if a number is not finite or the period not positive
+     */
+    public GustyWind(Vector3 mean, Vector3 gust, double period) {
+        if (!mean.isFinite() || !gust.isFinite() || !(period > 0) || !(period <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a wind needs finite velocities and a positive period, not " + mean + ", " + gust
+                    + ", " + period);
+        }
+        this.mean = mean;
+        this.gust = gust;
+        this.period = period;
+    }
+
+    /**
+     * @param time t (s)
+     * @return the air's velocity, the same everywhere (m/s)
+     */
+    public Vector3 velocityAt(double time) {
+        return mean.plus(gust.times(StrictMath.sin(2 * Math.PI * time / period)));
+    }
+
+    @Override
+    public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
+        double swell = StrictMath.sin(2 * Math.PI * time / period);
+        double ux = mean.x() + swell * gust.x();
+        double uy = mean.y() + swell * gust.y();
+        double uz = mean.z() + swell * gust.z();
+        for (int w = 3 * from; w < 3 * to; w += 3) {
+            wind[w] = ux;
+            wind[w + 1] = uy;
+            wind[w + 2] = uz;
+        }
+    }
+}

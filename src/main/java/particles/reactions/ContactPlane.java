@@ -1,0 +1,24 @@
+package particles.reactions;
+
+import particles.Plane;
+
+/**
+ * A plane that particles bounce off, rest on and slide along.
+ *
+ * @param name        its name in messages
+ * @param plane       where it is; particles belong on the normal's side
+ * @param restitution r: the normal component of the velocity is multiplied by -r at an impact; 0 ... 1
+ * @param friction    how it rubs particles that rest on it
+ * @param restSpeed   a particle that would leave the plane slower than this stays in contact (m/s), 0 or more
+ */
+public record ContactPlane(String name, Plane plane, double restitution, Friction friction, double restSpeed) {
+    /** @throws IllegalArgumentException if a number is out of its range */
+    public ContactPlane {
+        if (!(restitution >= 0 && restitution <= 1)) {
+            throw new IllegalArgumentException("the restitution of '" + name + "' has to be in 0 ... 1, not " + restitution);
+        }
+        if (!(restSpeed >= 0 && restSpeed <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the rest speed of '" + name + "' has to be 0 or more and finite, not " + restSpeed);
+        }
+    }
+}
