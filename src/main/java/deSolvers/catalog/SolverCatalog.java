@@ -8,6 +8,7 @@ import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,31 +21,36 @@ import java.util.function.Supplier;
 public final class SolverCatalog {
     private static final double NONE = Double.NaN;
 
-    private static final Map<String, Entry> ENTRIES = new LinkedHashMap<>();
+    private static final Map<String, Entry> ENTRIES = byName(
+            entry(EulerSolver::new, "euler", EulerSolver.class, 1, "slides", "1", false, 2, 0,
+                    "One straight step along the derivative; every undamped spring gains energy."),
+            entry(MidpointSolver::new, "midpoint", MidpointSolver.class, 2, "slides", "2", false, 2, 0,
+                    "The derivative half way makes the step; undamped springs gain energy, slowly."),
+            entry(RK4Solver::new, "rk4", RK4Solver.class, 4, "slides", "4", false, 2.7853, 2.8284,
+                    "The old workhorse: accurate and stable enough for most scenes."),
+            entry(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class, 1, "symplectic", "1", true, NONE, 2,
+                    "The slides' simple algorithm: new velocity first, so that energy errors stay bounded."),
+            entry(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class, 2, "symplectic", "1, more with damping", true, NONE, 2,
+                    "Kick, drift, kick: reversible, and the energy error stays bounded for ever."));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker) {
-    }
-
-    static {
-        add(EulerSolver::new, "euler", EulerSolver.class, 1, "slides", "1", false, 2, 0,
-                "One straight step along the derivative; every undamped spring gains energy.");
-        add(MidpointSolver::new, "midpoint", MidpointSolver.class, 2, "slides", "2", false, 2, 0,
-                "The derivative half way makes the step; undamped springs gain energy, slowly.");
-        add(RK4Solver::new, "rk4", RK4Solver.class, 4, "slides", "4", false, 2.7853, 2.8284,
-                "The old workhorse: accurate and stable enough for most scenes.");
-        add(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class, 1, "symplectic", "1", true, NONE, 2,
-                "The slides' simple algorithm: new velocity first, so that energy errors stay bounded.");
-        add(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class, 2, "symplectic", "1, more with damping", true, NONE, 2,
-                "Kick, drift, kick: reversible, and the energy error stays bounded for ever.");
     }
 
     private SolverCatalog() {
     }
 
-    private static void add(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order, String family,
-                            String evaluations, boolean secondOrder, double realLimit, double imaginaryLimit, String sentence) {
-        ENTRIES.put(name, new Entry(new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder,
-                realLimit, imaginaryLimit, sentence), maker));
+    private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order, String family,
+                               String evaluations, boolean secondOrder, double realLimit, double imaginaryLimit, String sentence) {
+        return new Entry(new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder, realLimit,
+                imaginaryLimit, sentence), maker);
+    }
+
+    private static Map<String, Entry> byName(Entry... entries) {
+        Map<String, Entry> byName = new LinkedHashMap<>();
+        for (Entry entry : entries) {
+            byName.put(entry.info().name(), entry);
+        }
+        return Collections.unmodifiableMap(byName);
     }
 
     /** @return what there is to know of every solver, in the order in which they are taught */

@@ -1,0 +1,180 @@
+package architecture;
+
+import com.sun.source.tree.BlockTree;
+import com.sun.source.tree.CatchTree;
+import com.sun.source.tree.ClassTree;
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.ImportTree;
+import com.sun.source.tree.MemberSelectTree;
+import com.sun.source.tree.NewClassTree;
+import com.sun.source.tree.Tree;
+import com.sun.source.tree.VariableTree;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.TreePathScanner;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.lang.model.element.Modifier;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+
+/** One source file as the compiler's parser sees it: what it uses, and what it does that the project does not do. */
+final class SourceFile {
+    /** A name that starts with packages: deSolvers.catalog.SolverCatalog, java.awt.Color, particles.effects.*. */
+    private static final Pattern QUALIFIED = Pattern.compile("((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
+            + "(?:\\.[a-z]\\w*)*)\\.(?:[A-Z*].*)");
+    private static final Pattern MUTABLE = Pattern.compile("(java\\.util\\.)?(Array|Linked|Hash|Tree|Priority|Weak|Identity|Concurrent|Enum)\\w*"
+            + "(List|Map|Set|Queue|Deque)|Atomic\\w+|\\w*Adder|\\w*Random|StringBuilder|ThreadLocal");
+
+    private final Path path;
+    private final String packageName;
+    private final int lines;
+    private final Set<String> usedPackages = new TreeSet<>();
+    private final List<String> emptyCatches = new ArrayList<>();
+    private final List<String> standardStreams = new ArrayList<>();
+    private final List<String> mutableStatics = new ArrayList<>();
+
+    private SourceFile(Path path, CompilationUnitTree unit) {
+        this.path = path;
+        this.packageName = String.valueOf(unit.getPackageName());
+        this.lines = (int) linesOf(path);
+        new Scanner(unit).scan(unit, null);
+    }
+
+    /** @return every source file below a folder; none if the folder is not there */
+    static List<SourceFile> readAll(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        try (Stream<Path> tree = Files.walk(folder); StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null)) {
+            List<Path> paths = tree.filter(file -> file.toString().endsWith(".java")).sorted().toList();
+            if (paths.isEmpty()) {
+                return List.of();
+            }
+            JavacTask parser = (JavacTask) compiler.getTask(null, files, null, List.of("-proc:none"), null, files.getJavaFileObjectsFromPaths(paths));
+            List<SourceFile> sources = new ArrayList<>();
+            for (CompilationUnitTree unit : parser.parse()) {
+                sources.add(new SourceFile(Path.of(unit.getSourceFile().toUri()), unit));
+            }
+            return sources;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static long linesOf(Path path) {
+        try (Stream<String> lines = Files.lines(path)) {
+            return lines.count();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    String packageName() {
+        return packageName;
+    }
+
+    int lines() {
+        return lines;
+    }
+
+    Set<String> usedPackages() {
+        return usedPackages;
+    }
+
+    List<String> emptyCatches() {
+        return emptyCatches;
+    }
+
+    List<String> standardStreams() {
+        return standardStreams;
+    }
+
+    List<String> mutableStatics() {
+        return mutableStatics;
+    }
+
+    @Override
+    public String toString() {
+        return packageName + "/" + path.getFileName();
+    }
+
+    private final class Scanner extends TreePathScanner<Void, Void> {
+        private final CompilationUnitTree unit;
+
+        Scanner(CompilationUnitTree unit) {
+            this.unit = unit;
+        }
+
+        @Override
+        public Void visitImport(ImportTree node, Void none) {
+            use(node.getQualifiedIdentifier().toString());
+            return null;
+        }
+
+        @Override
+        public Void visitMemberSelect(MemberSelectTree node, Void none) {
+            String name = node.toString();
+            use(name);
+            if (name.matches("(java\\.lang\\.)?System\\.(out|err|exit)")) {
+                standardStreams.add(SourceFile.this + " uses " + name);
+            }
+            return super.visitMemberSelect(node, none);
+        }
+
+        @Override
+        public Void visitCatch(CatchTree node, Void none) {
+            BlockTree block = node.getBlock();
+            if (block.getStatements().isEmpty()) {
+                emptyCatches.add(SourceFile.this + " catches " + node.getParameter().getType() + " and does nothing");
+            }
+            return super.visitCatch(node, none);
+        }
+
+        @Override
+        public Void visitVariable(VariableTree node, Void none) {
+            Set<Modifier> flags = node.getModifiers().getFlags();
+            Tree parent = getCurrentPath().getParentPath().getLeaf();
+            boolean constant = parent.getKind() == Tree.Kind.INTERFACE || parent.getKind() == Tree.Kind.ENUM && !flags.contains(Modifier.STATIC);
+            if (parent instanceof ClassTree && (flags.contains(Modifier.STATIC) || parent.getKind() == Tree.Kind.INTERFACE)) {
+                String why = whyMutable(node, flags, constant);
+                if (!why.isEmpty()) {
+                    mutableStatics.add(SourceFile.this + ": static " + node.getName() + " " + why);
+                }
+            }
+            return super.visitVariable(node, none);
+        }
+
+        private String whyMutable(VariableTree node, Set<Modifier> flags, boolean constant) {
+            if (!constant && !flags.contains(Modifier.FINAL)) {
+                return "is not final";
+            }
+            String type = String.valueOf(node.getType());
+            if (type.endsWith("]") && !flags.contains(Modifier.PRIVATE)) {
+                return "is an array that others can write to";
+            }
+            if (MUTABLE.matcher(type.replaceFirst("<.*", "")).matches()) {
+                return "is a " + type;
+            }
+            return node.getInitializer() instanceof NewClassTree made && MUTABLE.matcher(made.getIdentifier().toString().replaceFirst("<.*", "")).matches()
+                    ? "is a new " + made.getIdentifier() : "";
+        }
+
+        private void use(String name) {
+            Matcher qualified = QUALIFIED.matcher(name);
+            if (qualified.matches()) {
+                usedPackages.add(qualified.group(1));
+            }
+        }
+    }
+}
