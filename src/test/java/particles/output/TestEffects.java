@@ -1,0 +1,77 @@
+package particles.output;
+
+import java.util.Set;
+import particles.Effect;
+import particles.ParticleSystem;
+
+/** Small forces for tests of observers. */
+final class TestEffects {
+    private TestEffects() {
+    }
+
+    private abstract static class Base implements Effect {
+        private final String name;
+
+        Base(String name) {
+            this.name = name;
+        }
+
+        @Override
+        public String getName() {
+            return name;
+        }
+
+        @Override
+        public Set<Trait> getTraits() {
+            return Set.of();
+        }
+
+        @Override
+        public int size() {
+            return 1;
+        }
+
+        @Override
+        public boolean dependsOnVelocity() {
+            return false;
+        }
+    }
+
+    /** Weight m g downwards for every particle of the system. */
+    static Effect gravity(ParticleSystem system, double g) {
+        return new Base("gravity") {
+            @Override
+            public int size() {
+                return system.getParticles().count();
+            }
+
+            @Override
+            public void addForces(double[] state, double time, double[] force, int from, int to) {
+                for (int i = from; i < to; i++) {
+                    force[6 * i + 4] -= system.getParticles().mass(i) * g;
+                }
+            }
+
+            @Override
+            public double getPotentialEnergy(double[] state, double time) {
+                double energy = 0;
+                for (int i = 0; i < size(); i++) {
+                    energy += system.getParticles().mass(i) * g * state[6 * i + 1];
+                }
+                return energy;
+            }
+        };
+    }
+
+    /** No force until a time, and then none that is a number. */
+    static Effect failingAt(double when) {
+        return new Base("failing") {
+            @Override
+            public void addForces(double[] state, double time, double[] force, int from, int to) {
+                if (time > when) {
+                    force[3] = Double.NaN;
+                }
+            }
+        };
+    }
+}
