@@ -1,0 +1,48 @@
+package particles;
+
+/**
+ * What of a scene is drawn and in which colours. Surfaces are drawn where the scene has them.
+ *
+ * @param particles      which particles are drawn as balls
+ * @param springs        which springs are drawn
+ * @param particleRadius the radius of a ball (m), positive, or 0 for one that suits the scene's size
+ * @param strainRange    the strain (stretch over rest length) at which a spring has the full colour of stretched or
+ *                       compressed, positive: 0.1 for 10 %
+ * @param particleColour the colour of balls, 0xRRGGBB
+ * @param fixedColour    the colour of fixed particles
+ * @param frontColour    the colour of a surface's front
+ * @param backColour     the colour of its back
+ */
+public record Look(Shown particles, Shown springs, double particleRadius, double strainRange, int particleColour,
+                   int fixedColour, int frontColour, int backColour) {
+
+    /** How pictures look where a scene says nothing. */
+    public static final Look STANDARD = new Look(Shown.BESIDE_SURFACES, Shown.BESIDE_SURFACES, 0, 0.1, 0xf0a43c, 0x5a6270,
+            0xd9534f, 0x4a78b5);
+
+    /** Which of the particles, or of the springs, are drawn. */
+    public enum Shown {
+        /** All. */
+        ALWAYS,
+        /** Those that do not belong to a surface; springs with an end that does not. */
+        BESIDE_SURFACES,
+        /** None. */
+        NEVER
+    }
+
+    /** @throws IllegalArgumentException if a number is out of its range */
+    public Look {
+        if (!(particleRadius >= 0) || !(particleRadius <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the particles' radius has to be 0 or more and finite, not " + particleRadius);
+        }
+        if (!(strainRange > 0) || !(strainRange <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the range of strain has to be positive and finite, not " + strainRange);
+        }
+        for (int colour : new int[] {particleColour, fixedColour, frontColour, backColour}) {
+            if (colour < 0 || colour > 0xffffff) {
+                throw new IllegalArgumentException("a colour has to be from 0x000000 to 0xffffff, not 0x"
+                        + Integer.toHexString(colour));
+            }
+        }
+    }
+}
