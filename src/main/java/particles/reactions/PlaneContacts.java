@@ -1,10 +1,11 @@
 package particles.reactions;
 
-import java.util.Arrays;
 import java.util.List;
+import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
 import particles.Vector3;
+import particles.reactions.ContactModes.Mode;
 
 /**
  * The contact force on particles that rest on planes, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
@@ -17,29 +18,21 @@ import particles.Vector3;
  */
 public final class PlaneContacts implements Reaction {
 
-    /** What a particle does at a plane. */
-    public enum Mode {
-        /** It does not touch. */
-        FREE,
-        /** It touches and slides, or would if it moved. */
-        SLIDING,
-        /** It touches and static friction holds it as long as it is strong enough. */
-        STICKING
-    }
-
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
     private final List<ContactPlane> planes;
     private final NormalForces normalForces;
-    private Mode[][] modes = {};                        // by particle, then plane; null for particles that touch nothing
-    private int touching;
+    private final ContactModes modes;
+    private double[] stepBegin = {};                    // the state where the present step began
 
     private final ContactPlane[] touched;               // work arrays for one particle
     private final Vector3[] normals;
     private final double[] push;
     private final double[] pressing = new double[3];
     private final double[] friction = new double[3];
+    private final double[] tangent = new double[3];
+    private final double[] beginning = new double[3];
 
     /**
      * @param particles whom the planes hold
@@ -48,45 +41,39 @@ public final class PlaneContacts implements Reaction {
     public PlaneContacts(Particles particles, List<ContactPlane> planes) {
         this.particles = particles;
         this.planes = List.copyOf(planes);
+        modes = new ContactModes(particles, planes.size());
         normalForces = new NormalForces(planes.size());
         touched = new ContactPlane[planes.size()];
         normals = new Vector3[planes.size()];
         push = new double[planes.size()];
     }
 
-    /** @return the planes, in the order in which {@link #getMode} counts them */
+    /** @return the planes, in the order in which {@link #getModes} counts them */
     public List<ContactPlane> getPlanes() {
         return planes;
     }
 
-    /**
-     * @param plane    index of a plane
-     * @param particle index of a particle
-     * @return what the particle does at the plane
-     */
-    public Mode getMode(int plane, int particle) {
-        return particle < modes.length && modes[particle] != null ? modes[particle][plane] : Mode.FREE;
+    /** @return who touches which plane, for rules to decide */
+    public ContactModes getModes() {
+        return modes;
     }
 
     /**
-     * @param plane    index of a plane
-     * @param particle index of a particle
-     * @param mode     what it does there from now on
+     * Notes where a step begins. Coulomb friction has the direction of the sliding and would flip with it; within a step
+     * it is continued smoothly as if the sliding had not turned round, so that the step's end shows whether it did.
+     *
+     * @param system the system before a step
      */
-    public void setMode(int plane, int particle, Mode mode) {
-        Mode before = getMode(plane, particle);
-        if (before == mode) {
-            return;
+    public void beginStep(ParticleSystem system) {
+        if (stepBegin.length != system.getStateSize()) {
+            stepBegin = new double[system.getStateSize()];
         }
-        if (modes.length < particles.count()) {
-            modes = Arrays.copyOf(modes, particles.count());
-        }
-        if (modes[particle] == null) {
-            modes[particle] = new Mode[planes.size()];
-            Arrays.fill(modes[particle], Mode.FREE);
-        }
-        modes[particle][plane] = mode;
-        touching += (mode == Mode.FREE ? 0 : 1) - (before == Mode.FREE ? 0 : 1);
+        system.getState(stepBegin);
+    }
+
+    /** @return the state where the present step began, to be read only */
+    public double[] getStepBegin() {
+        return stepBegin;
     }
 
     @Override
@@ -96,7 +83,7 @@ public final class PlaneContacts implements Reaction {
 
     @Override
     public boolean isActive() {
-        return touching > 0;
+        return modes.isAnyTouching();
     }
 
     @Override
@@ -106,7 +93,7 @@ public final class PlaneContacts implements Reaction {
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        for (int i = 0; i < modes.length; i++) {
+        for (int i = 0; i < modes.end(); i++) {
             int count = respond(i, state, force);
             if (count == 0) {
                 continue;
@@ -126,7 +113,7 @@ public final class PlaneContacts implements Reaction {
     @Override
     public double getDissipatedPower(double[] state, double time, double[] force) {
         double power = 0;
-        for (int i = 0; i < modes.length; i++) {
+        for (int i = 0; i < modes.end(); i++) {
             if (respond(i, state, force) > 0) {
                 int v = STRIDE * i + 3;
                 power -= friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
@@ -153,22 +140,22 @@ public final class PlaneContacts implements Reaction {
             left[2] += push[p] * normals[p].z();
             withstood += push[p] * touched[p].friction().staticCoefficient();
         }
-        double along = Math.sqrt(left[0] * left[0] + left[1] * left[1] + left[2] * left[2]);
-        return count > 0 && along <= withstood;
+        return count > 0 && length(left) <= withstood;
     }
 
     /** Finds push and friction for one particle; returns how many planes it touches, 0 if there is nothing to answer. */
     private int respond(int i, double[] state, double[] force) {
-        if (i >= modes.length || modes[i] == null || particles.isFixed(i)) {
+        if (particles.isFixed(i)) {
             return 0;
         }
         int count = 0;
         boolean sticking = true;
         for (int p = 0; p < planes.size(); p++) {
-            if (modes[i][p] != Mode.FREE) {
+            Mode mode = modes.get(p, i);
+            if (mode != Mode.FREE) {
                 touched[count] = planes.get(p);
                 normals[count++] = planes.get(p).plane().normal();
-                sticking &= modes[i][p] == Mode.STICKING;
+                sticking &= mode == Mode.STICKING;
             }
         }
         if (count == 0) {
@@ -202,7 +189,7 @@ public final class PlaneContacts implements Reaction {
             withstood += push[p] * law.staticCoefficient();
             sliding += law.law() == Friction.Law.COULOMB ? push[p] * law.coefficient() : 0;
         }
-        double along = Math.sqrt(friction[0] * friction[0] + friction[1] * friction[1] + friction[2] * friction[2]);
+        double along = length(friction);
         double part = along <= withstood ? 1 : Math.min(1, sliding / along);
         for (int c = 0; c < 3; c++) {
             friction[c] *= -part;
@@ -215,18 +202,40 @@ public final class PlaneContacts implements Reaction {
         if (law.law() == Friction.Law.NONE || push[p] == 0) {
             return;
         }
-        Vector3 normal = normals[p];
-        double vn = normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2];
-        double tx = state[v] - vn * normal.x();
-        double ty = state[v + 1] - vn * normal.y();
-        double tz = state[v + 2] - vn * normal.z();
         double factor = push[p] * law.coefficient();
+        along(normals[p], state, v, tangent);
         if (law.law() == Friction.Law.COULOMB) {
-            double speed = Math.sqrt(tx * tx + ty * ty + tz * tz);
-            factor = speed > 0 ? factor / speed : 0;
+            double speed = length(tangent);
+            if (speed > 0) {
+                factor /= turned(normals[p], v) ? -speed : speed;
+            } else {                                    // about to move: against the force that will move it
+                along(normals[p], pressing, 0, tangent);
+                factor /= Math.max(factor, length(tangent));
+            }
         }
-        friction[0] -= factor * tx;
-        friction[1] -= factor * ty;
-        friction[2] -= factor * tz;
+        for (int c = 0; c < 3 && factor != 0; c++) {
+            friction[c] -= factor * tangent[c];
+        }
+    }
+
+    /** Whether the velocity along a plane, now in tangent, points back against that at the beginning of the step. */
+    private boolean turned(Vector3 normal, int v) {
+        if (stepBegin.length <= v) {
+            return false;
+        }
+        along(normal, stepBegin, v, beginning);
+        return tangent[0] * beginning[0] + tangent[1] * beginning[1] + tangent[2] * beginning[2] < 0;
+    }
+
+    /** The part of a vector that lies in a plane. */
+    private static void along(Vector3 normal, double[] vectors, int place, double[] result) {
+        double across = normal.x() * vectors[place] + normal.y() * vectors[place + 1] + normal.z() * vectors[place + 2];
+        result[0] = vectors[place] - across * normal.x();
+        result[1] = vectors[place + 1] - across * normal.y();
+        result[2] = vectors[place + 2] - across * normal.z();
+    }
+
+    private static double length(double[] vector) {
+        return Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
     }
 }

@@ -4,10 +4,10 @@ import particles.ParticleSystem;
 import particles.Particles;
 import particles.Rule;
 import particles.Vector3;
+import particles.reactions.ContactModes;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactPlane;
-import particles.reactions.Friction;
 import particles.reactions.PlaneContacts;
-import particles.reactions.PlaneContacts.Mode;
 
 /**
  * Particles bounce off planes, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' = v_t. "Should
@@ -25,6 +25,7 @@ public final class PlaneCollisions implements Rule {
     private static final double ON_PLANE = 1e-9;
 
     private final PlaneContacts contacts;
+    private final ContactModes modes;
     private double[] before = {};
     private double[] force = {};
     private boolean forceKnown;
@@ -32,6 +33,7 @@ public final class PlaneCollisions implements Rule {
     /** @param contacts the planes, and what touches them */
     public PlaneCollisions(PlaneContacts contacts) {
         this.contacts = contacts;
+        this.modes = contacts.getModes();
     }
 
     @Override
@@ -50,21 +52,24 @@ public final class PlaneCollisions implements Rule {
                 if (!system.getParticles().isFixed(i) && Math.abs(distance(plane, state, i)) <= slack(state, i)
                         && Math.abs(normalSpeed(plane, state, i)) <= plane.restSpeed()) {
                     stopAlong(plane.plane().normal(), state, i);
-                    contacts.setMode(p, i, Mode.SLIDING);
-                    slideOrStick(system, p, i, state);
+                    touch(p, i);
                 }
             }
         }
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            slideOrStick(system, i, state);
+        }
+    }
+
+    private void touch(int p, int i) {
+        modes.set(p, i, Mode.SLIDING);
+        modes.setWhereTouching(i, Mode.SLIDING);
     }
 
     @Override
     public void beforeStep(ParticleSystem system) {
-        int n = system.getStateSize();
-        if (before.length != n) {
-            before = new double[n];
-            force = new double[n];
-        }
-        system.getState(before);
+        contacts.beginStep(system);
+        before = contacts.getStepBegin();
         forceKnown = false;
     }
 
@@ -72,21 +77,21 @@ public final class PlaneCollisions implements Rule {
     public boolean afterStep(ParticleSystem system, double deltaT) {
         double[] state = system.getOwnState();
         boolean changed = false;
-        for (int p = 0; p < contacts.getPlanes().size(); p++) {
-            ContactPlane plane = contacts.getPlanes().get(p);
-            for (int i = 0; i < system.getParticles().count(); i++) {
-                if (system.getParticles().isFixed(i)) {
-                    continue;
-                }
-                changed |= contacts.getMode(p, i) == Mode.FREE ? collide(system, p, plane, i, state)
-                        : keepInContact(system, p, plane, i, state);
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            if (system.getParticles().isFixed(i)) {
+                continue;
             }
+            for (int p = 0; p < contacts.getPlanes().size(); p++) {
+                changed |= modes.get(p, i) == Mode.FREE ? collide(p, i, state) : keepInContact(p, i, state);
+            }
+            changed |= slideOrStick(system, i, state);
         }
         return changed;
     }
 
     /** A particle that was free: an impact if it is below the plane now. */
-    private boolean collide(ParticleSystem system, int p, ContactPlane plane, int i, double[] state) {
+    private boolean collide(int p, int i, double[] state) {
+        ContactPlane plane = contacts.getPlanes().get(p);
         double depth = distance(plane, state, i);
         if (depth >= 0) {
             return false;
@@ -99,8 +104,7 @@ public final class PlaneCollisions implements Rule {
             double gained = Math.abs(approach - normalSpeed(plane, before, i));
             if (leaving <= Math.max(plane.restSpeed(), gained)) {
                 stopAlong(normal, state, i);
-                contacts.setMode(p, i, Mode.SLIDING);
-                slideOrStick(system, p, i, state);
+                touch(p, i);
             } else {
                 moveAlong(normal, state, STRIDE * i + 3, leaving - approach);
             }
@@ -109,51 +113,56 @@ public final class PlaneCollisions implements Rule {
     }
 
     /** A particle that was in contact: it may leave, be pressed in by another plane, begin or cease to slide. */
-    private boolean keepInContact(ParticleSystem system, int p, ContactPlane plane, int i, double[] state) {
+    private boolean keepInContact(int p, int i, double[] state) {
+        ContactPlane plane = contacts.getPlanes().get(p);
         double depth = distance(plane, state, i);
         if (depth > slack(state, i)) {
-            contacts.setMode(p, i, Mode.FREE);
+            modes.set(p, i, Mode.FREE);
             return true;
         }
-        boolean changed = false;
         if (depth < -slack(state, i)) {
             moveAlong(plane.plane().normal(), state, STRIDE * i, -depth);
             if (normalSpeed(plane, state, i) < 0) {
                 stopAlong(plane.plane().normal(), state, i);
             }
-            changed = true;
+            return true;
         }
-        return slideOrStick(system, p, i, state) || changed;
+        return false;
     }
 
-    private boolean slideOrStick(ParticleSystem system, int p, int i, double[] state) {
-        ContactPlane plane = contacts.getPlanes().get(p);
-        Friction friction = plane.friction();
-        if (friction.law() == Friction.Law.NONE) {
+    /** A particle that sticks begins to slide where it moves; one that slides sticks where it stops and can be held. */
+    private boolean slideOrStick(ParticleSystem system, int i, double[] state) {
+        if (!modes.isTouching(i)) {
             return false;
         }
-        Vector3 now = along(plane.plane().normal(), state, i);
-        Mode mode = contacts.getMode(p, i);
-        if (mode == Mode.STICKING) {
+        Vector3 now = velocity(state, i);
+        if (modes.isSticking(i)) {
             if (now.equals(Vector3.ZERO)) {
                 return false;
             }
-            contacts.setMode(p, i, Mode.SLIDING);
+            modes.setWhereTouching(i, Mode.SLIDING);
             return true;
         }
-        Vector3 earlier = along(plane.plane().normal(), before, i);
-        boolean turned = friction.law() == Friction.Law.COULOMB && now.dot(earlier) <= 0;
-        if (!(turned || now.length() <= friction.threshold()) || !canHold(system, i, state)) {
+        boolean stopping = now.dot(velocity(before, i)) <= 0;
+        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+            if (modes.get(p, i) != Mode.FREE) {
+                stopping |= now.length() <= contacts.getPlanes().get(p).friction().threshold();
+            }
+        }
+        if (!stopping || !canHold(system, i, state)) {
             return false;
         }
-        moveAlong(now, state, STRIDE * i + 3, -1);      // what is left of the velocity along the plane
-        contacts.setMode(p, i, Mode.STICKING);
+        moveAlong(now, state, STRIDE * i + 3, -1);
+        modes.setWhereTouching(i, Mode.STICKING);
         return true;
     }
 
     /** The effects' forces are only added up in steps in which a particle may stop. */
     private boolean canHold(ParticleSystem system, int i, double[] state) {
         if (!forceKnown) {
+            if (force.length != system.getStateSize()) {
+                force = new double[system.getStateSize()];
+            }
             system.addUpEffects(state, system.getTime(), force);
             forceKnown = true;
         }
@@ -176,10 +185,9 @@ public final class PlaneCollisions implements Rule {
         return normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2];
     }
 
-    private static Vector3 along(Vector3 normal, double[] state, int i) {
+    private static Vector3 velocity(double[] state, int i) {
         int v = STRIDE * i + 3;
-        Vector3 velocity = new Vector3(state[v], state[v + 1], state[v + 2]);
-        return velocity.minus(normal.times(normal.dot(velocity)));
+        return new Vector3(state[v], state[v + 1], state[v + 2]);
     }
 
     private static void stopAlong(Vector3 normal, double[] state, int i) {

@@ -1,0 +1,111 @@
+package particles.reactions;
+
+import java.util.Arrays;
+import particles.Particles;
+
+/**
+ * Who touches which plane, and whether it slides or sticks there: what rules decide between steps and the contact force
+ * takes as given within one.
+ */
+public final class ContactModes {
+
+    /** What a particle does at a plane. */
+    public enum Mode {
+        /** It does not touch. */
+        FREE,
+        /** It touches and slides, or would if it moved. */
+        SLIDING,
+        /** It touches and static friction holds it as long as it is strong enough. */
+        STICKING
+    }
+
+    private final Particles particles;
+    private final int planes;
+    private Mode[][] modes = {};                        // by particle, then plane; null for those that never touched any
+    private int touching;
+
+    ContactModes(Particles particles, int planes) {
+        this.particles = particles;
+        this.planes = planes;
+    }
+
+    /**
+     * @param plane    index of a plane
+     * @param particle index of a particle
+     * @return what the particle does at the plane
+     */
+    public Mode get(int plane, int particle) {
+        return particle < modes.length && modes[particle] != null ? modes[particle][plane] : Mode.FREE;
+    }
+
+    /**
+     * @param plane    index of a plane
+     * @param particle index of a particle
+     * @param mode     what it does there from now on
+     */
+    public void set(int plane, int particle, Mode mode) {
+        Mode before = get(plane, particle);
+        if (before == mode) {
+            return;
+        }
+        if (modes.length < particles.count()) {
+            modes = Arrays.copyOf(modes, particles.count());
+        }
+        if (modes[particle] == null) {
+            modes[particle] = new Mode[planes];
+            Arrays.fill(modes[particle], Mode.FREE);
+        }
+        modes[particle][plane] = mode;
+        touching += (mode == Mode.FREE ? 0 : 1) - (before == Mode.FREE ? 0 : 1);
+    }
+
+    /**
+     * Lets a particle slide or stick at all the planes that it touches.
+     *
+     * @param particle index of a particle
+     * @param mode     sliding or sticking
+     */
+    public void setWhereTouching(int particle, Mode mode) {
+        for (int p = 0; p < planes; p++) {
+            if (get(p, particle) != Mode.FREE) {
+                set(p, particle, mode);
+            }
+        }
+    }
+
+    /** @return true if any particle touches any plane */
+    public boolean isAnyTouching() {
+        return touching > 0;
+    }
+
+    /** @return one more than the largest index of a particle that ever touched a plane, or more */
+    int end() {
+        return modes.length;
+    }
+
+    /**
+     * @param particle index of a particle
+     * @return true if it touches any plane
+     */
+    public boolean isTouching(int particle) {
+        for (int p = 0; p < planes; p++) {
+            if (get(p, particle) != Mode.FREE) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * @param particle index of a particle
+     * @return true if it touches a plane and static friction holds it there
+     */
+    public boolean isSticking(int particle) {
+        for (int p = 0; p < planes; p++) {
+            if (get(p, particle) == Mode.STICKING) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

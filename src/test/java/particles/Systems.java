@@ -1,0 +1,34 @@
+package particles;
+
+import deSolvers.DESolver;
+
+/** Small systems and runs that several tests need. */
+public final class Systems {
+    /** Gravity of the reference values (m/s&sup2;), downwards. */
+    public static final Vector3 GRAVITY = new Vector3(0, -9.81, 0);
+
+    private Systems() {
+    }
+
+    /** @return a system of one particle of mass 1 kg */
+    public static ParticleSystem oneParticle(Vector3 position, Vector3 velocity) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("p", 1, position, velocity, false);
+        return system;
+    }
+
+    /** Runs to the end with rules and without an energy limit. */
+    public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration, Rule... rules) {
+        Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        for (Rule rule : rules) {
+            simulation.addRule(rule);
+        }
+        simulation.run();
+        return simulation;
+    }
+
+    /** @return entry k of the system's state: 0, 1, 2 position of the first particle, 3, 4, 5 its velocity */
+    public static double entry(ParticleSystem system, int k) {
+        return system.getOwnState()[k];
+    }
+}

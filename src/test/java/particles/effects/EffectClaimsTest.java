@@ -1,0 +1,121 @@
+package particles.effects;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.Effect;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Vector3;
+
+/** Every effect keeps what it claims, and effects with a planted error do not. */
+class EffectClaimsTest {
+    private static final GustyWind WIND = new GustyWind(new Vector3(2, 0, 1), new Vector3(1, 0.5, 0), 1.7);
+
+    /** Six particles about a unit apart, of different masses, one of them fixed. */
+    private static ParticleSystem system() {
+        ParticleSystem system = new ParticleSystem();
+        Random random = new Random(715);
+        for (int i = 0; i < 6; i++) {
+            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO, i == 4);
+        }
+        return system;
+    }
+
+    private static SpringForce springs(Particles particles, double damping) {
+        SpringForce springs = new SpringForce(particles);
+        for (int i = 0; i < 6; i++) {
+            for (int j = 0; j < i; j++) {
+                springs.addSpring(i, j, 10 + i + 2 * j, 0.7 + 0.1 * i, damping * (1 + j));
+            }
+        }
+        return springs;
+    }
+
+    private static List<String> broken(Function<Particles, Effect> maker) {
+        ParticleSystem system = system();
+        return EffectClaims.broken(system, maker.apply(system.getParticles()), 2003);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.8})
+    void springsKeepTheirClaims(double damping) {
+        assertEquals(List.of(), broken(p -> springs(p, damping)));
+    }
+
+    @Test
+    void gravityKeepsItsClaims() {
+        assertEquals(List.of(), broken(p -> new Gravity(p, new Vector3(0.3, -9.81, 0.1))));
+    }
+
+    @Test
+    void dragKeepsItsClaimsInStillAirAndInWind() {
+        assertEquals(List.of(), broken(p -> new LinearDrag(p, 0.4, Wind.STILL)));
+        assertEquals(List.of(), broken(p -> new LinearDrag(p, 0.4, WIND)));
+    }
+
+    @Test
+    void plantedErrorsAreFound() {
+        assertFalse(broken(p -> new Altered(springs(p, 0), 1, -1)).isEmpty(), "springs that push when stretched");
+        assertFalse(broken(p -> new Altered(springs(p, 0.8), 1, 0.5)).isEmpty(), "half of the force");
+        assertFalse(broken(p -> new Altered(new Gravity(p, new Vector3(0, -9.81, 0)), 1, -1)).isEmpty(), "gravity upwards");
+        assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, Wind.STILL), 1, -1)).isEmpty(), "drag that drives");
+        assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, WIND), 1, 1.01)).isEmpty(), "a percent too much drag");
+        assertFalse(broken(p -> new Altered(springs(p, 0), 0, 1)).isEmpty(), "a partner that is forgotten");
+    }
+
+    /** An effect with its forces multiplied: on the first particle by one factor, on the others by another. */
+    private record Altered(Effect effect, double first, double others) implements Effect {
+        @Override
+        public String getName() {
+            return effect.getName();
+        }
+
+        @Override
+        public Set<Trait> getTraits() {
+            return EnumSet.copyOf(effect.getTraits());
+        }
+
+        @Override
+        public int size() {
+            return effect.size();
+        }
+
+        @Override
+        public boolean dependsOnVelocity() {
+            return effect.dependsOnVelocity();
+        }
+
+        @Override
+        public void addForces(double[] state, double time, double[] force, int from, int to) {
+            double[] right = new double[force.length];
+            effect.addForces(state, time, right, from, to);
+            for (int k = 0; k < force.length; k++) {
+                force[k] += right[k] * (k < 6 ? first : others);
+            }
+        }
+
+        @Override
+        public double getPotentialEnergy(double[] state, double time) {
+            return effect.getPotentialEnergy(state, time);
+        }
+
+        @Override
+        public double getDissipatedPower(double[] state, double time) {
+            return effect.getDissipatedPower(state, time);
+        }
+
+        @Override
+        public double getDrivenPower(double[] state, double time) {
+            return effect.getDrivenPower(state, time);
+        }
+    }
+}
