@@ -10,6 +10,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import particles.SimulationException;
+import particles.output.OutputException;
 
 /** What becomes of an exception: what can be expected to go wrong is a clear line each, anything else a stack trace. */
 final class Failures {
@@ -34,6 +35,10 @@ final class Failures {
         if (thrown instanceof SimulationException || thrown instanceof DESolverException) {
             err.println(thrown.getMessage());
             return ExitCode.STOPPED;
+        }
+        if (thrown instanceof OutputException) {
+            err.println(thrown.getMessage());
+            return ExitCode.TROUBLE;
         }
         if (thrown instanceof UncheckedIOException unchecked) {
             return print(unchecked.getCause());

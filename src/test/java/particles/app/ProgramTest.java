@@ -13,10 +13,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.SimulationException;
+import particles.output.OutputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -180,6 +182,12 @@ class ProgramTest {
     void fullDiskIsOneLineAndCode1() {
         assertEnds(ExitCode.TROUBLE, "build/out/a.csv: No space left on device",
                 new UncheckedIOException(new FileSystemException("build/out/a.csv", null, "No space left on device")));
+    }
+
+    @Test
+    void resultThatCannotBeWrittenIsOneLineAndCode1() {
+        assertEnds(ExitCode.TROUBLE, "cannot write build/out/run.json: the disk is full",
+                new OutputException(Path.of("build/out/run.json"), "write", new IOException("No space left on device")));
     }
 
     @Test
