@@ -25,7 +25,7 @@ class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
     private static final int MOST_LINES = 300;
 
-    private static final String ALGEBRA = "org.ejml", YAML = "org.snakeyaml", JSON = "com.fasterxml.jackson", COMMAND_LINE = "picocli",
+    private static final String ALGEBRA = "org.ejml", ORDERING = "edu.ufl.cise.amd", YAML = "org.snakeyaml", JSON = "com.fasterxml.jackson", COMMAND_LINE = "picocli",
             CHARTS = "org.jfree", AWT = "java.awt", IMAGES = "javax.imageio";
     private static final String EVERYTHING_OF_OURS = "*";
 
@@ -40,7 +40,7 @@ class ArchitectureTest {
             Map.entry("deSolvers.extrapolation", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive")),
             Map.entry("deSolvers.multistep", Set.of("deSolvers", "deSolvers.rungeKutta")),
             Map.entry("deSolvers.symplectic", Set.of("deSolvers")),
-            Map.entry("deSolvers.implicit", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive", ALGEBRA)),
+            Map.entry("deSolvers.implicit", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive", ALGEBRA, ORDERING)),
             Map.entry("deSolvers.catalog", Set.of("deSolvers", "deSolvers.")),
             Map.entry("particles", Set.of("deSolvers")),
             Map.entry("particles.effects", Set.of("particles")),

@@ -4,6 +4,8 @@ import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.MidpointSolver;
 import deSolvers.RK4Solver;
+import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.implicit.ImplicitMidpointSolver;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
 import java.lang.reflect.InvocationTargetException;
@@ -20,6 +22,7 @@ import java.util.function.Supplier;
  */
 public final class SolverCatalog {
     private static final double NONE = Double.NaN;
+    private static final double UNLIMITED = Double.POSITIVE_INFINITY;
 
     private static final Map<String, Entry> ENTRIES = byName(
             entry(EulerSolver::new, "euler", EulerSolver.class, 1, "slides", "1", false, 2, 0,
@@ -31,7 +34,11 @@ public final class SolverCatalog {
             entry(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class, 1, "symplectic", "1", true, NONE, 2,
                     "The slides' simple algorithm: new velocity first, so that energy errors stay bounded."),
             entry(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class, 2, "symplectic", "1, more with damping", true, NONE, 2,
-                    "Kick, drift, kick: reversible, and the energy error stays bounded for ever."));
+                    "Kick, drift, kick: reversible, and the energy error stays bounded for ever."),
+            entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class, 1, "implicit", "Newton", false, UNLIMITED,
+                    UNLIMITED, "Stable for any step on stiff springs and strong damping, and damps what it cannot follow."),
+            entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class, 2, "implicit", "Newton", false,
+                    UNLIMITED, UNLIMITED, "Stable for any step, reversible, and keeps the energy of linear springs."));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker) {
     }

@@ -1,0 +1,75 @@
+package deSolvers.implicit;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.GuardedStep;
+
+/**
+ * The backward Euler method: one straight step along the derivative at its <i>end</i>,
+ * s(t + h) = s(t) + h f(s(t + h), t + h).
+ * <pre>
+ *    1 | 1
+ *   ---+---
+ *      | 1
+ * </pre>
+ * The equation is solved by Newton's method to 1e-10 of the state (in practice to rounding), or an exception says that it
+ * was not. {@link #linearised()} makes a solver that takes the first of Newton's corrections and asks no more.
+ *
+ * <p><b>Order</b> 1.<br>
+ * <b>Evaluations</b> a few a step for Newton's method, and n more for each Jacobian where the source does not know its own
+ * ({@link deSolvers.JacobianStateSource}); no limit to the number is known beforehand.<br>
+ * <b>Stability</b> R(z) = 1/(1 - z): L-stable, no limit on the step for anything that decays or oscillates. What is
+ * stable is not accurate: an undamped spring loses amplitude by (1 + (h omega)<sup>2</sup>)<sup>-1/2</sup> a step.<br>
+ * <b>When to use</b> stiff springs and strong damping where only the slow motion matters: cloth at frame rate. Not where
+ * energy has to be kept, for which {@code implicit-midpoint} serves, nor where accuracy counts, for which {@code radau}
+ * does.<br>
+ * <b>Source</b> C. F. Curtiss, J. O. Hirschfelder (1952), Proc. Nat. Acad. Sci. 38, 235; D. Baraff, A. Witkin,
+ * <i>Large Steps in Cloth Simulation</i>, SIGGRAPH 1998, for the linearised step.
+ */
+public final class BackwardEulerSolver extends DESolver {
+    private final GuardedStep guard = new GuardedStep(this);
+    private final ImplicitStage stage = new ImplicitStage();
+    private final boolean linearised;
+    private double[] state = {};
+    private double[] newState = {};
+
+    /** A solver that iterates until Newton's method has converged. */
+    public BackwardEulerSolver() {
+        this(false);
+    }
+
+    private BackwardEulerSolver(boolean linearised) {
+        this.linearised = linearised;
+    }
+
+    /**
+     * A solver that linearises f at the beginning of the step and solves the linear equation once, to 1e-8 relative:
+     * the linearly implicit Euler method. As stable on linear systems and of the same order, cheaper, and without
+     * Newton's promise to have solved the nonlinear equation.
+     *
+     * @return a new solver
+     */
+    public static BackwardEulerSolver linearised() {
+        return new BackwardEulerSolver(true);
+    }
+
+    @Override
+    public void stepState(DEStateSource client, double deltaT) {
+        int n = client.getStateSize();
+        if (state.length != n) {
+            state = new double[n];
+            newState = new double[n];
+        }
+        try (GuardedStep source = guard.begin(client, deltaT)) {
+            source.getState(state);
+            source.incTime(deltaT);
+            stage.solve(source, client, state, deltaT, linearised, newState);   // m = s + h f(m, t + h)
+            source.finish(newState);
+        }
+    }
+
+    /** @return what was done in all steps so far */
+    public ImplicitWork getWork() {
+        return stage.getWork();
+    }
+}

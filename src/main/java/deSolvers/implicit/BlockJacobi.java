@@ -1,0 +1,34 @@
+package deSolvers.implicit;
+
+/** The preconditioner that inverts the diagonal blocks of a matrix, one particle at a time. */
+final class BlockJacobi implements LinearOperator {
+    private final ImplicitWork.Counter work;
+    private double[] inverse = {};
+
+    BlockJacobi(ImplicitWork.Counter work) {
+        this.work = work;
+    }
+
+    /** Takes up a matrix; false if a diagonal block is singular. */
+    boolean prepare(BlockMatrix matrix) {
+        BlockPattern pattern = matrix.pattern();
+        if (inverse.length != 9 * pattern.rows) {
+            inverse = new double[9 * pattern.rows];
+        }
+        for (int i = 0; i < pattern.rows; i++) {
+            if (!Block3.invert(matrix.values(), 9 * pattern.diagonal[i], inverse, 9 * i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public void apply(double[] x, double[] y) {
+        java.util.Arrays.fill(y, 0);
+        for (int at = 0, v = 0; at < inverse.length; at += 9, v += 3) {
+            Block3.multiplyAdd(inverse, at, x, v, y, v);
+        }
+        work.blockOperations += inverse.length / 9;
+    }
+}

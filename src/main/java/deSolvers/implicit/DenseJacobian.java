@@ -1,0 +1,82 @@
+package deSolvers.implicit;
+
+import deSolvers.DEStateSource;
+import deSolvers.JacobianStateSource;
+import java.util.Arrays;
+import org.ejml.data.DMatrixRMaj;
+
+/**
+ * The Jacobian J = df/ds as a full matrix: column by column from the source's products, or by forward differences at one
+ * evaluation a column.
+ */
+final class DenseJacobian {
+    /** Half the digits: the best balance of rounding against curvature in a forward difference. */
+    private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
+    /** An entry that is 0 and does not move is varied as if it were this part of the largest entry. */
+    private static final double SMALL_ENTRY = 1e-5;
+
+    private final ImplicitWork.Counter work;
+    private double[] varied = {};
+    private double[] column = {};
+
+    DenseJacobian(ImplicitWork.Counter work) {
+        this.work = work;
+    }
+
+    /**
+     * Computes J at a state and the source's present time. Leaves the source at a state near it.
+     *
+     * @param source   evaluates
+     * @param products the same source if it multiplies with its Jacobian, else anything that does not
+     * @param state    where
+     * @param dSdt     f there
+     * @param h        a step (s) that tells how far an entry at 0 may be expected to move
+     * @param jacobian receives J, n x n
+     */
+    void compute(DEStateSource source, DEStateSource products, double[] state, double[] dSdt, double h, DMatrixRMaj jacobian) {
+        int n = state.length;
+        if (varied.length != n) {
+            varied = new double[n];
+            column = new double[n];
+        }
+        work.jacobians++;
+        if (products instanceof JacobianStateSource) {
+            source.setState(state);
+            Arrays.fill(varied, 0);
+            for (int j = 0; j < n; j++) {
+                varied[j] = 1;
+                ((JacobianStateSource) products).getJacobianProduct(varied, column);
+                varied[j] = 0;
+                setColumn(jacobian, j, column);
+            }
+            work.products += n;
+            return;
+        }
+        double largest = 0;
+        for (double s : state) {
+            largest = Math.max(largest, Math.abs(s));
+        }
+        System.arraycopy(state, 0, varied, 0, n);
+        for (int j = 0; j < n; j++) {
+            double scale = Math.max(Math.abs(state[j]), Math.max(Math.abs(h * dSdt[j]), SMALL_ENTRY * largest));
+            if (scale == 0) {
+                scale = 1;
+            }
+            varied[j] = state[j] + Math.copySign(ROOT_EPSILON * scale, h * dSdt[j]);
+            double delta = varied[j] - state[j];        // as rounded, so that the difference is exact
+            source.setState(varied);
+            source.getStateDerivative(column);
+            for (int i = 0; i < n; i++) {
+                column[i] = (column[i] - dSdt[i]) / delta;
+            }
+            setColumn(jacobian, j, column);
+            varied[j] = state[j];
+        }
+    }
+
+    private static void setColumn(DMatrixRMaj matrix, int j, double[] column) {
+        for (int i = 0, at = j; i < column.length; i++, at += column.length) {
+            matrix.data[at] = column[i];
+        }
+    }
+}

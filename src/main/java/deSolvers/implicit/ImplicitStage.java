@@ -1,0 +1,131 @@
+package deSolvers.implicit;
+
+import deSolvers.DEStateSource;
+import deSolvers.GuardedStep;
+import deSolvers.JacobianStateSource;
+import deSolvers.SecondOrderStateSource;
+
+/**
+ * Solves the equation of all one-stage implicit methods, m = s + g f(m, t), at the source's present time, choosing how by
+ * the size and the kind of the source.
+ */
+final class ImplicitStage {
+    /** States up to this size are solved with a full matrix; factorising a larger one takes longer than Krylov's products. */
+    static final int LARGEST_DENSE = 600;
+    /** For one of Newton's corrections; the last of them reduces what is left by this much again. */
+    private static final double LINEAR_TOLERANCE = 1e-4;
+    /** For the only correction of the linearised equation. */
+    private static final double LINEARISED_TOLERANCE = 1e-8;
+    /** The path from g = 0 is followed in pieces no smaller than this part of the way. */
+    private static final double SMALLEST_PIECE = 1.0 / 4096;
+
+    private final ImplicitWork.Counter work = new ImplicitWork.Counter();
+    private final Newton newton = new Newton(work);
+    private final DenseProblem dense = new DenseProblem(work);
+    private final KrylovProblem krylov = new KrylovProblem(work);
+    private final VelocityProblem velocities = new VelocityProblem(work);
+    private double[] unknowns = {};
+    private double[] reached = {};
+
+    ImplicitWork getWork() {
+        return work.read();
+    }
+
+    /**
+     * Solves the equation.
+     *
+     * @param source     stands for the client; its clock is at the stage's time
+     * @param client     the source itself, for what it offers beyond the simple interface
+     * @param start      s
+     * @param gamma      g (s)
+     * @param linearised whether to solve the equation that is linearised at s instead, once
+     * @param stage      receives m
+     */
+    void solve(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean linearised, double[] stage) {
+        boolean byVelocity = givesBlocks(client);
+        int n = byVelocity ? start.length / 2 : start.length;
+        if (unknowns.length != n) {
+            unknowns = new double[n];
+            reached = new double[n];
+        }
+        NewtonProblem problem = begin(source, client, start, gamma, byVelocity,
+                linearised ? LINEARISED_TOLERANCE : LINEAR_TOLERANCE);
+        setToStart(start, byVelocity);
+        boolean solved = linearised ? newton.solveLinearised(problem, unknowns) : newton.solve(problem, unknowns);
+        if (!solved) {
+            failIfNotFinite(source, start, gamma, stage);
+            if (linearised || !follow(source, client, start, gamma, byVelocity)) {
+                throw source.failure(-1, newton.describeFailure() + "; deltaT is probably too large for what the forces do"
+                        + " within it");
+            }
+        }
+        if (byVelocity) {
+            velocities.stage(unknowns, stage);
+        } else {
+            System.arraycopy(unknowns, 0, stage, 0, stage.length);
+        }
+    }
+
+    /** Follows the solution m(g) from g = 0, where it is s, in pieces that double and halve as Newton's method allows. */
+    private boolean follow(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean byVelocity) {
+        setToStart(start, byVelocity);
+        double done = 0;
+        double piece = 0.5;
+        while (done < 1) {
+            System.arraycopy(unknowns, 0, reached, 0, unknowns.length);
+            double next = Math.min(1, done + piece);
+            NewtonProblem problem = begin(source, client, start, next * gamma, byVelocity, LINEAR_TOLERANCE);
+            if (newton.solve(problem, unknowns)) {
+                done = next;
+                piece *= 2;
+            } else {
+                System.arraycopy(reached, 0, unknowns, 0, unknowns.length);
+                piece /= 2;
+                if (piece < SMALLEST_PIECE) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private NewtonProblem begin(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+                                double linearTolerance) {
+        if (byVelocity) {
+            velocities.begin(source, (JacobianStateSource) client, start, gamma, linearTolerance);
+            return velocities;
+        }
+        if (start.length <= LARGEST_DENSE) {
+            dense.begin(source, client, start, gamma);
+            return dense;
+        }
+        krylov.begin(source, client, start, gamma, linearTolerance);
+        return krylov;
+    }
+
+    private void setToStart(double[] start, boolean byVelocity) {
+        if (byVelocity) {
+            velocities.startVelocities(unknowns);
+        } else {
+            System.arraycopy(start, 0, unknowns, 0, start.length);
+        }
+    }
+
+    /** Where not even an Euler step is finite, the source is to blame and not Newton's method; the guard finds out and says so. */
+    private static void failIfNotFinite(GuardedStep source, double[] start, double gamma, double[] euler) {
+        source.setState(start);
+        source.getStateDerivative(euler);
+        for (int i = 0; i < start.length; i++) {
+            euler[i] = start[i] + gamma * euler[i];
+        }
+        if (GuardedStep.firstNonFinite(euler) >= 0) {
+            source.finish(euler);
+        }
+    }
+
+    private static boolean givesBlocks(DEStateSource client) {
+        return client instanceof JacobianStateSource && client instanceof SecondOrderStateSource
+                && ((SecondOrderStateSource) client).getDimension() == 3 && client.getStateSize() > 0
+                && ((JacobianStateSource) client).getJacobianBlocks() != JacobianStateSource.Blocks.NONE;
+    }
+}

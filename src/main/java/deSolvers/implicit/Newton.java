@@ -1,0 +1,191 @@
+package deSolvers.implicit;
+
+import deSolvers.GuardedStep;
+
+/**
+ * Newton's method, damped by Deuflhard's natural monotonicity test: a step is taken only as far as the correction that
+ * the <i>same</i> matrix would ask for next is smaller. That test does not depend on the units of the equations. A
+ * correction that has become a hundredth of the one before is good enough with the old matrix; otherwise the matrix is
+ * set up anew.
+ */
+final class Newton {
+    /** The largest last correction, relative to the unknowns, that counts as converged. */
+    static final double TOLERANCE = 1e-10;
+    /** Corrections after convergence go on as long as they shrink well, down to here: rounding. */
+    private static final double POLISHED = 1e-15;
+    /** An old matrix is kept while it shrinks the correction this much: two digits for one evaluation. */
+    private static final double GOOD_CONTRACTION = 0.01;
+    private static final int MOST_ITERATIONS = 50;
+    private static final double SMALLEST_DAMPING = 1.0 / 256;
+    /** Entries smaller than this part of the largest are judged as if they were as large as that. */
+    private static final double SMALL_ENTRY = 1e-3;
+
+    private final ImplicitWork.Counter work;
+    private double[] residual = {};
+    private double[] correction = {};
+    private double[] nextCorrection = {};
+    private double[] trial = {};
+    private double[] first = {};
+    private double[] floor = {};
+    private double lastSize;
+    private int iterations;
+
+    Newton(ImplicitWork.Counter work) {
+        this.work = work;
+    }
+
+    /**
+     * Iterates from the guess in u.
+     *
+     * @return whether it converged; u then holds the solution
+     */
+    boolean solve(NewtonProblem problem, double[] u) {
+        fit(problem.size());
+        int n = u.length;
+        System.arraycopy(u, 0, first, 0, n);
+        iterations = 0;
+        lastSize = Double.POSITIVE_INFINITY;
+        problem.evaluate(u, residual);
+        if (isZero(residual)) {
+            return true;
+        }
+        if (GuardedStep.firstNonFinite(residual) >= 0) {
+            return false;
+        }
+        boolean haveCorrection = false;
+        double size = 0;
+        while (iterations++ < MOST_ITERATIONS) {
+            work.newtonIterations++;
+            if (!haveCorrection) {
+                problem.linearise(u);
+                if (!problem.correct(residual, correction)) {
+                    return false;
+                }
+                size = size(correction, u);
+                lastSize = size;
+            }
+            double damping = 1;
+            double next;
+            while (true) {
+                for (int i = 0; i < n; i++) {
+                    trial[i] = u[i] + damping * correction[i];
+                }
+                problem.evaluate(trial, residual);
+                problem.rounding(trial, floor);
+                if (damping == 1 && isBelow(residual, floor)) {
+                    System.arraycopy(trial, 0, u, 0, n);
+                    return true;
+                }
+                next = GuardedStep.firstNonFinite(residual) < 0 && problem.correct(residual, nextCorrection)
+                        ? size(nextCorrection, trial) : Double.POSITIVE_INFINITY;
+                if (next <= (1 - damping / 4) * size) {
+                    break;
+                }
+                if (size <= TOLERANCE) {
+                    return true;                        // no correction improves it any more: rounding
+                }
+                damping /= 2;
+                if (damping < SMALLEST_DAMPING) {
+                    return false;
+                }
+            }
+            System.arraycopy(trial, 0, u, 0, n);
+            haveCorrection = damping == 1 && next <= GOOD_CONTRACTION * size;
+            if (damping == 1 && (next <= POLISHED || next <= TOLERANCE && !haveCorrection)) {
+                for (int i = 0; i < n; i++) {
+                    u[i] += nextCorrection[i];
+                }
+                return true;
+            }
+            if (haveCorrection) {
+                double[] swap = correction;
+                correction = nextCorrection;
+                nextCorrection = swap;
+                size = next;
+                lastSize = size;
+            }
+        }
+        return false;
+    }
+
+    /** One correction, whatever it leaves: the linearised equation. */
+    boolean solveLinearised(NewtonProblem problem, double[] u) {
+        fit(problem.size());
+        System.arraycopy(u, 0, first, 0, u.length);
+        iterations = 1;
+        work.newtonIterations++;
+        lastSize = Double.POSITIVE_INFINITY;
+        problem.evaluate(u, residual);
+        if (isZero(residual)) {
+            return true;
+        }
+        if (GuardedStep.firstNonFinite(residual) >= 0) {
+            return false;
+        }
+        problem.linearise(u);
+        if (!problem.correct(residual, correction)) {
+            return false;
+        }
+        for (int i = 0; i < u.length; i++) {
+            u[i] += correction[i];
+        }
+        return true;
+    }
+
+    /** What the last failure looked like, for a message. */
+    String describeFailure() {
+        double largest = 0;
+        for (double r : residual) {
+            largest = Math.max(largest, Math.abs(r));
+        }
+        return "Newton's iteration did not converge: after " + iterations + " iterations the correction is " + lastSize
+                + " of the unknowns (limit " + TOLERANCE + ") and the largest residual " + largest;
+    }
+
+    /** The largest entry of a correction relative to the unknown that it corrects. */
+    private double size(double[] correction, double[] u) {
+        double largest = 0;
+        for (int i = 0; i < u.length; i++) {
+            double magnitude = Math.max(Math.abs(u[i]), Math.abs(u[i] + correction[i]));
+            largest = Math.max(largest, Math.max(magnitude, Math.abs(first[i])));
+        }
+        double size = 0;
+        for (int i = 0; i < u.length; i++) {
+            if (correction[i] != 0) {
+                double magnitude = Math.max(Math.abs(u[i]), Math.abs(u[i] + correction[i]));
+                magnitude = Math.max(Math.max(magnitude, Math.abs(first[i])), SMALL_ENTRY * largest);
+                size = Math.max(size, Math.abs(correction[i]) / magnitude);
+            }
+        }
+        return size;
+    }
+
+    private static boolean isZero(double[] values) {
+        for (double value : values) {
+            if (value != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isBelow(double[] values, double[] limits) {
+        for (int i = 0; i < values.length; i++) {
+            if (!(Math.abs(values[i]) <= limits[i])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void fit(int n) {
+        if (residual.length != n) {
+            residual = new double[n];
+            correction = new double[n];
+            nextCorrection = new double[n];
+            trial = new double[n];
+            first = new double[n];
+            floor = new double[n];
+        }
+    }
+}

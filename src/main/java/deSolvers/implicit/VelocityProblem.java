@@ -1,0 +1,183 @@
+package deSolvers.implicit;
+
+import deSolvers.GuardedStep;
+import deSolvers.JacobianStateSource;
+
+/**
+ * The stage equation of particles in space, with the velocities as the only unknowns: since the stage's positions are
+ * x + g v, what is left is M (v - v<sub>0</sub>) = g F(x<sub>0</sub> + g v, v), with the sparse matrix
+ * M - g dF/dv - g<sup>2</sup> dF/dx.
+ */
+final class VelocityProblem implements NewtonProblem, LinearOperator {
+    /** Up to here a factorisation costs next to nothing and is the most robust. */
+    private static final int SMALL = 64;
+    /** Beyond this condition conjugate gradients need more time than a factorisation of a cloth of some thousand particles. */
+    private static final double FACTORISE_ABOVE = 1000;
+    /** Factors of more blocks than this (of 72 bytes) are not made; it is the memory for them that ends at some size. */
+    private static final long MOST_BLOCKS = 4_000_000;
+    private static final int MOST_GMRES_ITERATIONS = 2000;
+    private static final double ROUNDING = 2 * Math.ulp(1.0);
+
+    private final ImplicitWork.Counter work;
+    private final BlockMatrix matrix;
+    private final BlockJacobi blockJacobi;
+    private final BlockLU factors;
+    private final ConjugateGradients conjugateGradients;
+    private final Gmres gmres;
+    private GuardedStep source;
+    private JacobianStateSource client;
+    private double[] start;
+    private double gamma;
+    private double linearTolerance;
+    private double[] masses = {};
+    private double[] stage = {};
+    private double[] dSdt = {};
+    private double[] base = {};
+    private double[] direction = {};
+    private double[] product = {};
+    private boolean exactBlocks;
+    private boolean factorised;
+    private boolean regular;
+
+    VelocityProblem(ImplicitWork.Counter work) {
+        this.work = work;
+        matrix = new BlockMatrix(work);
+        blockJacobi = new BlockJacobi(work);
+        factors = new BlockLU(work);
+        conjugateGradients = new ConjugateGradients(work);
+        gmres = new Gmres(work);
+    }
+
+    /** Takes up the equation of one step; {@code start} is read as long as it is worked on. */
+    void begin(GuardedStep source, JacobianStateSource client, double[] start, double gamma, double linearTolerance) {
+        this.source = source;
+        this.client = client;
+        this.start = start;
+        this.gamma = gamma;
+        this.linearTolerance = linearTolerance;
+        exactBlocks = client.getJacobianBlocks() == JacobianStateSource.Blocks.EXACT;
+        int n = start.length;
+        if (stage.length != n) {
+            masses = new double[n / 6];
+            stage = new double[n];
+            dSdt = new double[n];
+            base = new double[n];
+            direction = new double[n];
+            product = new double[n];
+        }
+        for (int i = 0; i < masses.length; i++) {
+            double inverseMass = client.getInverseMass(i);
+            masses[i] = inverseMass == 0 ? 0 : 1 / inverseMass;
+        }
+    }
+
+    @Override
+    public int size() {
+        return start.length / 2;
+    }
+
+    /** The velocities of the step's start: the first guess. */
+    void startVelocities(double[] v) {
+        for (int i = 0; i < masses.length; i++) {
+            System.arraycopy(start, 6 * i + 3, v, 3 * i, 3);
+        }
+    }
+
+    /** The stage (x0 + g v, v). */
+    void stage(double[] v, double[] stage) {
+        for (int i = 0, at = 0; at < v.length; i += 6, at += 3) {
+            for (int c = 0; c < 3; c++) {
+                stage[i + c] = start[i + c] + gamma * v[at + c];
+                stage[i + c + 3] = v[at + c];
+            }
+        }
+    }
+
+    @Override
+    public void evaluate(double[] v, double[] residual) {
+        stage(v, stage);
+        source.setState(stage);
+        source.getStateDerivative(dSdt);
+        for (int i = 0; i < masses.length; i++) {
+            double mass = masses[i] == 0 ? 1 : masses[i];
+            for (int c = 0; c < 3; c++) {
+                residual[3 * i + c] = mass * (start[6 * i + 3 + c] - v[3 * i + c] + gamma * dSdt[6 * i + 3 + c]);
+            }
+        }
+    }
+
+    @Override
+    public void linearise(double[] v) {
+        stage(v, base);
+        source.setState(base);
+        matrix.collect(client, base, gamma, masses);
+        factorised = false;
+        if (masses.length <= SMALL || matrix.condition() > FACTORISE_ABOVE) {
+            factorise();
+        }
+        regular = factorised || blockJacobi.prepare(matrix);
+    }
+
+    private void factorise() {
+        factorised = factors.fits(matrix.pattern(), MOST_BLOCKS) && factors.factorise(matrix);
+    }
+
+    @Override
+    public boolean correct(double[] residual, double[] correction) {
+        if (!exactBlocks) {
+            source.setState(base);                      // where the products are asked for
+        }
+        LinearOperator operator = exactBlocks ? matrix : this;
+        if (!factorised && regular) {
+            if (exactBlocks && matrix.isSymmetric() && conjugateGradients(residual, correction)) {
+                return true;
+            }
+            if (gmres.solve(operator, blockJacobi, residual, correction, linearTolerance, MOST_GMRES_ITERATIONS)) {
+                return true;
+            }
+        }
+        if (!factorised) {
+            factorise();
+        }
+        return factorised
+                && gmres.solve(operator, factors, residual, correction, linearTolerance, MOST_GMRES_ITERATIONS);
+    }
+
+    /** Begins with held particles where they have to be: the iteration then never sees their columns, and stays symmetric. */
+    private boolean conjugateGradients(double[] residual, double[] correction) {
+        for (int i = 0; i < correction.length; i++) {
+            correction[i] = masses[i / 3] == 0 ? residual[i] : 0;
+        }
+        int mostIterations = (int) (100 + 20 * Math.sqrt(matrix.condition()));
+        return conjugateGradients.solve(matrix, blockJacobi, residual, correction, linearTolerance, mostIterations);
+    }
+
+    /** y = M (x - g J (g x, x)), by the source's own product: where its blocks are not the whole Jacobian. */
+    @Override
+    public void apply(double[] x, double[] y) {
+        for (int i = 0; i < masses.length; i++) {
+            for (int c = 0; c < 3; c++) {
+                direction[6 * i + c] = gamma * x[3 * i + c];
+                direction[6 * i + 3 + c] = x[3 * i + c];
+            }
+        }
+        work.products++;
+        client.getJacobianProduct(direction, product);
+        for (int i = 0; i < masses.length; i++) {
+            double mass = masses[i] == 0 ? 1 : masses[i];
+            for (int c = 0; c < 3; c++) {
+                y[3 * i + c] = mass * (x[3 * i + c] - gamma * product[6 * i + 3 + c]);
+            }
+        }
+    }
+
+    @Override
+    public void rounding(double[] v, double[] floor) {
+        double[] forceScale = matrix.forceScale();
+        for (int i = 0; i < v.length; i++) {
+            int at = 6 * (i / 3) + 3 + i % 3;
+            double mass = masses[i / 3] == 0 ? 1 : masses[i / 3];
+            floor[i] = ROUNDING * (mass * (Math.abs(start[at]) + Math.abs(v[i])) + Math.abs(gamma) * forceScale[i]);
+        }
+    }
+}

@@ -1,0 +1,25 @@
+/**
+ * Implicit methods: the new state stands on both sides of their equations and has to be solved for. In return stiff
+ * springs and strong damping do not limit the step.
+ *
+ * <p>Both one-stage methods come down to one equation, m = s + g f(m, t<sub>m</sub>), with g = h at the end of the step for
+ * backward Euler and g = h/2 in its middle for the implicit midpoint rule. {@link deSolvers.implicit.ImplicitStage} solves
+ * it by Newton's method, and the size and kind of the source decide what the linear systems are:
+ * <ul>
+ * <li>small sources of any kind: the dense matrix I - g J, factorised (EJML); J from the source or by differences;</li>
+ * <li>large ones: products J w only, from the source or by one difference each, and GMRES;</li>
+ * <li>particles in space that offer the 3 x 3 blocks of their force derivatives: the velocities are the only unknowns,
+ *     their matrix M - g dF/dv - g<sup>2</sup> dF/dx is sparse, and symmetric where the forces have a potential. Conjugate
+ *     gradients solve it while it is positive definite and not too ill-conditioned; otherwise GMRES, or a sparse
+ *     factorisation in approximate-minimum-degree order (AMDJ).</li>
+ * </ul>
+ * The derivative of a compressed spring's force is indefinite across the spring. It is used as it is, not clamped: a
+ * clamped matrix would only make Newton's iteration slower to the same solution. Where the exact matrix loses
+ * definiteness, the method changes from conjugate gradients to GMRES; where Newton's iteration, damped by Deuflhard's
+ * monotonicity test, still finds no way, the solution is followed from g = 0 to its full value.
+ *
+ * <p>Reference: E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996;
+ * P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004; D. Baraff, A. Witkin, <i>Large Steps in Cloth
+ * Simulation</i>, SIGGRAPH 1998.
+ */
+package deSolvers.implicit;
