@@ -4,7 +4,8 @@
  *
  * <p>An {@link particles.output.OutputFolder} is opened first. Observers of a run take it:
  * {@link particles.output.TrajectoryWriter} streams the states. After the run
- * {@link particles.output.RunSummaryWriter} writes what it was. Observers that hold a file open are closed also when a run ends
+ * {@link particles.output.ChartWriter} draws the chart data that recorders collected, and
+ * {@link particles.output.RunSummaryWriter} writes what the run was. Observers that hold a file open are closed also when a run ends
  * early; they then keep what they have as a whole file:
  * <pre>
  *     try (OutputFolder folder = OutputFolder.open(path, TrajectoryWriter.FILE, RunSummaryWriter.FILE);

@@ -1,0 +1,50 @@
+package particles.output;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.LegendItem;
+import org.jfree.chart.LegendItemCollection;
+import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+
+/** The legend below a chart: one item a series, with its line and its points; none where there is only one series. */
+final class ChartLegend {
+    private ChartLegend() {
+    }
+
+    static void addTo(JFreeChart chart, XYPlot plot) {
+        List<XYPlot> plots = new ArrayList<>();
+        if (plot instanceof CombinedDomainXYPlot combined) {
+            plots.addAll(combined.getSubplots());
+        } else {
+            plots.add(plot);
+        }
+        LegendItemCollection items = new LegendItemCollection();
+        for (XYPlot part : plots) {
+            ChartDataset dataset = (ChartDataset) part.getDataset();
+            for (int k = 0; k < dataset.getSeriesCount() && dataset.getSeriesCount() > 1; k++) {
+                items.add(item((XYLineAndShapeRenderer) part.getRenderer(), dataset.name(k), k));
+            }
+        }
+        LegendTitle legend = new LegendTitle(() -> items);
+        legend.setItemFont(ChartStyle.LABEL);
+        legend.setItemPaint(ChartStyle.TEXT);
+        legend.setPosition(RectangleEdge.BOTTOM);
+        legend.setItemLabelPadding(new RectangleInsets(2, 4, 2, 14));
+        chart.addLegend(legend);
+    }
+
+    private static LegendItem item(XYLineAndShapeRenderer renderer, String name, int k) {
+        LegendItem item = new LegendItem(name, name, null, null, renderer.getItemShapeVisible(k, 0),
+                renderer.lookupSeriesShape(k), true, renderer.lookupSeriesPaint(k), true,
+                renderer.lookupSeriesOutlinePaint(k), renderer.lookupSeriesOutlineStroke(k), renderer.getItemLineVisible(k, 0),
+                ChartStyle.LEGEND_LINE, renderer.lookupSeriesStroke(k), renderer.lookupSeriesPaint(k));
+        item.setSeriesIndex(k);
+        return item;
+    }
+}

@@ -1,0 +1,83 @@
+package particles.output;
+
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import org.jfree.chart.JFreeChart;
+import particles.ChartData;
+import particles.VectorField;
+
+/** Writes chart data as PNG pictures, all in one style. */
+public final class ChartWriter {
+    private static final int WIDTH = 900;
+    private static final int HEIGHT = 560;
+    private static final int STACKED_HEIGHT = 760;
+    /** Device pixels for each pixel of the layout, so that print and large screens get sharp lines. */
+    private static final int SCALE = 2;
+
+    private ChartWriter() {
+    }
+
+    /**
+     * @param folder where the picture goes
+     * @param name   the file's name, such as {@code work-precision.png}
+     * @param data   what it shows
+     * @throws OutputException if it cannot be written, or this machine has no font
+     */
+    public static void write(OutputFolder folder, String name, ChartData data) {
+        Lettering.require(folder.getPath().resolve(name));
+        write(folder, name, Charts.of(data), HEIGHT);
+    }
+
+    /**
+     * Charts above each other over the same x axis; the title is the first one's.
+     *
+     * @param folder where the picture goes
+     * @param name   the file's name, such as {@code energy.png}
+     * @param data   at least one chart, the uppermost first
+     * @throws OutputException if it cannot be written, or this machine has no font
+     */
+    public static void writeStacked(OutputFolder folder, String name, List<ChartData> data) {
+        Lettering.require(folder.getPath().resolve(name));
+        write(folder, name, Charts.stacked(data), STACKED_HEIGHT);
+    }
+
+    /**
+     * A path in state space.
+     *
+     * @param folder where the picture goes
+     * @param name   the file's name, such as {@code phase.png}
+     * @param data   position against velocity: the path, then points to be marked, such as its start
+     * @param field  the arrows behind it, if there are any
+     * @throws OutputException if it cannot be written, or this machine has no font
+     */
+    public static void writePhase(OutputFolder folder, String name, ChartData data, Optional<VectorField> field) {
+        Lettering.require(folder.getPath().resolve(name));
+        write(folder, name, PhasePlot.of(data, field), HEIGHT + 100);
+    }
+
+    private static void write(OutputFolder folder, String name, JFreeChart chart, int height) {
+        BufferedImage image = new BufferedImage(SCALE * WIDTH, SCALE * height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(SCALE, SCALE);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        chart.setTextAntiAlias(true);
+        chart.draw(g, new Rectangle2D.Double(0, 0, WIDTH, height));
+        g.dispose();
+        try (OutputFile file = folder.create(name)) {
+            // in memory: ImageIO's own streams would put a cache into the system's temporary folder
+            try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(file)) {
+                ImageIO.write(image, "png", stream);
+            }
+            file.commit();
+        } catch (IOException e) {
+            throw new OutputException(folder.getPath().resolve(name), "write", e);
+        }
+    }
+}

@@ -1,0 +1,158 @@
+package particles.output;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.util.List;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.LogAxis;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.NumberTickUnitSource;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.SeriesRenderingOrder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.title.TextTitle;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.Range;
+import org.jfree.data.general.DatasetUtils;
+import particles.ChartData;
+import particles.ChartData.Mark;
+
+/** Chart data as JFreeChart's charts, in the common style. */
+final class Charts {
+    /** Values that differ by less than this part of their size differ by rounding, which needs no axis of its own. */
+    private static final double ROUNDING = 1e-13;
+
+    /** Lines that go up and down by their range more often than this fill an area; they then let others shine through. */
+    private static final int DENSE = 120;
+
+    private Charts() {
+    }
+
+    static JFreeChart of(ChartData data) {
+        return finished(data.title(), plot(data));
+    }
+
+    /** Charts above each other, over the x axis of the first; the upper one has more room. */
+    static JFreeChart stacked(List<ChartData> data) {
+        CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(),
+                range(new ChartDataset(data.get(0)), true), onlyLines(data.get(0))));
+        all.setGap(14);
+        for (int k = 0; k < data.size(); k++) {
+            all.add(plot(data.get(k)), k == 0 ? 5 : 3);
+        }
+        return finished(data.get(0).title(), all);
+    }
+
+    private static JFreeChart finished(String title, XYPlot plot) {
+        JFreeChart chart = new JFreeChart(title, ChartStyle.TITLE, plot, false);
+        chart.setBackgroundPaint(Color.WHITE);
+        chart.setPadding(new RectangleInsets(8, 8, 8, 14));
+        TextTitle heading = chart.getTitle();
+        heading.setPaint(ChartStyle.TEXT);
+        heading.setMargin(2, 0, 6, 0);
+        ChartLegend.addTo(chart, plot);
+        return chart;
+    }
+
+    static XYPlot plot(ChartData data) {
+        ChartDataset dataset = new ChartDataset(data);
+        XYPlot plot = new XYPlot(dataset, axis(data.xLabel(), data.xLog(), range(dataset, true), onlyLines(data)),
+                axis(data.yLabel(), data.yLog(), range(dataset, false), false), renderer(data));
+        plot.setSeriesRenderingOrder(SeriesRenderingOrder.REVERSE);     // the first series lies on top
+        plot.setBackgroundPaint(Color.WHITE);
+        plot.setDomainGridlinePaint(ChartStyle.GRID);
+        plot.setRangeGridlinePaint(ChartStyle.GRID);
+        plot.setDomainGridlineStroke(new BasicStroke(0.7f));
+        plot.setRangeGridlineStroke(new BasicStroke(0.7f));
+        plot.setOutlinePaint(ChartStyle.AXIS);
+        plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
+        return plot;
+    }
+
+    /** Null where there is no point at all, as JFreeChart says it. */
+    private static Range range(ChartDataset dataset, boolean x) {
+        return x ? DatasetUtils.findDomainBounds(dataset) : DatasetUtils.findRangeBounds(dataset);
+    }
+
+    private static boolean onlyLines(ChartData data) {
+        return data.series().stream().allMatch(series -> series.mark() == Mark.LINE);
+    }
+
+    /** Tight: from the first point to the last, without a margin, as marks need it. */
+    private static ValueAxis axis(String label, boolean log, Range range, boolean tight) {
+        ValueAxis axis = log ? logAxis(range) : linearAxis(range);
+        if (tight) {
+            axis.setLowerMargin(0);
+            axis.setUpperMargin(0);
+        }
+        axis.setLabel(label);
+        axis.setLabelFont(ChartStyle.LABEL);
+        axis.setLabelPaint(ChartStyle.TEXT);
+        axis.setTickLabelFont(ChartStyle.TICKS);
+        axis.setTickLabelPaint(ChartStyle.TEXT);
+        axis.setAxisLinePaint(ChartStyle.AXIS);
+        axis.setTickMarkPaint(ChartStyle.AXIS);
+        return axis;
+    }
+
+    /** Ticks at powers of ten; an axis that would show less than two of them is widened to whole decades. */
+    private static ValueAxis logAxis(Range range) {
+        LogAxis axis = new LogAxis();
+        axis.setBaseSymbol("10");
+        axis.setStandardTickUnits(new NumberTickUnitSource(true));
+        axis.setSmallestValue(Double.MIN_NORMAL);
+        if (range != null) {
+            double low = Math.floor(Math.log10(range.getLowerBound()) + ROUNDING);
+            double high = Math.ceil(Math.log10(range.getUpperBound()) - ROUNDING);
+            if (high - low < 3) {
+                axis.setRange(Math.pow(10, low), Math.pow(10, Math.max(high, low + 1)));
+            }
+        }
+        return axis;
+    }
+
+    private static ValueAxis linearAxis(Range range) {
+        NumberAxis axis = new NumberAxis();
+        axis.setAutoRangeIncludesZero(false);
+        axis.setAutoRangeStickyZero(false);
+        axis.setStandardTickUnits(new DecimalTicks());
+        if (range != null) {
+            double size = Math.max(Math.abs(range.getLowerBound()), Math.abs(range.getUpperBound()));
+            axis.setAutoRangeMinimumSize(size == 0 ? 1 : Math.max(ROUNDING * size, Double.MIN_NORMAL));
+        }
+        return axis;
+    }
+
+    private static XYLineAndShapeRenderer renderer(ChartData data) {
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
+        renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
+        renderer.setUseOutlinePaint(true);
+        for (int k = 0; k < data.series().size(); k++) {
+            Mark mark = data.series().get(k).mark();
+            boolean dense = mark == Mark.LINE && k > 0 && isDense(data.series().get(k).y());
+            renderer.setSeriesLinesVisible(k, mark != Mark.POINTS);
+            renderer.setSeriesShapesVisible(k, mark != Mark.LINE);
+            renderer.setSeriesPaint(k, dense ? ChartStyle.paleColour(k) : ChartStyle.colour(k));
+            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : ChartStyle.stroke(k));
+            renderer.setSeriesShape(k, ChartStyle.shape(k));
+            renderer.setSeriesFillPaint(k, ChartStyle.colour(k));
+            renderer.setSeriesOutlinePaint(k, Color.WHITE);
+            renderer.setSeriesOutlineStroke(k, new BasicStroke(0.6f));
+        }
+        return renderer;
+    }
+
+    private static boolean isDense(double[] y) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        double way = 0;
+        for (int k = 0; k < y.length; k++) {
+            low = Math.min(low, y[k]);
+            high = Math.max(high, y[k]);
+            way += Math.abs(y[k] - y[Math.max(0, k - 1)]);
+        }
+        return way > DENSE * (high - low);
+    }
+}

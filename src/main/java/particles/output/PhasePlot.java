@@ -1,0 +1,94 @@
+package particles.output;
+
+import java.awt.BasicStroke;
+import java.util.Optional;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.plot.SeriesRenderingOrder;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.ui.Layer;
+import org.jfree.data.Range;
+import particles.ChartData;
+import particles.ChartData.Series;
+import particles.VectorField;
+
+/**
+ * A path in state space: the first series of the chart data, with heads along it that show its direction, its start marked,
+ * and, where it is known, the vector field behind it. The arrows of the field are as long as the field is strong.
+ */
+final class PhasePlot {
+    private static final double FIELD_HEAD = 5.5;
+    private static final double PATH_HEAD = 11;
+    /** Where along the path's states the heads stand: early ones show the first turn. */
+    private static final double[] HEADS = {0.03, 0.3, 0.6};
+
+    private PhasePlot() {
+    }
+
+    static JFreeChart of(ChartData data, Optional<VectorField> field) {
+        JFreeChart chart = Charts.of(data);
+        XYPlot plot = chart.getXYPlot();
+        plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);     // marks lie on the path
+        XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
+        renderer.setSeriesPaint(0, ChartStyle.colour(1));
+        renderer.setSeriesFillPaint(0, ChartStyle.colour(1));
+        renderer.setSeriesStroke(0, new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        renderer.setSeriesShape(0, ChartStyle.disc(2.2));
+        for (int k = 1; k < data.series().size(); k++) {
+            renderer.setSeriesPaint(k, ChartStyle.colour(k + 1));
+            renderer.setSeriesFillPaint(k, ChartStyle.colour(k + 1));
+            renderer.setSeriesShape(k, ChartStyle.disc(5.5));
+        }
+        chart.removeLegend();
+        ChartLegend.addTo(chart, plot);
+        field.ifPresent(f -> addField(plot, renderer, f));
+        addHeads(renderer, data.series().get(0));
+        return chart;
+    }
+
+    /** All arrows are ds/dt times one time, so chosen that none is longer than its cell of the grid. */
+    private static void addField(XYPlot plot, XYLineAndShapeRenderer renderer, VectorField field) {
+        double time = Double.POSITIVE_INFINITY;
+        double cellX = spacing(field.x());
+        double cellV = spacing(field.v());
+        for (int k = 0; k < field.x().length; k++) {
+            time = Math.min(time, Math.min(cellX / Math.abs(field.dx()[k]), cellV / Math.abs(field.dv()[k])));
+        }
+        for (int k = 0; k < field.x().length; k++) {
+            double x = field.x()[k];
+            double v = field.v()[k];
+            renderer.addAnnotation(new ArrowAnnotation(x, v, x + time * field.dx()[k], v + time * field.dv()[k], FIELD_HEAD,
+                    false, ChartStyle.FIELD), Layer.BACKGROUND);
+        }
+        show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);
+        show((NumberAxis) plot.getRangeAxis(), field.v(), cellV / 2);
+    }
+
+    /** The smallest distance between two different grid lines. */
+    private static double spacing(double[] values) {
+        double[] sorted = java.util.Arrays.stream(values).sorted().distinct().toArray();
+        double spacing = Double.POSITIVE_INFINITY;
+        for (int k = 1; k < sorted.length; k++) {
+            spacing = Math.min(spacing, sorted[k] - sorted[k - 1]);
+        }
+        return spacing;
+    }
+
+    private static void show(NumberAxis axis, double[] values, double margin) {
+        double low = java.util.Arrays.stream(values).min().orElse(0);
+        double high = java.util.Arrays.stream(values).max().orElse(0);
+        axis.setRange(new Range(low - margin, high + margin));
+    }
+
+    private static void addHeads(XYLineAndShapeRenderer renderer, Series path) {
+        int last = path.x().length - 1;
+        for (double place : HEADS) {
+            int k = (int) (place * last);
+            if (k < last) {
+                renderer.addAnnotation(new ArrowAnnotation(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1],
+                        PATH_HEAD, true, ChartStyle.colour(1)), Layer.FOREGROUND);
+            }
+        }
+    }
+}
