@@ -1,0 +1,73 @@
+package particles.scene;
+
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Vector3;
+import particles.effects.SpringForce;
+
+/**
+ * How much energy of motion is to be expected in a scene, so that "a million times more" means that it blew up. The largest
+ * of
+ * <ul>
+ * <li>kinetic energy plus the springs' energy at the start;</li>
+ * <li>what gravity can give: the sum of m g (H + g T&sup2;/2), with H the extent of all particles along g and T the
+ *     duration, since everything may fall for as long as the run lasts;</li>
+ * <li>what wind can give: the sum of m w&sup2;/2, with w its largest speed.</li>
+ * </ul>
+ * Where all three are 0 nothing that the scene names sets anything in motion. Then it is the kinetic energy with which
+ * every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
+ * that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
+ */
+final class EnergyScale {
+    private EnergyScale() {
+    }
+
+    /**
+     * @param system   the system at its start
+     * @param springs  its springs
+     * @param assembly what gravity and wind it has
+     * @param duration how long the run lasts (s), over 0
+     * @return the scale (J), over 0
+     */
+    static double of(ParticleSystem system, SpringForce springs, SceneAssembly assembly, double duration) {
+        double[] state = system.getOwnState();
+        double mass = freeMass(system.getParticles());
+        if (mass == 0) {
+            return 1;
+        }
+        double atStart = system.getKineticEnergy(state) + springs.getPotentialEnergy(state, system.getTime());
+        double g = assembly.acceleration().length();
+        double height = g == 0 ? 0 : extent(system, assembly.acceleration().normalized());
+        double byGravity = mass * g * (height + g * duration * duration / 2);
+        double byWind = mass * assembly.speed() * assembly.speed() / 2;
+        double scale = Math.max(atStart, Math.max(byGravity, byWind));
+        return scale > 0 ? scale : crossing(system, mass, duration);
+    }
+
+    private static double crossing(ParticleSystem system, double mass, double duration) {
+        double extent = Math.max(extent(system, new Vector3(1, 0, 0)),
+                Math.max(extent(system, new Vector3(0, 1, 0)), extent(system, new Vector3(0, 0, 1))));
+        double speed = (extent > 0 ? extent : 1) / duration;
+        return Math.max(Double.MIN_NORMAL, mass * speed * speed / 2);
+    }
+
+    private static double freeMass(Particles particles) {
+        double mass = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            mass += particles.isFixed(i) ? 0 : particles.mass(i);
+        }
+        return mass;
+    }
+
+    private static double extent(ParticleSystem system, Vector3 direction) {
+        double[] state = system.getOwnState();
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int x = 0; x < system.getStateSize(); x += Particles.STRIDE) {
+            double along = direction.x() * state[x] + direction.y() * state[x + 1] + direction.z() * state[x + 2];
+            least = Math.min(least, along);
+            most = Math.max(most, along);
+        }
+        return most - least;
+    }
+}

@@ -1,0 +1,111 @@
+package particles.scene;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import particles.ParticleSystem;
+import particles.Plane;
+import particles.Simulation;
+import particles.Surface;
+import particles.Vector3;
+import particles.effects.SpringForce;
+import particles.reactions.ContactPlane;
+import particles.reactions.PlaneContacts;
+import particles.rules.PlaneCollisions;
+import particles.scene.spec.Problems;
+
+/** From a description to a simulation: what it names is built, and nothing else. */
+public final class SceneBuilder {
+    private SceneBuilder() {
+    }
+
+    /**
+     * @param described what the scene's file says
+     * @param overrides what goes before it
+     * @return the scene, ready to run
+     * @throws SceneException if what overrides is wrong, or the solver cannot be made
+     */
+    public static Scene build(SceneDescription described, Overrides overrides) {
+        Problems problems = new Problems();
+        SceneDescription scene = overrides.applyTo(described, problems);
+        Optional<DESolver> solver = problems.count() > 0 ? Optional.empty() : makeSolver(scene, problems);
+        RunLimits.check(scene.deltaT(), scene.duration(), scene.output().frameRate(), scene.places(), problems);
+        if (problems.count() > 0) {
+            throw new SceneException(problems.lines());
+        }
+        return build(scene, solver.orElseThrow());
+    }
+
+    private static Optional<DESolver> makeSolver(SceneDescription scene, Problems problems) {
+        try {
+            return Optional.of(SolverCatalog.create(scene.solver()));
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private static Scene build(SceneDescription scene, DESolver solver) {
+        ParticleSystem system = new ParticleSystem();
+        SpringForce springs = new SpringForce(system.getParticles());
+        List<Surface> surfaces = addParticles(scene, system, springs);
+        ParticleIndex index = new ParticleIndex(scene.particles(), scene.shapes());
+        for (SpringDescription spring : scene.springs()) {
+            double distance = index.position(spring.to()).minus(index.position(spring.from())).length();
+            springs.addSpring(index.find(spring.from()).orElseThrow(), index.find(spring.to()).orElseThrow(),
+                    spring.stiffness(),
+                    spring.restLength().orElse(distance), spring.damping());
+        }
+        if (springs.springCount() > 0) {
+            system.addEffect(springs);
+        }
+        SceneAssembly assembly = new SceneAssembly(system);
+        scene.effects().stream().sorted(Comparator.comparingInt(effect -> EffectKind.ALL.indexOf(effect.kind())))
+                .forEach(effect -> effect.kind().build(effect.values(), assembly));
+        scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
+
+        double scale = EnergyScale.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
+        Simulation simulation = new Simulation(system, solver, scene.deltaT(), scene.duration(),
+                scene.blowUpFactor() * scale);
+        if (!assembly.planes().isEmpty()) {
+            PlaneContacts contacts = new PlaneContacts(system.getParticles(), assembly.planes());
+            system.addReaction(contacts);
+            simulation.addRule(new PlaneCollisions(contacts));
+        }
+        List<Plane> planes = assembly.planes().stream().map(ContactPlane::plane).toList();
+        Optional<Scene.Phase> phase = scene.output().phase()
+                .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis()));
+        return new Scene(scene, simulation, system, solver, springs, surfaces, planes, scene.camera(), scene.look(),
+                scene.output(), phase, scale);
+    }
+
+    /** In the order of {@link ParticleIndex}. */
+    private static List<Surface> addParticles(SceneDescription scene, ParticleSystem system, SpringForce springs) {
+        for (ParticleDescription particle : scene.particles()) {
+            system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(), particle.fixed());
+        }
+        List<Surface> surfaces = new ArrayList<>();
+        for (ShapeDescription shape : scene.shapes()) {
+            int first = system.getParticles().count();
+            Lattice lattice = shape.lattice();
+            for (int n = 0; n < lattice.size(); n++) {
+                boolean fixed = shape.fixed().get(n);
+                system.addParticle(lattice.idOf(n), shape.mass(), lattice.position(n), fixed ? Vector3.ZERO
+                        : shape.velocity(), fixed);
+            }
+            for (SpringFamily family : shape.springs()) {
+                family.forEach(lattice, (from, to, stiffness, damping) -> springs.addSpring(first + from, first + to,
+                        stiffness,
+                        lattice.position(to).minus(lattice.position(from)).length(), damping));
+            }
+            if (shape.surface()) {
+                surfaces.add(shape.toSurface(first));
+            }
+        }
+        return surfaces;
+    }
+}

@@ -1,0 +1,242 @@
+package particles.scene;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import particles.Camera;
+import particles.Plane;
+import particles.Vector3;
+import particles.scene.spec.Chosen;
+import particles.scene.spec.Key;
+import particles.scene.spec.Place;
+import particles.scene.spec.Problems;
+import particles.scene.spec.Values;
+import particles.scene.spec.Wording;
+
+/** What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go. */
+final class SceneChecks {
+    private static final long MOST_SPRINGS = 10_000_000;
+
+    private final Values scene;
+    private final Problems problems;
+    private final Map<String, Place> ids = new HashMap<>();
+    private final List<ParticleDescription> particles = new ArrayList<>();
+    private final List<ShapeDescription> shapes = new ArrayList<>();
+    private final List<SpringDescription> springs = new ArrayList<>();
+    private final List<String> broken = new ArrayList<>();
+    private ParticleIndex index;
+
+    /** @param scene what the file says; @param problems where problems go */
+    SceneChecks(Values scene, Problems problems) {
+        this.scene = scene;
+        this.problems = problems;
+    }
+
+    /** @return the description, if nothing at all is wrong */
+    Optional<SceneDescription> describe(String source, String sha256) {
+        checkParticles();
+        checkShapes();
+        index = new ParticleIndex(particles, shapes);
+        checkNumbers();
+        checkSprings();
+        checkEffects();
+        checkPlanes();
+        Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
+                .flatMap(values -> CameraFormat.of(values, problems));
+        checkPhase();
+        Map<Key<?>, Place> places = new HashMap<>();
+        for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION)) {
+            places.put(key, scene.place(key));
+        }
+        if (scene.find(SceneFormat.DELTA_T).isPresent() && scene.find(SceneFormat.DURATION).isPresent()) {
+            RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), frameRate(), places, problems);
+        }
+        if (problems.count() > 0) {
+            return Optional.empty();
+        }
+        Values noWords = Values.none(scene.place());
+        return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
+                scene.get(SceneFormat.SOLVER), scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION),
+                List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs),
+                        List.copyOf(scene.get(SceneFormat.EFFECTS)),
+                List.copyOf(scene.get(SceneFormat.RULES)), camera,
+                        LookFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords)),
+                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)), scene.get(SceneFormat.BLOW_UP_FACTOR),
+                Map.copyOf(places)));
+    }
+
+    private void checkParticles() {
+        for (Values values : scene.find(SceneFormat.PARTICLES).orElse(List.of())) {
+            values.find(ParticleDescription.ID).ifPresent(id -> take(id, values.place(ParticleDescription.ID)));
+            if (!values.isSound()) {
+                values.find(ParticleDescription.ID).ifPresent(broken::add);
+                continue;
+            }
+            ParticleDescription particle = ParticleDescription.of(values);
+            if (particle.fixed() && !particle.velocity().equals(Vector3.ZERO)) {
+                problems.add(values.place(ParticleDescription.VELOCITY), "'" + particle.id()
+                        + "' is fixed and has a velocity;"
+                        + " leave out one of the two");
+            }
+            particles.add(particle);
+        }
+    }
+
+    private void checkShapes() {
+        for (Chosen<ShapeKind> chosen : scene.find(SceneFormat.SHAPES).orElse(List.of())) {
+            Key<String> id = chosen.kind().id();
+            chosen.values().find(id).ifPresent(name -> take(name, chosen.values().place(id)));
+            Optional<ShapeDescription> shape = chosen.values().isSound() ? ShapeDescription.of(chosen, problems)
+                    : Optional.empty();
+            shape.ifPresent(shapes::add);
+            if (shape.isEmpty()) {
+                chosen.values().find(id).ifPresent(broken::add);
+            }
+        }
+    }
+
+    private void take(String id, Place place) {
+        Place first = ids.putIfAbsent(id, place);
+        if (first != null) {
+            problems.add(place, "the id " + Wording.quote(id) + " is taken, at line " + first.line() + "; give another");
+        }
+    }
+
+    private void checkNumbers() {
+        long count = particles.size();
+        long springCount = scene.find(SceneFormat.SPRINGS).orElse(List.of()).size();
+        for (ShapeDescription shape : shapes) {
+            count += shape.lattice().size();
+            springCount += shape.springCount();
+            if (count > ShapeDescription.MOST_PARTICLES || springCount > MOST_SPRINGS) {
+                problems.add(shape.place(), "with this shape there are " + count + " particles and " + springCount
+                        + " springs; a scene"
+                        + " may have at most " + ShapeDescription.MOST_PARTICLES + " and " + MOST_SPRINGS);
+                return;
+            }
+        }
+        if (count == 0 && broken.isEmpty() && problems.count() == 0) {
+            problems.add(scene.place(), "the scene has no particle; name some under 'particles' or 'shapes'");
+        }
+    }
+
+    private void checkSprings() {
+        for (Values values : scene.find(SceneFormat.SPRINGS).orElse(List.of())) {
+            boolean known = isKnown(values, SpringDescription.FROM) & isKnown(values, SpringDescription.TO);
+            if (!known || !values.isSound()) {
+                continue;
+            }
+            SpringDescription spring = SpringDescription.of(values);
+            if (spring.from().equals(spring.to())) {
+                problems.add(values.place(SpringDescription.TO), "a spring from " + Wording.quote(spring.from())
+                        + " to itself;"
+                        + " its ends have to be two particles");
+            } else if (index.position(spring.from()).equals(index.position(spring.to()))) {
+                problems.add(values.place(SpringDescription.TO), Wording.quote(spring.from()) + " and "
+                        + Wording.quote(spring.to())
+                        + " are at the same place; a spring between them has no direction to push in");
+            }
+            springs.add(spring);
+        }
+    }
+
+    /** Whether a spring's end can be looked at. A right id of a particle that is wrong is no problem of the spring. */
+    private boolean isKnown(Values values, Key<String> key) {
+        return values.find(key).isPresent() && isKnown(values.get(key), values.place(key));
+    }
+
+    private boolean isKnown(String id, Place place) {
+        OptionalInt found = index.find(id);
+        String shape = ParticleIndex.shapeOf(id);
+        if (found.isPresent() || broken.contains(id) || broken.contains(shape)) {
+            return found.isPresent() && !broken.contains(shape);
+        }
+        if (!areAllIdsKnown()) {
+            return false;
+        }
+        Optional<ShapeDescription> named = shapes.stream().filter(s -> s.lattice().id().equals(shape)).findFirst();
+        List<String> known = ids.keySet().stream().sorted().toList();
+        problems.add(place, "unknown particle " + Wording.quote(id) + named.map(s -> "; known in this shape: "
+                + s.lattice().range())
+                .orElseGet(() -> Wording.hint(shape, known) + " known: " + Wording.some(known)));
+        return false;
+    }
+
+    /** Where a particle's id or a shape's name cannot be read, an id that nothing has may be theirs. */
+    private boolean areAllIdsKnown() {
+        Optional<List<Values>> alone = scene.find(SceneFormat.PARTICLES);
+        return scene.isIntact(SceneFormat.SHAPES) && alone.isPresent()
+                && alone.get().stream().allMatch(values -> values.find(ParticleDescription.ID).isPresent());
+    }
+
+    private void checkEffects() {
+        List<Chosen<EffectKind>> effects = scene.find(SceneFormat.EFFECTS).orElse(List.of());
+        Map<EffectKind, Place> named = new HashMap<>();
+        for (Chosen<EffectKind> effect : effects) {
+            Place first = named.putIfAbsent(effect.kind(), effect.place());
+            if (first != null && !effect.kind().isRepeatable()) {
+                problems.add(effect.place(), "'" + effect.kind().name() + "' is named twice, first at line " + first.line());
+            }
+        }
+        for (Chosen<EffectKind> effect : effects) {
+            effect.kind().needs().filter(need -> !named.containsKey(need)).ifPresent(need -> problems.add(effect.place(), "'"
+                    + effect.kind().name() + "' acts only through '" + need.name()
+                            + "', which the scene does not name; add '- "
+                    + need.name() + ": ...' to 'effects'"));
+        }
+    }
+
+    private void checkPlanes() {
+        for (Chosen<RuleKind> rule : scene.find(SceneFormat.RULES).orElse(List.of())) {
+            Optional<Plane> plane = rule.values().isSound() ? rule.kind().plane(rule.values()) : Optional.empty();
+            if (plane.isEmpty()) {
+                continue;
+            }
+            for (ParticleDescription particle : particles) {
+                double distance = distance(plane.get(), particle.position());
+                if (distance < 0 && !particle.fixed()) {
+                    problems.add(particle.place(), below(particle.id(), rule, distance));
+                }
+            }
+            for (ShapeDescription shape : shapes) {
+                int lowest = -1;
+                double least = 0;
+                for (int n = 0; n < shape.lattice().size(); n++) {
+                    double distance = shape.fixed().get(n) ? 0 : distance(plane.get(), shape.lattice().position(n));
+                    if (distance < least) {
+                        lowest = n;
+                        least = distance;
+                    }
+                }
+                if (lowest >= 0) {
+                    problems.add(shape.place(), below(shape.lattice().idOf(lowest), rule, least));
+                }
+            }
+        }
+    }
+
+    private static String below(String id, Chosen<RuleKind> rule, double distance) {
+        return Wording.quote(id) + " begins " + Wording.number(-distance) + " m inside the '" + rule.kind().name()
+                + "' of line "
+                + rule.place().line() + "; it has to begin outside";
+    }
+
+    /** Places that are on the plane but for rounding are on it. */
+    private static double distance(Plane plane, Vector3 at) {
+        double distance = plane.distance(at.x(), at.y(), at.z());
+        return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;
+    }
+
+    private void checkPhase() {
+        scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.PHASE))
+                .ifPresent(phase -> isKnown(phase, OutputDescription.Phase.PARTICLE));
+    }
+
+    private double frameRate() {
+        return scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.FRAME_RATE))
+                .orElse(OutputDescription.FRAME_RATE.defaultValue().orElseThrow());
+    }
+}

@@ -1,0 +1,61 @@
+package particles.scene;
+
+import deSolvers.catalog.SolverCatalog;
+import java.util.List;
+import particles.scene.spec.Chosen;
+import particles.scene.spec.JsonSchema;
+import particles.scene.spec.Key;
+import particles.scene.spec.KindType;
+import particles.scene.spec.ListType;
+import particles.scene.spec.MappingType;
+import particles.scene.spec.NameType;
+import particles.scene.spec.NumberType;
+import particles.scene.spec.TextType;
+import particles.scene.spec.Values;
+
+/** What a scene file may say: the root of everything that reading, messages, schema and reference are made from. */
+public final class SceneFormat {
+    static final Key<String> TITLE = Key.required("title", TextType.prose(), "What the scene shows, in a few words.");
+    static final Key<String> TEACHES = Key.required("teaches", TextType.prose(),
+            "What one learns from it, in a sentence or two.");
+    static final Key<String> SOLVER = Key.required("solver", NameType.or("solver", SolverCatalog.names(),
+            TextType.of("the full name of a class, such as exercises.MySolver",
+                    "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$")),
+            "The method that solves the equations of motion.");
+    static final Key<Double> DELTA_T = Key.required("deltaT", NumberType.positive("s"), "The time step (s).");
+    static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"), "How long the run lasts (s).");
+    static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
+            ParticleDescription.TYPE),
+            List.of(), "Particles, one by one.");
+    static final Key<List<Chosen<ShapeKind>>> SHAPES = Key.withDefault("shapes",
+            ListType.of("a shape", new KindType<>("shape", ShapeKind.ALL)), List.of(),
+                    "Many particles and springs at once.");
+    static final Key<List<Values>> SPRINGS = Key.withDefault("springs", ListType.of("a spring", SpringDescription.TYPE),
+            List.of(),
+            "Springs between any two particles.");
+    static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
+            ListType.of("an effect", new KindType<>("effect", EffectKind.ALL)), List.of(),
+            "Forces that act on all particles; what is not named does not act.");
+    static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
+            ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),
+            "What happens between steps; what is not named does not happen.");
+    static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
+            "From where the scene is seen; where it is not given, so that everything fits into the picture.");
+    static final Key<Values> LOOK = Key.optional("look", LookFormat.TYPE, "How things are drawn.");
+    static final Key<Values> OUTPUT = Key.optional("output", OutputDescription.TYPE, "What is written.");
+    static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
+            "The run ends when the kinetic energy exceeds the scene's own energy scale by this factor.");
+
+    static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION, PARTICLES,
+            SHAPES,
+            SPRINGS, EFFECTS, RULES, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR);
+
+    private SceneFormat() {
+    }
+
+    /** @return the JSON Schema of scene files, by which editors complete and check them: {@code scenes/scene.schema.json} */
+    public static String jsonSchema() {
+        return JsonSchema.of(SCENE, "A scene of DESolver",
+                "Generated from particles.scene.SceneFormat; a test keeps the two equal.");
+    }
+}

@@ -1,0 +1,63 @@
+package particles.scene;
+
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Optional;
+import particles.scene.spec.Problems;
+import particles.scene.spec.Reading;
+import particles.scene.spec.SourceText;
+import particles.scene.spec.Values;
+import particles.scene.spec.YamlText;
+
+/** Reads scene files. */
+public final class SceneReader {
+    private SceneReader() {
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @param file a scene; in messages it is called as it is given here
+     * @return what it says
+     * @throws SceneException with everything that is wrong with it
+     */
+    public static SceneDescription read(Path file) {
+        String source = file.toString().replace('\\', '/');
+        Problems problems = new Problems();
+        Optional<byte[]> bytes = SourceText.read(file, new Reading(source, problems));
+        if (bytes.isEmpty()) {
+            throw new SceneException(problems.lines());
+        }
+        return read(source, bytes.get());
+    }
+
+    /**
+     * Reads what a file holds.
+     *
+     * @param source the file's name in messages
+     * @param bytes  its bytes
+     * @return what it says
+     * @throws SceneException with everything that is wrong with it
+     */
+    public static SceneDescription read(String source, byte[] bytes) {
+        Problems problems = new Problems();
+        return readValues(bytes, new Reading(source, problems))
+                .flatMap(values -> new SceneChecks(values, problems).describe(source, sha256(bytes)))
+                .orElseThrow(() -> new SceneException(problems.lines()));
+    }
+
+    /** As far as the format says what is allowed, without what has to hold between the parts: this the schema knows too. */
+    static Optional<Values> readValues(byte[] bytes, Reading in) {
+        return YamlText.compose(bytes, in).map(root -> SceneFormat.SCENE.readRoot(root, in));
+    }
+
+    private static String sha256(byte[] bytes) {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError("every Java has SHA-256", e);
+        }
+    }
+}

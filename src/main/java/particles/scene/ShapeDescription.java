@@ -1,0 +1,144 @@
+package particles.scene;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import particles.Surface;
+import particles.Vector3;
+import particles.scene.SpringFamily.Sort;
+import particles.scene.spec.Chosen;
+import particles.scene.spec.Place;
+import particles.scene.spec.Problems;
+import particles.scene.spec.Values;
+import particles.scene.spec.Wording;
+
+/**
+ * A rope, a cloth or a block of jelly.
+ *
+ * @param lattice  its particles
+ * @param mass     the mass of each (kg)
+ * @param velocity how those that are not fixed move at the start (m/s)
+ * @param fixed    the numbers of those that stay where they are
+ * @param springs  its springs
+ * @param surface  whether it is drawn as a surface
+ * @param place    where the scene names it
+ */
+public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, BitSet fixed, List<SpringFamily> springs,
+                        boolean surface, Place place) {
+    /** So many particles fit into half a GiB with everything that belongs to them. */
+    static final int MOST_PARTICLES = 1_000_000;
+
+    /** @return the shape, if there is nothing wrong with it as a whole */
+    static Optional<ShapeDescription> of(Chosen<ShapeKind> chosen, Problems problems) {
+        ShapeKind kind = chosen.kind();
+        Values values = chosen.values();
+        Lattice lattice = kind.lattice(values);
+        if (lattice.size() > MOST_PARTICLES) {
+            problems.add(chosen.place(), "'" + kind.name() + "' has " + lattice.size()
+                    + " particles; a scene may have at most "
+                    + MOST_PARTICLES);
+            return Optional.empty();
+        }
+        if (!(lattice.flatness() > 1e-9)) {
+            problems.add(chosen.place(), "'" + kind.name() + "' has no extent in one of its directions: its particles"
+                    + " would lie on top of each other");
+            return Optional.empty();
+        }
+        BitSet fixed = new BitSet();
+        int before = problems.count();
+        for (String part : values.get(kind.fixed())) {
+            addPart(part, lattice, kind, fixed, values.place(kind.fixed()), problems);
+        }
+        if (problems.count() > before) {
+            return Optional.empty();
+        }
+        double mass = values.find(ShapeKind.MASS).orElseGet(() -> values.get(ShapeKind.TOTAL_MASS) / lattice.size());
+        List<SpringFamily> springs = new ArrayList<>();
+        for (Sort sort : Sort.values()) {
+            if (kind.keys().keys().contains(sort.key())) {
+                values.find(sort.key()).ifPresent(family -> springs.add(SpringFamily.of(sort, family)));
+            }
+        }
+        boolean surface = lattice.counts().size() > 1 && values.get(ShapeKind.SURFACE);
+        return Optional.of(new ShapeDescription(lattice, mass, values.get(ShapeKind.VELOCITY), fixed, springs, surface,
+                chosen.place()));
+    }
+
+    private static void addPart(String part, Lattice lattice, ShapeKind kind, BitSet fixed, Place place, Problems problems) {
+        if (part.endsWith("]")) {
+            OptionalInt number = lattice.find(part);
+            if (number.isEmpty()) {
+                problems.add(place, "unknown particle " + Wording.quote(part) + " in 'fixed'; known: " + lattice.range());
+            }
+            number.ifPresent(fixed::set);
+            return;
+        }
+        List<String> sides = Arrays.asList(part.split("-"));
+        for (int n = 0; n < lattice.size(); n++) {
+            int[] at = lattice.indices(n);
+            int extremes = 0;
+            int named = 0;
+            for (int d = 0; d < at.length; d++) {
+                boolean first = at[d] == 0;
+                boolean last = at[d] == lattice.counts().get(d) - 1;
+                extremes += first || last ? 1 : 0;
+                named += first && sides.contains(kind.sides().get(d).get(0)) || last
+                        && sides.contains(kind.sides().get(d).get(1)) ? 1 : 0;
+            }
+            if (part.equals("corners") ? extremes == at.length : part.equals("edges") ? extremes > 0
+                    : named == sides.size()) {
+                fixed.set(n);
+            }
+        }
+    }
+
+    /** @return how many springs it has */
+    long springCount() {
+        return springs.stream().mapToLong(family -> family.count(lattice)).sum();
+    }
+
+    /**
+     * @param first the index of its first particle
+     * @return the surface that it spans: a cloth, or the six sides of a block
+     */
+    Surface toSurface(int first) {
+        List<Integer> triangles = new ArrayList<>();
+        int[] last = lattice.counts().stream().mapToInt(count -> count - 1).toArray();
+        if (last.length == 2) {
+            addSheet(triangles, first, new int[2], 1, 0);           // rows run down: seen from the front, across x down
+        } else {
+            for (int d = 0; d < 3; d++) {
+                addSheet(triangles, first, new int[3], (d + 2) % 3, (d + 1) % 3);
+                int[] far = new int[3];
+                far[d] = last[d];
+                addSheet(triangles, first, far, (d + 1) % 3, (d + 2) % 3);
+            }
+        }
+        return new Surface(triangles.stream().mapToInt(Integer::intValue).toArray());
+    }
+
+    /** The sheet through a corner in directions u and v, with its front where u x v points. */
+    private void addSheet(List<Integer> triangles, int first, int[] corner, int u, int v) {
+        for (int i = 0; i + 1 < lattice.counts().get(u); i++) {
+            for (int j = 0; j + 1 < lattice.counts().get(v); j++) {
+                int a = at(corner, u, i, v, j);
+                int b = at(corner, u, i + 1, v, j);
+                int c = at(corner, u, i + 1, v, j + 1);
+                int d = at(corner, u, i, v, j + 1);
+                for (int n : new int[] {a, b, c, a, c, d}) {
+                    triangles.add(first + n);
+                }
+            }
+        }
+    }
+
+    private int at(int[] corner, int u, int i, int v, int j) {
+        int[] indices = corner.clone();
+        indices[u] = i;
+        indices[v] = j;
+        return lattice.number(indices);
+    }
+}

@@ -1,0 +1,21 @@
+package particles.scene.spec;
+
+import org.snakeyaml.engine.v2.nodes.Node;
+
+/**
+ * One source being read.
+ *
+ * @param source   its name in messages
+ * @param problems where problems go
+ */
+public record Reading(String source, Problems problems) {
+
+    void problem(Node node, String message) {
+        problems.add(place(node), message);
+    }
+
+    /** A value that came from an option has no mark; its place is the option as a whole. */
+    Place place(Node node) {
+        return Place.of(source, node);
+    }
+}

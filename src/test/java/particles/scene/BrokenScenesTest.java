@@ -1,0 +1,199 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import deSolvers.catalog.SolverCatalog;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What is wrong in a scene file is said in one line each, with its place, what was found and what is allowed. */
+class BrokenScenesTest {
+    /** Seven right lines, so that what a case adds begins at line 8. */
+    private static final String HEAD = """
+            title: Broken
+            teaches: what messages look like
+            solver: rk4
+            deltaT: 0.01
+            duration: 1
+            particles:
+              - {id: bob, position: [0, 1, 0]}
+            """;
+
+    private static Arguments added(String text, String... lines) {
+        return Arguments.of(HEAD + text, List.of(lines));
+    }
+
+    private static Arguments whole(String text, String... lines) {
+        return Arguments.of(text, List.of(lines));
+    }
+
+    static Stream<Arguments> brokenScenes() {
+        return Stream.of(
+                added("effects:\n  - gravty\n",
+                        "x.yaml:9:5: unknown effect 'gravty'; did you mean 'gravity'? known: gravity, wind, drag"),
+                added("efects: []\n",
+                        "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: title, teaches, "
+                                + "solver, deltaT, duration, particles, shapes, springs, effects, rules, camera, "
+                                + "look, output, blowUpFactor"),
+                added("effects:\n  gravity: {}\n",
+                        "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a dash: "
+                                + "one of gravity, wind, drag, with its keys below it"),
+                added("effects:\n  - gravity:\n",
+                        "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration; or write "
+                                + "'- gravity', without the colon"),
+                added("effects:\n  - gravity:\n    acceleration: [0, -1, 0]\n",
+                        "x.yaml:10:5: an entry names one effect, here 'gravity'; what follows is either a key of it, to "
+                                + "be indented further, or another effect, which needs a dash of its own"),
+                added("effects:\n  - drag\n",
+                        "x.yaml:9:5: 'drag' alone is not enough; after a colon it needs a mapping with keys of "
+                                + "coefficient"),
+                added("effects:\n  - drag: {coefficient: -1}\n",
+                        "x.yaml:9:25: 'coefficient' is -1; it has to be a number from 0 up (N s/m)"),
+                added("effects:\n  - gravity\n  - gravity\n",
+                        "x.yaml:10:5: 'gravity' is named twice, first at line 9"),
+                added("effects:\n  - wind: {mean: [1, 0, 0]}\n",
+                        "x.yaml:9:5: 'wind' acts only through 'drag', which the scene does not name; add '- drag: ...' "
+                                + "to 'effects'"),
+                added("  - {id: bob, position: [1, 0, 0]}\n",
+                        "x.yaml:8:10: the id 'bob' is taken, at line 7; give another"),
+                added("  - {id: tom, position: [1, 0]}\n",
+                        "x.yaml:8:25: 'position' has 2 entries; it has to be three numbers [x, y, z] (m)"),
+                added("  - {id: tom, position: [1, a, .inf], mass: 0}\n",
+                        "x.yaml:8:29: y of 'position' is the text 'a'; it has to be a number (m)",
+                        "x.yaml:8:32: z of 'position' is .inf; no number in a scene is beyond 1e30",
+                        "x.yaml:8:45: 'mass' is 0; it has to be a number over 0 (kg)"),
+                added("  - {id: 7, postion: [1, 2, 3]}\n",
+                        "x.yaml:8:5: a particle needs 'position': three numbers [x, y, z] (m)",
+                        "x.yaml:8:10: 'id' is 7; it has to be a name without spaces, brackets, commas and quotes: put "
+                                + "quotes around it, '7'",
+                        "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id, position, "
+                                + "velocity, mass, fixed"),
+                added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
+                        "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name without spaces, brackets, commas and "
+                                + "quotes",
+                        "x.yaml:8:43: 'fixed' is the text 'yes'; it has to be true or false"),
+                added("  - {id: tom, position: [1, 2, 3], fixed: true, velocity: [0, 1, 0]}\n",
+                        "x.yaml:8:59: 'tom' is fixed and has a velocity; leave out one of the two"),
+                added("  - {id: tom, position: [1, 2, 3], mass: 1, mass: 2}\n",
+                        "x.yaml:8:45: 'mass' is there twice in a particle"),
+                added("  - tom\n",
+                        "x.yaml:8:5: a particle is the text 'tom'; it has to be a mapping with keys of id, position, "
+                                + "velocity, mass, fixed"),
+                added("springs:\n  - {from: bob, to: bob, stiffness: 1}\n",
+                        "x.yaml:9:21: a spring from 'bob' to itself; its ends have to be two particles"),
+                added("springs:\n  - {from: bob, to: bbo, stiffness: 1}\n",
+                        "x.yaml:9:21: unknown particle 'bbo'; did you mean 'bob'? known: bob"),
+                added("  - {id: tom, position: [0, 1, 0]}\nsprings:\n  - {from: bob, to: tom, stiffness: 1}\n",
+                        "x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them has no direction to "
+                                + "push in"),
+                added("springs:\n  - {from: bob}\n",
+                        "x.yaml:9:5: a spring needs 'to': the id of a particle, such as bob or cloth[3,4]",
+                        "x.yaml:9:5: a spring needs 'stiffness': a number over 0 (N/m)"),
+                added("springs:\n  - {from: bob, to: rope[1], stiffness: 1}\n",
+                        "x.yaml:9:25: not valid YAML: expected ',' or '}', but got [, in what begins at line 9 (inside [ "
+                                + "] and { } an id such as cloth[3,4] needs quotes around it)"),
+                added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1}\nsprings:\n"
+                        + "  - {from: bob, to: \"rope[5]\", stiffness: 1}\n",
+                        "x.yaml:11:21: unknown particle 'rope[5]'; known in this shape: rope[0] to rope[4]"),
+                added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 1, mass: 1, totalMass: 2}\n",
+                        "x.yaml:9:11: 'rope' needs exactly one of 'mass', 'totalMass'",
+                        "x.yaml:9:57: 'particles' is 1; it has to be a whole number from 2 to 1000000"),
+                added("shapes:\n  - rope: {start: [0, 0, 0], end: [0, 0, 0], particles: 5, mass: 1}\n",
+                        "x.yaml:9:5: 'rope' has no extent in one of its directions: its particles would lie on top of each "
+                                + "other"),
+                added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1, "
+                        + "fixed: [strat, \"rope[9]\"]}\n",
+                        "x.yaml:9:77: unknown part 'strat'; did you mean 'start'? known: start, end, or an id of a "
+                                + "particle of the shape, such as cloth[3,4]"),
+                added("shapes:\n  - cloth: {corner: [0, 1, 0], across: [1, 0, 0], down: [2, 0, 0], "
+                        + "columns: 3, rows: 3, mass: 1}\n",
+                        "x.yaml:9:5: 'cloth' has no extent in one of its directions: its particles would lie on top of each "
+                                + "other"),
+                added("shapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1], "
+                        + "columns: 1000, rows: 1000, layers: 1000, mass: 1}\n",
+                        "x.yaml:9:5: 'jelly' has 1000000000 particles; a scene may have at most 1000000"),
+                added("shapes:\n  - jely: {centre: [0, 0, 0]}\n",
+                        "x.yaml:9:5: unknown shape 'jely'; did you mean 'jelly'? known: rope, cloth, jelly"),
+                added("rules:\n  - ground: {height: 1.5}\n",
+                        "x.yaml:7:5: 'bob' begins 0.5 m inside the 'ground' of line 9; it has to begin outside"),
+                added("rules:\n  - plane: {normal: [0, 0, 0]}\n",
+                        "x.yaml:9:21: 'normal' is [0, 0, 0]; it has to be three numbers [x, y, z], not all 0"),
+                added("rules:\n  - ground: {restitution: 1.2, friction: {law: columb}}\n",
+                        "x.yaml:9:27: 'restitution' is 1.2; it has to be a number from 0 to 1",
+                        "x.yaml:9:42: 'friction' needs 'coefficient': a number from 0 up",
+                        "x.yaml:9:48: unknown friction law 'columb'; did you mean 'coulomb'? known: slide, coulomb"),
+                added("camera: {position: [0, 1, 0], target: [0, 1, 0]}\n",
+                        "x.yaml:8:39: the camera's target is where the camera stands; it has to be another point"),
+                added("camera: {position: [0, 1, 0], target: [0, 0, 0]}\n",
+                        "x.yaml:8:9: the camera looks along its 'up' direction; give another 'up', such as [0, 0, -1]"),
+                added("look: {particleColour: red, springs: allways}\n",
+                        "x.yaml:8:24: 'particleColour' is the text 'red'; it has to be a colour '#rrggbb' in quotes",
+                        "x.yaml:8:38: unknown choice 'allways'; did you mean 'always'? known: always, beside-surfaces, "
+                                + "never"),
+                added("output: {width: 8, frameRate: 0, phase: {particle: tim, axis: w}}\n",
+                        "x.yaml:8:17: 'width' is 8; it has to be a whole number from 16 to 4096",
+                        "x.yaml:8:31: 'frameRate' is 0; it has to be a number from 0.001 to 1000 (1/s)",
+                        "x.yaml:8:52: unknown particle 'tim'; known: bob",
+                        "x.yaml:8:63: unknown axis 'w'; known: x, y, z"),
+                added("blowUpFactor:\n",
+                        "x.yaml:8:1: 'blowUpFactor' has no value; it has to be a number over 0"),
+                added("title: again\n",
+                        "x.yaml:8:1: 'title' is there twice in the scene"),
+                added("more: &a [1]\nless: *a\n",
+                        "x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
+                                + "put quotes around a text that begins with & or *",
+                        "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
+                                + "put quotes around a text that begins with & or *"),
+                added("? [a]\n: 1\n",
+                        "x.yaml:8:3: a key of the scene is [a]; it has to be one of 'title', 'teaches', 'solver', "
+                                + "'deltaT', 'duration', 'particles', 'shapes', 'springs', 'effects', 'rules', 'camera', "
+                                + "'look', 'output', 'blowUpFactor'"),
+                added("---\ntitle: second\n",
+                        "x.yaml:8:1: a second document begins; a file holds one scene"),
+                added("\tx: 1\n",
+                        "x.yaml:8:1: not valid YAML: a tab; YAML is indented by spaces"),
+                added("rules: [a\n",
+                        "x.yaml:9:1: not valid YAML: expected ',' or ']', but got <stream end>, in what begins at line 8 "
+                                + "(inside [ ] and { } an id such as cloth[3,4] needs quotes around it)"),
+                whole("",
+                        "x.yaml: the file is empty"),
+                whole("# nothing\n",
+                        "x.yaml: the file is empty"),
+                whole("just a text\n",
+                        "x.yaml:1:1: the scene is the text 'just a text'; it has to be a mapping with keys of title, "
+                                + "teaches, solver, deltaT, duration, particles, shapes, springs, effects, rules, camera, "
+                                + "look, output, blowUpFactor"),
+                whole("title: A: B\n",
+                        "x.yaml:1:9: not valid YAML: mapping values are not allowed here (a text with a colon in it "
+                                + "needs quotes around it)"),
+                whole("title: \"\"\nsolver: rk5\ndeltaT: 0\nduration: soon\n",
+                        "x.yaml:1:1: the scene needs 'teaches': a text that is not empty",
+                        "x.yaml:1:8: 'title' is the text ''; it has to be a text that is not empty",
+                        "x.yaml:2:9: unknown solver 'rk5'; did you mean 'rk4'? known: "
+                                + String.join(", ", SolverCatalog.names())
+                                + ", or the full name of a class, such as exercises.MySolver",
+                        "x.yaml:3:9: 'deltaT' is 0; it has to be a number over 0 (s)",
+                        "x.yaml:4:11: 'duration' is the text 'soon'; it has to be a number from 0 up (s)"),
+                whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n",
+                        "x.yaml:1:1: the scene has no particle; name some under 'particles' or 'shapes'"),
+                whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 1e-9\nduration: 1e7\n"
+                        + "particles: [{id: a, position: [0, 0, 0]}]\n",
+                        "x.yaml:5:11: a duration of 1e7 s takes more than 1e10 steps of deltaT = 1e-9 s",
+                        "x.yaml:5:11: a duration of 1e7 s takes more than a million pictures at frameRate = 25"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("brokenScenes")
+    void saysEverythingThatIsWrong(String text, List<String> lines) {
+        assertEquals(lines, linesFor(text.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private static List<String> linesFor(byte[] bytes) {
+        return assertThrows(SceneException.class, () -> SceneReader.read("x.yaml", bytes)).getLines();
+    }
+}
