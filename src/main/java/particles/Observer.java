@@ -32,11 +32,13 @@ public interface Observer {
     }
 
     /**
-     * Rules changed something at the end of the step that was just made.
+     * A rule changed something at the end of the motion that was just reported, or at the end of a step that was not.
+     * Told to every observer, whatever its next time, once for each rule that changed something.
      *
      * @param system the system after the change, to be read only
+     * @param rule   the rule that made it
      */
-    default void changed(ParticleSystem system) {
+    default void changed(ParticleSystem system, Rule rule) {
     }
 
     /**

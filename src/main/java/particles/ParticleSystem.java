@@ -122,6 +122,11 @@ public final class ParticleSystem implements SecondOrderStateSource {
         return time;
     }
 
+    /** Sets the clock to exactly this time; going back by a difference may miss it by a rounding. */
+    void setTime(double time) {
+        this.time = time;
+    }
+
     @Override
     public void incTime(double deltaT) {
         time += deltaT;

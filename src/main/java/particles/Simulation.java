@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends at
@@ -12,6 +13,8 @@ import java.util.List;
 public final class Simulation {
     /** A last step longer than deltaT by no more than this part of it is rounding of the clock, not a step too many. */
     private static final double ROUNDING = 1e-6;
+    /** Far more than any sequence of ever smaller bounces has before it ends in rest. */
+    private static final int MOST_EVENTS = 100_000;
 
     private final ParticleSystem system;
     private final DESolver solver;
@@ -19,9 +22,12 @@ public final class Simulation {
     private final double duration;
     private final double energyLimit;
     private final List<Rule> rules = new ArrayList<>();
+    private final List<EventRule> eventRules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
     private final Motion motion = new Motion();
+    private EventLocator locator;
     private long steps;
+    private long events;
 
     /**
      * @param system      what moves
@@ -51,6 +57,20 @@ public final class Simulation {
     /** @param rule to act after every step, after those added before */
     public void addRule(Rule rule) {
         rules.add(rule);
+    }
+
+    /**
+     * Adds a rule that acts inside steps too.
+     *
+     * @param rule         to act at its events, and after every step like any other rule
+     * @param searchSolver a solver of the same kind as the run's and used for nothing else, for the search of event times
+     */
+    public void addEventRule(EventRule rule, DESolver searchSolver) {
+        rules.add(rule);
+        eventRules.add(rule);
+        if (locator == null) {
+            locator = new EventLocator(searchSolver);
+        }
     }
 
     /** @param observer to be told of every step */
@@ -91,36 +111,94 @@ public final class Simulation {
         for (Rule rule : rules) {
             rule.beforeStep(system);
         }
-        boolean observed = isAnyoneInterested(system.getTime() + h);
-        if (observed) {
-            motion.begin(system);
-        }
+        double end = system.getTime() + h;
+        boolean observed = !eventRules.isEmpty() || isAnyoneInterested(end);
         try {
-            solver.stepState(system, h);
+            move(h, observed);
+            for (int inStep = 0; !eventRules.isEmpty() && stopAtEvent(); inStep++) {
+                if (inStep == MOST_EVENTS) {
+                    throw new SimulationException(system.getTime(), -1, MOST_EVENTS + " impacts or changes of contact within one"
+                            + " step of " + h + " s, and no end", null);
+                }
+                move(end - system.getTime(), true);
+            }
         } catch (DESolverException e) {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);
         }
         steps++;
         if (observed) {
-            motion.end();
-            for (Observer observer : observers) {
-                if (observer.getNextTime() <= motion.getEndTime()) {
-                    observer.moved(motion);
-                }
-            }
+            reportMotion();
         }
         boolean changed = false;
         for (Rule rule : rules) {
-            changed |= rule.afterStep(system, h);
+            if (rule.afterStep(system, h)) {
+                changed = true;
+                reportChange(rule);
+            }
         }
         if (changed) {
             solver.reset();
-            for (Observer observer : observers) {
-                observer.changed(system);
-            }
         }
         checkEnergy();
+    }
+
+    private void move(double h, boolean observed) {
+        if (observed) {
+            motion.begin(system);
+        }
+        solver.stepState(system, h);
+        if (observed) {
+            motion.end();
+        }
+    }
+
+    /** Takes the present motion back to its first event, if it has any, and lets the event happen there. */
+    private boolean stopAtEvent() {
+        EventRule.Event first = null;
+        EventRule itsRule = null;
+        for (double end = Double.POSITIVE_INFINITY; motion.getEndTime() < end;) {
+            end = motion.getEndTime();
+            EventRule.Event earliest = null;
+            EventRule earliestRule = null;
+            for (EventRule rule : eventRules) {
+                Optional<EventRule.Event> found = rule.findEvent(motion);
+                if (found.isPresent() && (earliest == null || found.get().time() < earliest.time())) {
+                    earliest = found.get();
+                    earliestRule = rule;
+                }
+            }
+            if (earliest != null && locator.locate(system, motion, earliest)) {
+                first = earliest;
+                itsRule = earliestRule;
+                motion.end();                           // and look again: may something else come before?
+            }
+        }
+        if (first == null) {
+            return false;
+        }
+        events++;
+        if (motion.getEndTime() > motion.getStartTime()) {
+            reportMotion();
+        }
+        first.act(system);
+        solver.reset();
+        reportChange(itsRule);
+        return true;
+    }
+
+    private void reportMotion() {
+        for (Observer observer : observers) {
+            if (observer.getNextTime() <= motion.getEndTime()) {
+                observer.moved(motion);
+            }
+        }
+    }
+
+    private void reportChange(Rule rule) {
+        for (Observer observer : observers) {
+            observer.changed(system, rule);
+        }
     }
 
     private boolean isAnyoneInterested(double until) {
@@ -175,6 +253,11 @@ public final class Simulation {
     /** @return the kinetic energy beyond which the run has blown up (J) */
     public double getEnergyLimit() {
         return energyLimit;
+    }
+
+    /** @return how many events were located so far */
+    public long getEvents() {
+        return events;
     }
 
     /** @return how many steps were made so far */

@@ -20,10 +20,14 @@ public final class PlaneContacts implements Reaction {
 
     private static final int STRIDE = Particles.STRIDE;
 
+    /** Relative to the speed at the beginning of a step; the direction of less is mostly rounding. */
+    private static final double ALMOST_STOPPED = 1e-6;
+
     private final Particles particles;
     private final List<ContactPlane> planes;
     private final NormalForces normalForces;
     private final ContactModes modes;
+    private boolean holdsOn;
     private double[] stepBegin = {};                    // the state where the present step began
 
     private final ContactPlane[] touched;               // work arrays for one particle
@@ -69,6 +73,16 @@ public final class PlaneContacts implements Reaction {
             stepBegin = new double[system.getStateSize()];
         }
         system.getState(stepBegin);
+    }
+
+    /**
+     * Whether a plane holds on to a particle until a rule says that it lets go. Without that the plane stops pushing wherever
+     * N . F turns positive, as on the slide; then the force has a kink there, and a step across it loses its order.
+     *
+     * @param holdsOn true where a rule finds the exact time of letting go
+     */
+    public void setHoldsOn(boolean holdsOn) {
+        this.holdsOn = holdsOn;
     }
 
     /** @return the state where the present step began, to be read only */
@@ -123,24 +137,55 @@ public final class PlaneContacts implements Reaction {
     }
 
     /**
-     * Whether static friction can hold a particle against the force on it.
+     * By how much static friction can hold a particle against the force on it.
      *
      * @param particle its index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
-     * @return true if the force along the planes it touches does not exceed what they withstand
+     * @return what the planes it touches withstand minus the force along them (N); negative if they cannot hold it, and
+     *         where nothing presses it on
      */
-    public boolean canHold(int particle, double[] state, double[] force) {
+    public double holdMargin(int particle, double[] state, double[] force) {
         int count = respond(particle, state, force);
+        double pushed = 0;
         double withstood = 0;
-        double[] left = pressing.clone();
         for (int p = 0; p < count; p++) {
-            left[0] += push[p] * normals[p].x();
-            left[1] += push[p] * normals[p].y();
-            left[2] += push[p] * normals[p].z();
+            pushed += push[p];
             withstood += push[p] * touched[p].friction().staticCoefficient();
         }
-        return count > 0 && length(left) <= withstood;
+        return pushed > 0 ? withstood - length(unheld(count)) : -1;
+    }
+
+    /**
+     * How hard a particle is pressed onto a plane that it touches.
+     *
+     * @param plane    the plane's index
+     * @param particle the particle's index
+     * @param state    the particles' state
+     * @param force    the total force of all effects (N)
+     * @return the plane's push (N); where it does not push, minus the force that pulls the particle off
+     */
+    public double pressure(int plane, int particle, double[] state, double[] force) {
+        int count = respond(particle, state, force);
+        for (int p = 0; p < count; p++) {
+            if (touched[p] == planes.get(plane)) {
+                double[] left = unheld(count);
+                Vector3 normal = normals[p];
+                return push[p] != 0 ? push[p] : -(normal.x() * left[0] + normal.y() * left[1] + normal.z() * left[2]);
+            }
+        }
+        return 0;
+    }
+
+    /** The force on the particle after the planes have pushed. */
+    private double[] unheld(int count) {
+        System.arraycopy(pressing, 0, tangent, 0, 3);
+        for (int p = 0; p < count; p++) {
+            tangent[0] += push[p] * normals[p].x();
+            tangent[1] += push[p] * normals[p].y();
+            tangent[2] += push[p] * normals[p].z();
+        }
+        return tangent;
     }
 
     /** Finds push and friction for one particle; returns how many planes it touches, 0 if there is nothing to answer. */
@@ -163,6 +208,9 @@ public final class PlaneContacts implements Reaction {
         }
         System.arraycopy(force, STRIDE * i + 3, pressing, 0, 3);
         normalForces.solve(count, normals, pressing, push);
+        if (holdsOn && count == 1 && push[0] == 0) {
+            push[0] = -normals[0].dot(new Vector3(pressing[0], pressing[1], pressing[2]));
+        }
         friction[0] = 0;
         friction[1] = 0;
         friction[2] = 0;
@@ -176,38 +224,27 @@ public final class PlaneContacts implements Reaction {
         return count;
     }
 
-    /** Static friction: cancels the force along the planes, or resists with what sliding friction has. */
+    /** Static friction cancels the force along the planes. Whether it can is asked between steps: see holdMargin. */
     private void hold(int count) {
-        double withstood = 0;
-        double sliding = 0;
-        System.arraycopy(pressing, 0, friction, 0, 3);
-        for (int p = 0; p < count; p++) {
-            friction[0] += push[p] * normals[p].x();
-            friction[1] += push[p] * normals[p].y();
-            friction[2] += push[p] * normals[p].z();
-            Friction law = touched[p].friction();
-            withstood += push[p] * law.staticCoefficient();
-            sliding += law.law() == Friction.Law.COULOMB ? push[p] * law.coefficient() : 0;
-        }
-        double along = length(friction);
-        double part = along <= withstood ? 1 : Math.min(1, sliding / along);
+        double[] left = unheld(count);
         for (int c = 0; c < 3; c++) {
-            friction[c] *= -part;
+            friction[c] = -left[c];
         }
     }
 
     /** Sliding friction of one plane, against the velocity along it. */
     private void rub(int p, double[] state, int v) {
         Friction law = touched[p].friction();
-        if (law.law() == Friction.Law.NONE || push[p] == 0) {
+        if (law.law() == Friction.Law.NONE || !(push[p] > 0)) {
             return;
         }
         double factor = push[p] * law.coefficient();
         along(normals[p], state, v, tangent);
         if (law.law() == Friction.Law.COULOMB) {
+            double sign = followBeginning(normals[p], v);
             double speed = length(tangent);
             if (speed > 0) {
-                factor /= turned(normals[p], v) ? -speed : speed;
+                factor *= sign / speed;
             } else {                                    // about to move: against the force that will move it
                 along(normals[p], pressing, 0, tangent);
                 factor /= Math.max(factor, length(tangent));
@@ -218,13 +255,20 @@ public final class PlaneContacts implements Reaction {
         }
     }
 
-    /** Whether the velocity along a plane, now in tangent, points back against that at the beginning of the step. */
-    private boolean turned(Vector3 normal, int v) {
+    /**
+     * Compares the velocity along a plane, now in tangent, with that at the beginning of the step: -1 if it points back. Where
+     * it is rounding and no direction any more, the beginning's takes its place.
+     */
+    private double followBeginning(Vector3 normal, int v) {
         if (stepBegin.length <= v) {
-            return false;
+            return 1;
         }
         along(normal, stepBegin, v, beginning);
-        return tangent[0] * beginning[0] + tangent[1] * beginning[1] + tangent[2] * beginning[2] < 0;
+        if (length(tangent) < ALMOST_STOPPED * length(beginning)) {
+            System.arraycopy(beginning, 0, tangent, 0, 3);
+            return 1;
+        }
+        return tangent[0] * beginning[0] + tangent[1] * beginning[1] + tangent[2] * beginning[2] < 0 ? -1 : 1;
     }
 
     /** The part of a vector that lies in a plane. */

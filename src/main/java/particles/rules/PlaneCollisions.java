@@ -1,5 +1,12 @@
 package particles.rules;
 
+import static particles.rules.ContactGeometry.distance;
+import static particles.rules.ContactGeometry.moveAlong;
+import static particles.rules.ContactGeometry.normalSpeed;
+import static particles.rules.ContactGeometry.slack;
+import static particles.rules.ContactGeometry.stopAlong;
+import static particles.rules.ContactGeometry.velocity;
+
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Rule;
@@ -21,8 +28,6 @@ import particles.reactions.PlaneContacts;
  */
 public final class PlaneCollisions implements Rule {
     private static final int STRIDE = Particles.STRIDE;
-    /** A particle in contact is on the plane but for rounding, relative to 1 m plus its distance from the origin. */
-    private static final double ON_PLANE = 1e-9;
 
     private final PlaneContacts contacts;
     private final ContactModes modes;
@@ -130,14 +135,14 @@ public final class PlaneCollisions implements Rule {
         return false;
     }
 
-    /** A particle that sticks begins to slide where it moves; one that slides sticks where it stops and can be held. */
+    /** A particle that sticks begins to slide where it cannot be held; one that slides sticks where it stops and can be. */
     private boolean slideOrStick(ParticleSystem system, int i, double[] state) {
         if (!modes.isTouching(i)) {
             return false;
         }
         Vector3 now = velocity(state, i);
         if (modes.isSticking(i)) {
-            if (now.equals(Vector3.ZERO)) {
+            if (canHold(system, i, state)) {
                 return false;
             }
             modes.setWhereTouching(i, Mode.SLIDING);
@@ -166,39 +171,6 @@ public final class PlaneCollisions implements Rule {
             system.addUpEffects(state, system.getTime(), force);
             forceKnown = true;
         }
-        return contacts.canHold(i, state, force);
-    }
-
-    private static double slack(double[] state, int i) {
-        int x = STRIDE * i;
-        return ON_PLANE * (1 + Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]));
-    }
-
-    private static double distance(ContactPlane plane, double[] state, int i) {
-        int x = STRIDE * i;
-        return plane.plane().distance(state[x], state[x + 1], state[x + 2]);
-    }
-
-    private static double normalSpeed(ContactPlane plane, double[] state, int i) {
-        Vector3 normal = plane.plane().normal();
-        int v = STRIDE * i + 3;
-        return normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2];
-    }
-
-    private static Vector3 velocity(double[] state, int i) {
-        int v = STRIDE * i + 3;
-        return new Vector3(state[v], state[v + 1], state[v + 2]);
-    }
-
-    private static void stopAlong(Vector3 normal, double[] state, int i) {
-        int v = STRIDE * i + 3;
-        moveAlong(normal, state, v, -(normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2]));
-    }
-
-    /** Adds a multiple of a direction to the three entries from place on. */
-    private static void moveAlong(Vector3 direction, double[] state, int place, double amount) {
-        state[place] += amount * direction.x();
-        state[place + 1] += amount * direction.y();
-        state[place + 2] += amount * direction.z();
+        return contacts.holdMargin(i, state, force) >= 0;
     }
 }

@@ -17,6 +17,7 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Plane;
+import particles.Rule;
 import particles.Simulation;
 import particles.Vector3;
 import particles.effects.Gravity;
@@ -59,7 +60,7 @@ class PlaneCollisionsTest {
         simulation.addRule(rule);
         simulation.addObserver(new Observer() {
             @Override
-            public void changed(ParticleSystem bounced) {
+            public void changed(ParticleSystem bounced, Rule by) {
                 assertEquals(expected[seen[0]], bounced.getTime(), 1e-3);
                 seen[0]++;
             }

@@ -1,0 +1,106 @@
+package particles;
+
+import deSolvers.DESolver;
+
+/**
+ * Finds when an event happens: the length of a step, from a given state, after which the event's function is 0. Each trial
+ * is a step of a solver of its own from the same beginning, so that the state at the event is as accurate as any other
+ * step's end; the step's solver keeps its memory.
+ *
+ * <p>The function is bracketed and the bracket shrunk by the Illinois variant of regula falsi (M. Dowell, P. Jarratt 1971),
+ * of order 1.44 and always inside the bracket, down to the resolution of the clock.
+ */
+final class EventLocator {
+    private static final int MOST_TRIALS = 200;
+
+    private final DESolver solver;
+    private double[] begin = {};
+    private double beginTime;
+
+    EventLocator(DESolver solver) {
+        this.solver = solver;
+    }
+
+    /**
+     * Leaves the system at the event: at the last moment before the function becomes negative.
+     *
+     * @param system  the system, anywhere
+     * @param motion  the step in which an event was found; its beginning is where trials begin
+     * @param event   what was found in it
+     * @return whether there is such a moment; if not, the system is back at the end of the motion
+     */
+    boolean locate(ParticleSystem system, Motion motion, EventRule.Event event) {
+        begin = motion.getStartState();
+        beginTime = motion.getStartTime();
+        if (event.time() <= beginTime) {
+            step(system, 0);
+            return true;
+        }
+        double longest = motion.getEndTime() - beginTime;
+        double first = Math.min(event.time() - beginTime, longest);
+        double low = 0;
+        double lowValue = valueAfter(system, event, 0);
+        if (!(lowValue > 0)) {                          // begins at the last event: positive only in between
+            low = first / 2;
+            lowValue = valueAfter(system, event, low);
+        }
+        if (!(lowValue > 0)) {
+            step(system, 0);
+            return true;                                // it happens right away
+        }
+        double high = first;
+        double highValue = valueAfter(system, event, high);
+        for (double more = 1e-6 * longest; highValue > 0 && high < longest; more *= 4) {
+            low = high;                                 // the cubic said so a little too early
+            lowValue = highValue;
+            high = Math.min(longest, high + more);
+            highValue = valueAfter(system, event, high);
+        }
+        if (highValue > 0) {
+            step(system, longest);
+            return false;
+        }
+        step(system, shrink(system, event, low, lowValue, high, highValue));
+        return true;
+    }
+
+    /** Shrinks the bracket to neighbouring times; returns the end before the event. */
+    private double shrink(ParticleSystem system, EventRule.Event event, double low, double lowValue, double high, double highValue) {
+        double resolution = Math.ulp(beginTime + high);
+        int side = 0;
+        for (int trial = 0; trial < MOST_TRIALS && high - low > resolution && highValue < 0; trial++) {
+            double h = low + (high - low) * (lowValue / (lowValue - highValue));
+            if (trial % 8 == 7 || !(h > low && h < high)) {
+                h = low + (high - low) / 2;
+            }
+            if (h <= low || h >= high) {
+                break;
+            }
+            double value = valueAfter(system, event, h);
+            if (value > 0) {
+                low = h;
+                lowValue = value;
+                highValue = side > 0 ? highValue / 2 : highValue;
+                side = 1;
+            } else {
+                high = h;
+                highValue = value;
+                lowValue = side < 0 ? lowValue / 2 : lowValue;
+                side = -1;
+            }
+        }
+        return highValue == 0 ? high : low;
+    }
+
+    private double valueAfter(ParticleSystem system, EventRule.Event event, double h) {
+        step(system, h);
+        return event.value(system);
+    }
+
+    private void step(ParticleSystem system, double h) {
+        system.setState(begin);
+        system.setTime(beginTime);
+        solver.reset();
+        solver.stepState(system, h);
+    }
+}

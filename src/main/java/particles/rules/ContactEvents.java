@@ -1,0 +1,150 @@
+package particles.rules;
+
+import static particles.rules.ContactGeometry.moveAlong;
+import static particles.rules.ContactGeometry.velocity;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
+import particles.EventRule.Event;
+import particles.Motion;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Vector3;
+import particles.reactions.ContactModes;
+import particles.reactions.ContactModes.Mode;
+import particles.reactions.Friction;
+import particles.reactions.PlaneContacts;
+
+/**
+ * What happens to particles in contact, at its time: a plane no longer presses and lets go, a sliding particle comes to a
+ * stop, a sticking one breaks away. Each is a function of the state that is positive until then; whether it changed its sign
+ * is looked at at the end of every motion.
+ */
+final class ContactEvents {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private final PlaneContacts contacts;
+    private final ContactModes modes;
+    private double[] force = {};
+
+    ContactEvents(PlaneContacts contacts) {
+        this.contacts = contacts;
+        this.modes = contacts.getModes();
+    }
+
+    /** An event of particle i: its function, what to do, and the end of the motion as a guess of when. */
+    private record Change(double time, ToDoubleFunction<ParticleSystem> function, Consumer<ParticleSystem> deed)
+            implements Event {
+        @Override
+        public double value(ParticleSystem system) {
+            return function.applyAsDouble(system);
+        }
+
+        @Override
+        public void act(ParticleSystem system) {
+            deed.accept(system);
+        }
+    }
+
+    /** Something that changed its sign within the motion, if there is any; which is first shows when it is located. */
+    Optional<Event> find(Motion motion) {
+        if (!modes.isAnyTouching()) {
+            return Optional.empty();
+        }
+        ParticleSystem system = motion.getSystem();
+        addUpForces(system);
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            if (modes.isTouching(i)) {
+                Optional<Change> change = findFor(i, motion);
+                if (change.isPresent()) {
+                    return Optional.of(change.get());
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<Change> findFor(int i, Motion motion) {
+        ParticleSystem system = motion.getSystem();
+        double end = motion.getEndTime();
+        double[] state = motion.getEndState();
+        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+            int plane = p;
+            if (modes.get(p, i) != Mode.FREE && contacts.pressure(p, i, state, force) < 0) {
+                return Optional.of(new Change(end, s -> pressure(s, plane, i), s -> modes.set(plane, i, Mode.FREE)));
+            }
+        }
+        if (modes.isSticking(i)) {
+            return contacts.holdMargin(i, state, force) >= 0 ? Optional.empty()
+                    : Optional.of(new Change(end, s -> holdMargin(s, i), s -> modes.setWhereTouching(i, Mode.SLIDING)));
+        }
+        Vector3 before = velocity(motion.getStartState(), i);
+        double slow = threshold(i);
+        boolean braking = before.length() > slow && slow > 0;
+        ToDoubleFunction<ParticleSystem> moving = braking ? s -> velocity(s.getOwnState(), i).length() - slow
+                : s -> velocity(s.getOwnState(), i).dot(before);
+        return before.equals(Vector3.ZERO) || !rubs(i) || moving.applyAsDouble(system) >= 0 ? Optional.empty()
+                : Optional.of(new Change(end, moving, s -> stop(s, i)));
+    }
+
+    private boolean rubs(int i) {
+        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+            if (modes.get(p, i) != Mode.FREE
+                    && contacts.getPlanes().get(p).friction().law() != Friction.Law.NONE) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private double threshold(int i) {
+        double threshold = 0;
+        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+            if (modes.get(p, i) != Mode.FREE) {
+                threshold = Math.max(threshold, contacts.getPlanes().get(p).friction().threshold());
+            }
+        }
+        return threshold;
+    }
+
+    /** At the end of sliding: what is left of the velocity is below the threshold, or rounding. */
+    private void stop(ParticleSystem system, int i) {
+        addUpForces(system);
+        double[] state = system.getOwnState();
+        if (contacts.holdMargin(i, state, force) >= 0) {
+            moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
+            modes.setWhereTouching(i, Mode.STICKING);
+        } else if (threshold(i) == 0) {
+            moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
+        }
+        contacts.beginStep(system);
+    }
+
+    /** Lets a particle that has just come to rest on a plane stick if it hardly moves along it. */
+    void stickIfSlow(ParticleSystem system, int i) {
+        if (rubs(i) && velocity(system.getOwnState(), i).length() <= threshold(i)) {
+            addUpForces(system);
+            if (contacts.holdMargin(i, system.getOwnState(), force) >= 0) {
+                stop(system, i);
+            }
+        }
+    }
+
+    double pressure(ParticleSystem system, int p, int i) {
+        addUpForces(system);
+        return contacts.pressure(p, i, system.getOwnState(), force);
+    }
+
+    private double holdMargin(ParticleSystem system, int i) {
+        addUpForces(system);
+        return contacts.holdMargin(i, system.getOwnState(), force);
+    }
+
+    private void addUpForces(ParticleSystem system) {
+        if (force.length != system.getStateSize()) {
+            force = new double[system.getStateSize()];
+        }
+        system.addUpEffects(system.getOwnState(), system.getTime(), force);
+    }
+}

@@ -1,0 +1,49 @@
+package particles.rules;
+
+import particles.Particles;
+import particles.Vector3;
+import particles.reactions.ContactPlane;
+
+/** Where particles are with respect to planes, and small moves of one particle in a flat state. */
+final class ContactGeometry {
+    private static final int STRIDE = Particles.STRIDE;
+    /** A particle in contact is on the plane but for rounding, relative to 1 m plus its distance from the origin. */
+    private static final double ON_PLANE = 1e-9;
+
+    private ContactGeometry() {
+    }
+
+    /** How far off a plane a particle in contact may be by rounding (m). */
+    static double slack(double[] state, int i) {
+        int x = STRIDE * i;
+        return ON_PLANE * (1 + Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]));
+    }
+
+    static double distance(ContactPlane plane, double[] state, int i) {
+        int x = STRIDE * i;
+        return plane.plane().distance(state[x], state[x + 1], state[x + 2]);
+    }
+
+    static double normalSpeed(ContactPlane plane, double[] state, int i) {
+        Vector3 normal = plane.plane().normal();
+        int v = STRIDE * i + 3;
+        return normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2];
+    }
+
+    static Vector3 velocity(double[] state, int i) {
+        int v = STRIDE * i + 3;
+        return new Vector3(state[v], state[v + 1], state[v + 2]);
+    }
+
+    static void stopAlong(Vector3 normal, double[] state, int i) {
+        int v = STRIDE * i + 3;
+        moveAlong(normal, state, v, -(normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2]));
+    }
+
+    /** Adds a multiple of a direction to the three entries from place on. */
+    static void moveAlong(Vector3 direction, double[] state, int place, double amount) {
+        state[place] += amount * direction.x();
+        state[place + 1] += amount * direction.y();
+        state[place + 2] += amount * direction.z();
+    }
+}
