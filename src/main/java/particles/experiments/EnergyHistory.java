@@ -9,6 +9,7 @@ import particles.Effect;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
+import particles.Rule;
 
 /**
  * The energies of a run over time: kinetic, what each effect stores, and their sum, after each step and again after rules
@@ -62,7 +63,7 @@ public final class EnergyHistory implements Observer {
     }
 
     @Override
-    public void changed(ParticleSystem system) {
+    public void changed(ParticleSystem system, Rule rule) {
         if (step % stride == 0) {
             record(system, system.getOwnState(), system.getTime());
         }

@@ -9,6 +9,7 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.Rule;
 
 /**
  * The path of one particle in its state space: position against velocity along an axis, after each step and again after
@@ -43,7 +44,7 @@ public final class PhaseHistory implements Observer {
     }
 
     @Override
-    public void changed(ParticleSystem system) {
+    public void changed(ParticleSystem system, Rule rule) {
         add(system, system.getOwnState());
     }
 
