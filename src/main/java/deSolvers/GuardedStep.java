@@ -91,11 +91,6 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         }
     }
 
-    /** @return the state in which the step began; to be read only */
-    public double[] getStartState() {
-        return stateFound;
-    }
-
     /** @return the time at which the step began (s) */
     public double getStartTime() {
         return timeFound;
@@ -106,9 +101,13 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         return timeFound + deltaT;
     }
 
-    /** @return the time step (s) */
-    public double getDeltaT() {
-        return deltaT;
+    /**
+     * Puts the client's clock to a time within the step.
+     *
+     * @param offset the time since the step began (s); negative where deltaT is
+     */
+    public void setOffset(double offset) {
+        client.incTime(timeFound + offset - client.getTime());
     }
 
     /**

@@ -2,6 +2,7 @@ package deSolvers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import deSolvers.problems.Chain;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.GrowthInSeason;
@@ -60,6 +61,11 @@ public abstract class FixedStepContract extends DESolverContract {
     @Test
     void theOrderHoldsWithDragAndWind() {
         assertOrder(new DragInWind(2, 2), DURATION);
+    }
+
+    @Test
+    void theOrderHoldsWithSpringDamping() {
+        assertOrder(new Chain(3, 2, 0.3), DURATION);
     }
 
     @Test

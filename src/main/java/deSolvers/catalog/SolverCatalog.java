@@ -4,12 +4,18 @@ import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.MidpointSolver;
 import deSolvers.RK4Solver;
+import deSolvers.adaptive.DormandPrinceSolver;
+import deSolvers.adaptive.StepDoublingSolver;
+import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
+import deSolvers.multistep.AdamsBashforthMoultonSolver;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
+import deSolvers.symplectic.Yoshida4Solver;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -31,25 +37,59 @@ public final class SolverCatalog {
                     "The derivative half way makes the step; undamped springs gain energy, slowly."),
             entry(RK4Solver::new, "rk4", RK4Solver.class, 4, "slides", "4", false, 2.7853, 2.8284,
                     "The old workhorse: accurate and stable enough for most scenes."),
+            adaptive(StepDoublingSolver::new, StepDoublingSolver::new, "step-doubling", StepDoublingSolver.class, 4, "adaptive",
+                    "11 a sub-step", 5.5706, 5.6569,
+                    "Two steps of RK4 against one of twice the length show the error and set the step."),
+            adaptive(DormandPrinceSolver::new, DormandPrinceSolver::new, "dormand-prince", DormandPrinceSolver.class, 5,
+                    "adaptive", "6 a sub-step", 3.3066, 0.9972,
+                    "An embedded pair of orders 5 and 4: the first choice for smooth motion to a stated accuracy."),
+            adaptive(BulirschStoerSolver::new, BulirschStoerSolver::new, "bulirsch-stoer", BulirschStoerSolver.class, 18,
+                    "extrapolation", "9 to 163 a sub-step", NONE, NONE,
+                    "Midpoint steps extrapolated to length 0, of variable order: smooth motion to very high accuracy."),
+            entry(AdamsBashforthMoultonSolver::new, "adams", AdamsBashforthMoultonSolver.class, 4, "multistep", "2", false, 1.28, 0,
+                    "Predicts from the last four derivatives and corrects: two evaluations for order 4, if nothing interrupts."),
             entry(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class, 1, "symplectic", "1", true, NONE, 2,
                     "The slides' simple algorithm: new velocity first, so that energy errors stay bounded."),
             entry(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class, 2, "symplectic", "1, more with damping", true, NONE, 2,
                     "Kick, drift, kick: reversible, and the energy error stays bounded for ever."),
+            entry(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class, 4, "symplectic", "3, more with damping", true, NONE, 1.5734,
+                    "Three leapfrogs whose errors cancel: order 4, and the energy error stays bounded for ever."),
             entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class, 1, "implicit", "Newton", false, UNLIMITED,
                     UNLIMITED, "Stable for any step on stiff springs and strong damping, and damps what it cannot follow."),
             entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class, 2, "implicit", "Newton", false,
                     UNLIMITED, UNLIMITED, "Stable for any step, reversible, and keeps the energy of linear springs."));
 
-    private record Entry(SolverInfo info, Supplier<DESolver> maker) {
+    private record Entry(SolverInfo info, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
+    }
+
+    /** Makes an adaptive solver. */
+    private interface WithTolerances {
+        DESolver create(double relativeTolerance, double absoluteTolerance);
     }
 
     private SolverCatalog() {
     }
 
+    /** A solver that steps by deltaT. */
     private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order, String family,
                                String evaluations, boolean secondOrder, double realLimit, double imaginaryLimit, String sentence) {
-        return new Entry(new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder, realLimit,
-                imaginaryLimit, sentence), maker);
+        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder, realLimit,
+                imaginaryLimit, sentence);
+        return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
+    }
+
+    /** A solver that chooses its own sub-steps. */
+    private static Entry adaptive(Supplier<DESolver> maker, WithTolerances toleranceMaker, String name,
+                                  Class<? extends DESolver> solver, int order, String family, String evaluations,
+                                  double realLimit, double imaginaryLimit, String sentence) {
+        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, true, false, realLimit,
+                imaginaryLimit, sentence);
+        return new Entry(info, maker, toleranceMaker);
+    }
+
+    private static DESolver throwNotAdaptive(String name) {
+        throw new IllegalArgumentException("solver '" + name + "' steps by deltaT and takes no tolerances; adaptive are: "
+                + String.join(", ", all().stream().filter(SolverInfo::adaptive).map(SolverInfo::name).toList()));
     }
 
     private static Map<String, Entry> byName(Entry... entries) {
@@ -102,24 +142,46 @@ public final class SolverCatalog {
         return name.indexOf('.') > 0 ? ofClass(name) : throwUnknown(name);
     }
 
+    /**
+     * Makes an adaptive solver.
+     *
+     * @param name              a catalogue name, or the fully-qualified name of a class of one's own with a public
+     *                          constructor of two doubles
+     * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
+     * @param absoluteTolerance error allowed besides, in the entry's unit
+     * @return a new solver
+     * @throws NoSuchElementException   if there is neither a solver nor a class of this name
+     * @throws IllegalArgumentException if the solver is not adaptive, the class is no {@link DESolver} or cannot be made, or
+     *                                  a tolerance is negative or not finite, or both are 0
+     */
+    public static DESolver create(String name, double relativeTolerance, double absoluteTolerance) {
+        Entry entry = ENTRIES.get(name);
+        if (entry != null) {
+            return entry.toleranceMaker().create(relativeTolerance, absoluteTolerance);
+        }
+        return name.indexOf('.') > 0 ? ofClass(name, relativeTolerance, absoluteTolerance) : throwUnknown(name);
+    }
+
     private static DESolver throwUnknown(String name) {
         info(name);
         throw new AssertionError("a known name was not in the list: " + name);
     }
 
-    private static DESolver ofClass(String name) {
+    private static DESolver ofClass(String name, Double... tolerances) {
         try {
             Class<?> found = Class.forName(name, true, Thread.currentThread().getContextClassLoader());
             if (!DESolver.class.isAssignableFrom(found)) {
                 throw new IllegalArgumentException("class " + name + " is no solver: it has to extend " + DESolver.class.getName());
             }
-            return found.asSubclass(DESolver.class).getConstructor().newInstance();
+            Class<?>[] types = new Class<?>[tolerances.length];
+            Arrays.fill(types, double.class);
+            return found.asSubclass(DESolver.class).getConstructor(types).newInstance((Object[]) tolerances);
         } catch (ClassNotFoundException e) {
             throw new NoSuchElementException("no class is called '" + name + "', and no solver; known solvers: "
                     + String.join(", ", names()), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
             throw new IllegalArgumentException("class " + name + " cannot be made: it has to be public, not abstract, and have"
-                    + " a public constructor without parameters", e);
+                    + " a public constructor " + (tolerances.length == 0 ? "without parameters" : "of two doubles"), e);
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException("the constructor of " + name + " failed: " + e.getCause(), e);
         }

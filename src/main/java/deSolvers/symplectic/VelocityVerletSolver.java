@@ -1,13 +1,7 @@
 package deSolvers.symplectic;
 
-import static deSolvers.symplectic.BlockLayout.drift;
-import static deSolvers.symplectic.BlockLayout.kick;
-
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
-import deSolvers.SecondOrderStateSource;
-import deSolvers.StepMemory;
 
 /**
  * The velocity Verlet (or leapfrog) method: half a kick, a drift, half a kick.
@@ -28,48 +22,15 @@ import deSolvers.StepMemory;
  * <b>Source</b> L. Verlet (1967); W. C. Swope et al. (1982), J. Chem. Phys. 76, 637.
  */
 public final class VelocityVerletSolver extends DESolver {
-    private final GuardedStep guard = new GuardedStep(this);
-    private final StepMemory memory = new StepMemory();
-    private final ClosingKick closingKick = new ClosingKick();
-    private double[] state = {};
-    private double[] dSdt = {};
+    private final KickDriftKick leapfrog = new KickDriftKick(this, 1);
 
     @Override
-    public void stepState(DEStateSource client, double deltaT) {
-        SecondOrderStateSource secondOrder = BlockLayout.secondOrder(this, client);
-        int d = secondOrder.getDimension();
-        int n = client.getStateSize();
-        if (state.length != n) {
-            state = new double[n];
-            dSdt = new double[n];
-            memory.forget();
-        }
-        try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            boolean continues = memory.holds(client, source.getStartTime(), state, deltaT);
-            memory.forget();                            // until this step has ended well
-            if (!continues) {
-                source.getStateDerivative(dSdt);        // at (x, v, t)
-                source.requireFinite(dSdt);
-            }
-            kick(state, dSdt, d, deltaT / 2);
-            drift(state, d, deltaT);
-            source.incTime(deltaT);
-            if (secondOrder.accelerationDependsOnVelocity()) {
-                closingKick.solve(source, state, dSdt, d, deltaT / 2);
-            } else {
-                source.setState(state);
-                source.getStateDerivative(dSdt);        // at (x(t + h), t + h)
-                source.requireFinite(dSdt);
-                kick(state, dSdt, d, deltaT / 2);
-            }
-            source.finish(state);
-            memory.keep(client, source.getEndTime(), state, deltaT);
-        }
+    public void stepState(DEStateSource source, double deltaT) {
+        leapfrog.step(this, source, deltaT);
     }
 
     @Override
     public void reset() {
-        memory.forget();
+        leapfrog.reset();
     }
 }

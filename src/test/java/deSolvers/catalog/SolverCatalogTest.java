@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
+import deSolvers.adaptive.DormandPrinceSolver;
 import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.GrowthInSeason;
 import java.util.List;
@@ -78,6 +79,31 @@ class SolverCatalogTest {
             assertTrue(e.getMessage().contains("'" + name + "'"), e.getMessage());
             assertTrue(e.getMessage().contains("euler, midpoint, rk4"), e.getMessage());
         }
+    }
+
+    @Test
+    void adaptiveOnesTakeTolerancesAndOthersDoNot() {
+        for (SolverInfo info : SolverCatalog.all()) {
+            if (info.adaptive()) {
+                double coarse = errorOf(SolverCatalog.create(info.name(), 1e-3, 1e-3));
+                double fine = errorOf(SolverCatalog.create(info.name(), 1e-9, 1e-9));
+                assertTrue(fine < coarse / 1000, info.name() + ": " + fine + " against " + coarse);
+            } else {
+                Exception e = assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create(info.name(), 1e-3, 1e-3));
+                assertTrue(e.getMessage().contains("'" + info.name() + "'"), e.getMessage());
+                assertTrue(e.getMessage().contains("dormand-prince"), e.getMessage());
+            }
+        }
+        assertThrows(NoSuchElementException.class, () -> SolverCatalog.create("rk5", 1e-3, 1e-3));
+        assertInstanceOf(DormandPrinceSolver.class, SolverCatalog.create(DormandPrinceSolver.class.getName(), 1e-3, 1e-3));
+        assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create(Own.class.getName(), 1e-3, 1e-3));
+        assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create("dormand-prince", -1, 1e-3));
+    }
+
+    private static double errorOf(DESolver solver) {
+        ForcedOscillator problem = new ForcedOscillator();
+        solver.stepState(problem, 10);
+        return problem.error();
     }
 
     @Test

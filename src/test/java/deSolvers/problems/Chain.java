@@ -1,18 +1,32 @@
 package deSolvers.problems;
 
-/** n unit masses between two walls on n + 1 unit springs, in one of the chain's modes: x_j = sin(j m pi / (n + 1)) cos wt. */
+/**
+ * n unit masses between two walls on n + 1 unit springs, in one of the chain's modes: x_j = sin(j m pi / (n + 1)) cos wt, or
+ * damped where the springs are: a mode then obeys q'' = -w^2 (q + c q').
+ */
 public final class Chain extends SecondOrderProblem {
     private final int n;
     private final int mode;
+    private final double damping;
 
     /**
      * @param n    how many masses
      * @param mode which mode, 1 (slowest) to n (fastest)
      */
     public Chain(int n, int mode) {
+        this(n, mode, 0);
+    }
+
+    /**
+     * @param n       how many masses
+     * @param mode    which mode, 1 (slowest) to n (fastest)
+     * @param damping c of every spring, less than 2/w
+     */
+    public Chain(int n, int mode, double damping) {
         super(1, n);
         this.n = n;
         this.mode = mode;
+        this.damping = damping;
         startAt(0);
     }
 
@@ -23,11 +37,17 @@ public final class Chain extends SecondOrderProblem {
 
     @Override
     public double[] exactState(double t) {
+        double w = omega();
+        double g = w * w * damping / 2;
+        double f = Math.sqrt(w * w - g * g);
+        double decay = StrictMath.exp(-g * t);
+        double q = decay * (StrictMath.cos(f * t) + g / f * StrictMath.sin(f * t));
+        double rate = -decay * w * w / f * StrictMath.sin(f * t);
         double[] s = new double[2 * n];
         for (int j = 0; j < n; j++) {
             double shape = StrictMath.sin((j + 1) * mode * Math.PI / (n + 1));
-            s[2 * j] = shape * StrictMath.cos(omega() * t);
-            s[2 * j + 1] = -shape * omega() * StrictMath.sin(omega() * t);
+            s[2 * j] = shape * q;
+            s[2 * j + 1] = shape * rate;
         }
         return s;
     }
@@ -35,14 +55,19 @@ public final class Chain extends SecondOrderProblem {
     @Override
     protected void accelerate(double t, double[] s, double[] dSdt) {
         for (int j = 0; j < n; j++) {
-            double left = j == 0 ? 0 : s[2 * j - 2];
-            double right = j == n - 1 ? 0 : s[2 * j + 2];
-            dSdt[2 * j + 1] = left - 2 * s[2 * j] + right;
+            dSdt[2 * j + 1] = tension(s, j + 1) - tension(s, j);
         }
+    }
+
+    /** Of the spring to the left of mass j; walls at both ends. */
+    private double tension(double[] s, int j) {
+        double stretch = (j == n ? 0 : s[2 * j]) - (j == 0 ? 0 : s[2 * j - 2]);
+        double rate = (j == n ? 0 : s[2 * j + 1]) - (j == 0 ? 0 : s[2 * j - 1]);
+        return stretch + damping * rate;
     }
 
     @Override
     public boolean accelerationDependsOnVelocity() {
-        return false;
+        return damping != 0;
     }
 }

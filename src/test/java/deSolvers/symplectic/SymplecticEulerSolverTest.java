@@ -1,9 +1,8 @@
 package deSolvers.symplectic;
 
 import deSolvers.DESolver;
-import deSolvers.FixedStepContract;
 
-class SymplecticEulerSolverTest extends FixedStepContract {
+class SymplecticEulerSolverTest extends SymplecticContract {
     @Override
     protected DESolver createSolver() {
         return new SymplecticEulerSolver();
@@ -22,5 +21,15 @@ class SymplecticEulerSolverTest extends FixedStepContract {
     @Override
     protected double[] oscillatorStep(double h) {
         return new double[] {1 - h * h, h, -h, 1};      // v' = v - h x, then x' = x + h v'
+    }
+
+    @Override
+    protected double energyBound(double h) {
+        return h / (2 - h);
+    }
+
+    @Override
+    protected boolean isReversible() {
+        return false;
     }
 }

@@ -6,13 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
-import deSolvers.FixedStepContract;
 import deSolvers.SecondOrderStateSource;
 import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.SecondOrderProblem;
 import org.junit.jupiter.api.Test;
 
-class VelocityVerletSolverTest extends FixedStepContract {
+class VelocityVerletSolverTest extends SymplecticContract {
     @Override
     protected DESolver createSolver() {
         return new VelocityVerletSolver();
@@ -32,6 +31,11 @@ class VelocityVerletSolverTest extends FixedStepContract {
     protected double[] oscillatorStep(double h) {
         double c = 1 - h * h / 2;                       // kick, drift, kick multiplied out
         return new double[] {c, h, -h * (1 - h * h / 4), c};
+    }
+
+    @Override
+    protected double energyBound(double h) {
+        return h * h / 4;
     }
 
     @Test

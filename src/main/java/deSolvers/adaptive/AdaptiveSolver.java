@@ -1,0 +1,275 @@
+package deSolvers.adaptive;
+
+import deSolvers.DenseOutput;
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.GuardedStep;
+import deSolvers.StepMemory;
+
+/**
+ * Covers deltaT exactly by sub-steps whose estimated error is within the tolerance: tries a sub-step, takes it or makes it
+ * smaller, chooses the next. Where the next step goes on from the last, it begins with the sub-step found there.
+ *
+ * <p>A method says what one sub-step gives ({@link #attempt}), with what power of its length the error falls
+ * ({@link #errorExponent}), and what the states in between are ({@link #interpolate}).
+ */
+public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
+    /** What is allowed for each entry of the state where nothing else is asked for, relative to it. */
+    public static final double RELATIVE_TOLERANCE = 1e-6;
+    /** What is allowed besides, in the unit of the state's entries. */
+    public static final double ABSOLUTE_TOLERANCE = 1e-9;
+    /** After so many sub-steps, taken or rejected, a step is given up. */
+    public static final int MOST_SUB_STEPS = 500_000;
+
+    private static final double SAFETY = 0.9;
+    private static final double MOST_SHRINKING = 0.2;
+    private static final double MOST_GROWTH = 10;
+
+    private final Tolerance tolerance;
+    private final GuardedStep guard = new GuardedStep(this);
+    private final StepMemory memory = new StepMemory();
+    private final DenseTrack track = new DenseTrack();
+    private boolean dense;
+    private double[] state = {};
+    private double[] newState = {};
+    private double[] slope = {};
+    private double[] newSlope = {};
+    private boolean slopeKnown;
+    private double subStep;                             // what to try next, > 0 (s)
+    private boolean rejected;
+
+    /**
+     * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
+     * @param absoluteTolerance error allowed besides, in the entry's unit
+     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
+     */
+    protected AdaptiveSolver(double relativeTolerance, double absoluteTolerance) {
+        tolerance = new Tolerance(relativeTolerance, absoluteTolerance);
+    }
+
+    /**
+     * Makes the work arrays.
+     *
+     * @param n the state's size from now on
+     */
+    protected abstract void resize(int n);
+
+    /** Forgets what a method keeps from sub-step to sub-step; called before the first of a new course. */
+    protected void restart() {
+    }
+
+    /**
+     * Tries one sub-step.
+     *
+     * @param source   the step's source; may be anywhere, and be left anywhere
+     * @param state    the state at the beginning; not to be changed
+     * @param slope    the derivative there; not to be changed
+     * @param offset   where the sub-step begins, from the beginning of the step (s)
+     * @param h        the sub-step (s); negative on the way back
+     * @param newState receives the state at the end
+     * @return the estimated error in units of the tolerance, from {@link Tolerance#ratio}
+     */
+    protected abstract double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+                                      double[] newState);
+
+    /** @return e if the estimated error is O(h<sup>e</sup>) */
+    protected abstract int errorExponent();
+
+    /**
+     * Gives the derivative at the end of the sub-step just tried, where the method knows it.
+     *
+     * @param newSlope receives it
+     * @return whether it is known; otherwise newSlope is unchanged
+     */
+    protected boolean endSlope(double[] newSlope) {
+        return false;
+    }
+
+    /** @return the degree of the polynomial that {@link #interpolate} writes for the sub-step just taken */
+    protected abstract int interpolationDegree();
+
+    /** @return where the polynomial's variable is 0: 0 for the beginning of the sub-step, 1/2 for its middle */
+    protected double interpolationCentre() {
+        return 0;
+    }
+
+    /**
+     * Writes the polynomial of the sub-step just taken, in u from -centre to 1 - centre, h long in time.
+     *
+     * @param state        the state at the beginning
+     * @param slope        the derivative there
+     * @param newState     the state at the end
+     * @param newSlope     the derivative there
+     * @param h            the sub-step (s)
+     * @param coefficients receives for each power of u one array as long as the state
+     */
+    protected abstract void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
+                                        double[][] coefficients);
+
+    /**
+     * Chooses the length of the next sub-step.
+     *
+     * @param h     the length of the one just tried, &gt; 0 (s)
+     * @param error its error in units of the tolerance; at most 1 if it is taken
+     * @return the next length, &gt; 0 (s)
+     */
+    protected double nextSubStep(double h, double error) {
+        double factor = SAFETY / root(error, errorExponent());
+        return h * Math.max(MOST_SHRINKING, Math.min(MOST_GROWTH, factor));
+    }
+
+    /**
+     * A root by exponential and logarithm, because StrictMath.pow allocates memory on JDK 17.
+     *
+     * @param x        0 or more, or infinite
+     * @param exponent e, 1 or more
+     * @return x<sup>1/e</sup>
+     */
+    public static double root(double x, double exponent) {
+        return StrictMath.exp(StrictMath.log(x) / exponent);
+    }
+
+    /** @return what is allowed */
+    protected final Tolerance tolerance() {
+        return tolerance;
+    }
+
+    /** @return whether the states in between are kept */
+    protected final boolean isDense() {
+        return dense;
+    }
+
+    @Override
+    public final void stepState(DEStateSource client, double deltaT) {
+        int n = client.getStateSize();
+        if (state.length != n) {
+            state = new double[n];
+            newState = new double[n];
+            slope = new double[n];
+            newSlope = new double[n];
+            resize(n);
+            memory.forget();
+        }
+        try (GuardedStep source = guard.begin(client, deltaT)) {
+            if (deltaT == 0) {
+                return;
+            }
+            track.clear();
+            source.requireFiniteStart();
+            source.getState(state);
+            boolean continues = memory.holds(client, source.getStartTime(), state, deltaT);
+            memory.forget();                            // until this step has ended well
+            if (!continues) {
+                begin(source, deltaT);
+            }
+            cover(source, deltaT);
+            source.finish(state);
+            memory.keep(client, source.getEndTime(), state, deltaT);
+            if (dense) {
+                track.finish(source.getStartTime(), source.getEndTime(), n);
+            }
+        }
+    }
+
+    /** The first sub-step of a new course: the derivative there, and a guess from it. */
+    private void begin(GuardedStep source, double deltaT) {
+        restart();
+        rejected = false;
+        source.getStateDerivative(slope);               // at (s, t)
+        source.requireFinite(slope);
+        slopeKnown = true;
+        subStep = FirstSubStep.guess(source, tolerance, errorExponent(), state, slope, deltaT, newState, newSlope);
+    }
+
+    /** Sub-steps from the beginning to exactly deltaT. Lengths are positive here; the direction is a factor. */
+    private void cover(GuardedStep source, double deltaT) {
+        double direction = Math.signum(deltaT);
+        double length = Math.abs(deltaT);
+        double done = 0;
+        for (int tried = 0; done < length; tried++) {
+            double remaining = length - done;
+            checkLimits(source, tried, done, length);
+            double h = subStep >= remaining ? remaining
+                    : subStep > remaining / 2 ? remaining / 2 : subStep;    // two halves rather than a long and a tiny one
+            if (!slopeKnown) {
+                evaluate(source, state, direction * done, slope);
+                slopeKnown = true;
+            }
+            double error = attempt(source, state, slope, direction * done, direction * h, newState);
+            double next = nextSubStep(h, error);
+            if (error <= 1) {
+                double end = h == remaining ? length : done + h;
+                accept(source, direction * done, direction * h, direction * end);
+                done = end;
+                // A sub-step that was cut short to meet the end and shows no trouble does not shorten what was planned.
+                boolean cut = h < subStep && next >= 2 * h;
+                subStep = cut ? Math.max(subStep, next) : rejected ? Math.min(next, h) : next;
+                rejected = false;
+            } else {
+                subStep = Math.min(next, h * SAFETY);
+                rejected = true;
+            }
+        }
+    }
+
+    private void evaluate(GuardedStep source, double[] at, double offset, double[] result) {
+        source.setState(at);
+        source.setOffset(offset);
+        source.getStateDerivative(result);              // at the end of the last sub-step
+        source.requireFinite(result);
+    }
+
+    /** The new state becomes the state; the piece between them is kept where asked for. */
+    private void accept(GuardedStep source, double offset, double h, double end) {
+        boolean known = endSlope(newSlope);
+        if (dense) {
+            if (!known) {
+                evaluate(source, newState, end, newSlope);
+                known = true;
+            }
+            double[][] piece = track.add(offset, h, state.length, interpolationDegree(), interpolationCentre());
+            interpolate(state, slope, newState, newSlope, h, piece);
+        }
+        double[] oldState = state;
+        state = newState;
+        newState = oldState;
+        double[] oldSlope = slope;
+        slope = newSlope;
+        newSlope = oldSlope;
+        slopeKnown = known;
+    }
+
+    /** Smaller sub-steps than the clock or the sum can tell apart do not help; only deltaT itself may be smaller. */
+    private void checkLimits(GuardedStep source, int tried, double done, double length) {
+        double resolution = 4 * Math.max(Math.ulp(source.getStartTime() + done), Math.ulp(done));
+        if (subStep < resolution && subStep < length - done) {
+            int entry = tolerance.worstEntry();
+            throw source.failure(entry, "the sub-step fell to " + subStep + " s after " + done + " s, and entry " + entry
+                    + " of the state is still not within its tolerance; the solution or its derivative grows without bound"
+                    + " or jumps there, or the tolerance is below rounding");
+        }
+        if (tried >= MOST_SUB_STEPS) {
+            int entry = tolerance.worstEntry();
+            throw source.failure(entry, "given up after " + tried + " sub-steps, " + done + " s from the beginning, where entry "
+                    + entry + " of the state demands sub-steps of " + subStep + " s; the system is stiff (take an implicit"
+                    + " solver), or deltaT is too long or the tolerance too small");
+        }
+    }
+
+    @Override
+    public final void reset() {
+        memory.forget();
+        track.clear();
+    }
+
+    @Override
+    public final void setDenseOutput(boolean on) {
+        dense = on;
+        track.clear();
+    }
+
+    @Override
+    public final void getStateAt(double time, double[] result) {
+        track.getStateAt(time, result);
+    }
+}

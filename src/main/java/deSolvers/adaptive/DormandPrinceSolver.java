@@ -1,0 +1,112 @@
+package deSolvers.adaptive;
+
+import deSolvers.GuardedStep;
+import deSolvers.rungeKutta.ButcherTableau;
+import deSolvers.rungeKutta.RungeKuttaStages;
+
+/**
+ * The Runge-Kutta pair of Dormand and Prince: one result of order 5, one of order 4 from the same stages, and their
+ * difference for an error estimate. The tableau stands below in the code, as it is printed.
+ *
+ * <p>The result of order 5 goes on. The last stage lies at the end of the sub-step and is the next one's first.
+ *
+ * <p><b>Order</b> 5; the estimate is that of order 4.<br>
+ * <b>Evaluations</b> 6 a sub-step, taken or rejected, and 2 to begin with.<br>
+ * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24 + z<sup>5</sup>/120 + z<sup>6</sup>/600:
+ * stable for h |lambda| &le; 3.3066 on the negative real axis and for h omega &le; 0.9972 on the imaginary one, where it
+ * damps by (h omega)<sup>6</sup>/3600 a sub-step. A stiff system makes it crawl along these limits.<br>
+ * <b>When to use</b> smooth motion to a stated accuracy, 1e-3 to 1e-8: the first choice among the adaptive solvers; not
+ * for stiff springs ({@code radau}), and for the strictest tolerances {@code bulirsch-stoer} is cheaper.<br>
+ * <b>In between</b> its own interpolation polynomial of order 4 from the stages that are there.<br>
+ * <b>Source</b> J. R. Dormand, P. J. Prince, <i>A family of embedded Runge-Kutta formulae</i>, J. Comp. Appl. Math. 6
+ * (1980) 19-26; the interpolation: E. Hairer, S. P. N&oslash;rsett, G. Wanner, <i>Solving Ordinary Differential Equations
+ * I</i>, 2nd ed., section II.6.
+ */
+public final class DormandPrinceSolver extends AdaptiveSolver {
+    static final ButcherTableau TABLEAU = ButcherTableau.parse("""
+              0  |
+             1/5 |       1/5
+            3/10 |      3/40         9/40
+             4/5 |     44/45       -56/15        32/9
+             8/9 | 19372/6561 -25360/2187  64448/6561  -212/729
+              1  |  9017/3168     -355/33  46732/5247    49/176   -5103/18656
+              1  |     35/384           0    500/1113   125/192    -2187/6784     11/84
+            -----+-------------------------------------------------------------------------
+                 |     35/384           0    500/1113   125/192    -2187/6784     11/84     0
+                 | 5179/57600           0  7571/16695   393/640 -92097/339200  187/2100  1/40
+            """, 5, 4);
+    /** What the stages count in the highest power of the interpolation polynomial. */
+    private static final double[] INTERPOLATION = {-12715105075.0 / 11282082432.0, 0, 87487479700.0 / 32700410799.0,
+        -10690763975.0 / 1880347072.0, 701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0, 69997945.0 / 29380423.0};
+
+    private final RungeKuttaStages stages = new RungeKuttaStages(TABLEAU);
+    private final double[] errorWeights = TABLEAU.weights(0);
+    private double[] error = {};
+    private double[] highest = {};
+
+    /** With the tolerances {@value #RELATIVE_TOLERANCE} and {@value #ABSOLUTE_TOLERANCE}. */
+    public DormandPrinceSolver() {
+        this(RELATIVE_TOLERANCE, ABSOLUTE_TOLERANCE);
+    }
+
+    /**
+     * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
+     * @param absoluteTolerance error allowed besides, in the entry's unit
+     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
+     */
+    public DormandPrinceSolver(double relativeTolerance, double absoluteTolerance) {
+        super(relativeTolerance, absoluteTolerance);
+        double[] lower = TABLEAU.weights(1);
+        for (int i = 0; i < lower.length; i++) {
+            errorWeights[i] -= lower[i];
+        }
+    }
+
+    @Override
+    protected void resize(int n) {
+        stages.resize(n);
+        error = new double[n];
+        highest = new double[n];
+    }
+
+    @Override
+    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+        stages.evaluate(source, state, slope, offset, h);
+        System.arraycopy(stages.lastState(), 0, newState, 0, newState.length);  // the last row of a is b
+        stages.combine(errorWeights, h, error);
+        return tolerance().ratio(error, state, newState);
+    }
+
+    @Override
+    protected int errorExponent() {
+        return 5;
+    }
+
+    @Override
+    protected boolean endSlope(double[] newSlope) {
+        System.arraycopy(stages.slope(6), 0, newSlope, 0, newSlope.length);
+        return true;
+    }
+
+    @Override
+    protected int interpolationDegree() {
+        return 4;
+    }
+
+    /** s + u (deltaS + (1 - u) (bend + u (twist + (1 - u) highest))), multiplied out in powers of u. */
+    @Override
+    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
+                               double[][] coefficients) {
+        stages.combine(INTERPOLATION, h, highest);
+        for (int i = 0; i < state.length; i++) {
+            double deltaS = newState[i] - state[i];
+            double bend = h * slope[i] - deltaS;
+            double twist = deltaS - h * newSlope[i] - bend;
+            coefficients[0][i] = state[i];
+            coefficients[1][i] = deltaS + bend;
+            coefficients[2][i] = twist + highest[i] - bend;
+            coefficients[3][i] = -twist - 2 * highest[i];
+            coefficients[4][i] = highest[i];
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package deSolvers.adaptive;
+
+import deSolvers.GuardedStep;
+import deSolvers.rungeKutta.ButcherTableau;
+import deSolvers.rungeKutta.RungeKuttaStages;
+
+/**
+ * The slides' adaptive step: "take two steps of &Delta;t, one step of 2 &Delta;t, compare results", with RK4 for both.
+ * <pre>
+ *   s2 = two steps of RK4,  s1 = one of twice the length:   error of s2 is about (s2 - s1) / 15
+ * </pre>
+ * since one long step errs by 2<sup>5</sup> and two short ones by 2 times a short step's error. The two steps go on, as on
+ * the slide. With <i>local extrapolation</i>, an option of the constructor, s2 + (s2 - s1)/15 goes on instead: it is of
+ * order 5, more accurate for nothing, and the estimate becomes one of a result that is no longer used. It is not the
+ * better choice everywhere: it has another, less stable R(z), below.
+ *
+ * <p><b>Order</b> 4; with local extrapolation 5.<br>
+ * <b>Evaluations</b> 11 a double step (the first is shared), 10 for one that is tried again.<br>
+ * <b>Stability</b> per double step z of the two RK4 steps, R(z) = R4(z/2)<sup>2</sup>: h |lambda| &le; 5.5706 on the negative real
+ * axis, h omega &le; 5.6569 on the imaginary one. With local extrapolation R(z) = (16 R4(z/2)<sup>2</sup> - R4(z))/15: 6.46,
+ * and nothing on the imaginary axis, where it grows by 3.4e-6 a double step at h omega = 0.5: more accurate is not more
+ * stable.<br>
+ * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about half the evaluations for the
+ * same error.<br>
+ * <b>In between</b> the polynomial of degree 5 through state and derivative at the beginning, middle and end.<br>
+ * <b>Source</b> COMPSCI 715 (2003), slide "Adaptive Stepsizes"; W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,
+ * section 16.2.
+ */
+public final class StepDoublingSolver extends AdaptiveSolver {
+    static final ButcherTableau RK4 = ButcherTableau.parse("""
+              0  |
+             1/2 | 1/2
+             1/2 |  0   1/2
+              1  |  0    0    1
+             ----+--------------------
+                 | 1/6  1/3  1/3  1/6
+            """, 4);
+    private static final double[] WEIGHTS = RK4.weights(0);
+
+    private final boolean localExtrapolation;
+    private final RungeKuttaStages stages = new RungeKuttaStages(RK4);
+    private double[] once = {};
+    private double[] middle = {};
+    private double[] middleSlope = {};
+    private double[] error = {};
+
+    /** With the tolerances {@value #RELATIVE_TOLERANCE} and {@value #ABSOLUTE_TOLERANCE}. */
+    public StepDoublingSolver() {
+        this(RELATIVE_TOLERANCE, ABSOLUTE_TOLERANCE);
+    }
+
+    /**
+     * @param relativeTolerance error allowed for an entry of the state in one double step, relative to its size
+     * @param absoluteTolerance error allowed besides, in the entry's unit
+     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
+     */
+    public StepDoublingSolver(double relativeTolerance, double absoluteTolerance) {
+        this(relativeTolerance, absoluteTolerance, false);
+    }
+
+    /**
+     * @param relativeTolerance  error allowed for an entry of the state in one double step, relative to its size
+     * @param absoluteTolerance  error allowed besides, in the entry's unit
+     * @param localExtrapolation whether the estimated error is taken off the result
+     * @throws IllegalArgumentException if one of the tolerances is negative or not finite, or both are 0
+     */
+    public StepDoublingSolver(double relativeTolerance, double absoluteTolerance, boolean localExtrapolation) {
+        super(relativeTolerance, absoluteTolerance);
+        this.localExtrapolation = localExtrapolation;
+    }
+
+    @Override
+    protected void resize(int n) {
+        stages.resize(n);
+        once = new double[n];
+        middle = new double[n];
+        middleSlope = new double[n];
+        error = new double[n];
+    }
+
+    @Override
+    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+        rk4(source, state, slope, offset, h, once);                             // one step of 2 deltaT
+        rk4(source, state, slope, offset, h / 2, middle);                       // the first of two steps of deltaT
+        source.setState(middle);
+        source.setOffset(offset + h / 2);
+        source.getStateDerivative(middleSlope);
+        rk4(source, middle, middleSlope, offset + h / 2, h / 2, newState);      // the second
+        for (int i = 0; i < error.length; i++) {
+            error[i] = (newState[i] - once[i]) / 15;
+            if (localExtrapolation) {
+                newState[i] += error[i];
+            }
+        }
+        return tolerance().ratio(error, state, newState);
+    }
+
+    private void rk4(GuardedStep source, double[] from, double[] slope, double offset, double h, double[] to) {
+        stages.evaluate(source, from, slope, offset, h);
+        stages.combine(WEIGHTS, h, to);
+        for (int i = 0; i < to.length; i++) {
+            to[i] += from[i];
+        }
+    }
+
+    @Override
+    protected int errorExponent() {
+        return 5;
+    }
+
+    @Override
+    protected int interpolationDegree() {
+        return 5;
+    }
+
+    @Override
+    protected double interpolationCentre() {
+        return 0.5;
+    }
+
+    @Override
+    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
+                               double[][] coefficients) {
+        for (int i = 0; i < state.length; i++) {
+            coefficients[0][i] = middle[i];
+            coefficients[1][i] = h * middleSlope[i];
+        }
+        CentredHermite.complete(coefficients, 1, state, slope, newState, newSlope, h);
+    }
+}

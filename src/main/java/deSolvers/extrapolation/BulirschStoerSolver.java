@@ -1,0 +1,140 @@
+package deSolvers.extrapolation;
+
+import deSolvers.GuardedStep;
+import deSolvers.adaptive.AdaptiveSolver;
+import deSolvers.adaptive.CentredHermite;
+
+/**
+ * The method of Gragg, Bulirsch and Stoer, one of the slides' "high-strung racehorses": the modified midpoint method with
+ * n<sub>0</sub>, n<sub>1</sub>, ... = 2, 6, 10, 14, ... substeps over the same stretch, extrapolated to infinitely many.
+ * <pre>
+ *   T_00
+ *   T_10  T_11              T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / ((n_j / n_j-k)^2 - 1)
+ *   T_20  T_21  T_22        the last entry of a line is the result, the last two differ by its error
+ * </pre>
+ * How many lines, and how long the stretch, is chosen for the least work.
+ *
+ * <p><b>Order</b> variable, 2 k + 2 for k + 1 lines, up to 18.<br>
+ * <b>Evaluations</b> 2 + 6 + 10 + ... a sub-step, and 1 at its beginning.<br>
+ * <b>Stability</b> that of an explicit method, with another R(z) for every number of lines; the error control makes a
+ * stretch shorter before it grows. A stiff system makes it crawl, dearer than {@code dormand-prince} does.<br>
+ * <b>When to use</b> smooth motion to high accuracy, 1e-8 and beyond; not where bounces or contacts interrupt the motion,
+ * since its strength is long strides, nor below 1e-5, where {@code dormand-prince} is cheaper.<br>
+ * <b>In between</b> a polynomial from the derivatives at the middle, extrapolated too.<br>
+ * <b>Source</b> R. Bulirsch, J. Stoer, Numer. Math. 8 (1966) 1-13; W. B. Gragg, SIAM J. Numer. Anal. 2 (1965) 384-403;
+ * P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); E. Hairer, A. Ostermann, Numer. Math. 58 (1990) 419-439
+ * (the states in between).
+ */
+public final class BulirschStoerSolver extends AdaptiveSolver {
+    private static final ModifiedMidpoint.Record NO_RECORD = new ModifiedMidpoint.Record() {
+        @Override
+        public void middle(double[] state) {
+            // nobody asked for the states in between
+        }
+
+        @Override
+        public void slope(int i, double[] dSdt) {
+            // nobody asked for the states in between
+        }
+    };
+
+    private final OrderControl control = new OrderControl();
+    private final ModifiedMidpoint midpoint = new ModifiedMidpoint();
+    private final MiddleDerivatives middle = new MiddleDerivatives();
+    private final double[][] table = new double[OrderControl.COLUMNS][0];       // the last line, from right to left
+    private double[] error = {};
+    private int lastColumn;
+
+    /** With the tolerances {@value #RELATIVE_TOLERANCE} and {@value #ABSOLUTE_TOLERANCE}. */
+    public BulirschStoerSolver() {
+        this(RELATIVE_TOLERANCE, ABSOLUTE_TOLERANCE);
+    }
+
+    /**
+     * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
+     * @param absoluteTolerance error allowed besides, in the entry's unit
+     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
+     */
+    public BulirschStoerSolver(double relativeTolerance, double absoluteTolerance) {
+        super(relativeTolerance, absoluteTolerance);
+    }
+
+    @Override
+    protected void resize(int n) {
+        midpoint.resize(n);
+        middle.resize(n);
+        for (int j = 0; j < table.length; j++) {
+            table[j] = new double[n];
+        }
+        error = new double[n];
+    }
+
+    @Override
+    protected void restart() {
+        control.restart(tolerance().relative());
+    }
+
+    @Override
+    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+        OrderControl.Verdict verdict = OrderControl.Verdict.CONTINUE;
+        double ratio = Double.POSITIVE_INFINITY;
+        for (int j = 0; verdict == OrderControl.Verdict.CONTINUE; j++) {
+            ModifiedMidpoint.Record record = isDense() ? middle.record(j) : NO_RECORD;
+            midpoint.cover(source, state, slope, offset, h, OrderControl.SUBSTEPS[j], record, table[j]);
+            if (j > 0) {
+                extrapolate(j);
+                ratio = tolerance().ratio(error, state, table[0]);
+                verdict = control.column(j, ratio, Math.abs(h));
+                lastColumn = j;
+            }
+        }
+        System.arraycopy(table[0], 0, newState, 0, newState.length);
+        return verdict == OrderControl.Verdict.ACCEPT ? ratio : Double.POSITIVE_INFINITY;
+    }
+
+    /** Line j of the table, in place of line j - 1: table[j - k] becomes T_jk; the error is T_jj - T_j,j-1. */
+    private void extrapolate(int j) {
+        for (int k = 1; k <= j; k++) {
+            double n = (double) OrderControl.SUBSTEPS[j] / OrderControl.SUBSTEPS[j - k];
+            double divisor = n * n - 1;
+            double[] finer = table[j - k + 1];
+            double[] coarser = table[j - k];
+            for (int i = 0; i < error.length; i++) {
+                error[i] = (finer[i] - coarser[i]) / divisor;
+                coarser[i] = finer[i] + error[i];
+            }
+        }
+    }
+
+    @Override
+    protected double nextSubStep(double h, double error) {
+        return control.next();
+    }
+
+    @Override
+    protected int errorExponent() {
+        return control.targetExponent();
+    }
+
+    /** With k + 1 lines 2k - 1 derivatives at the middle make the polynomial as good as the result. */
+    private int middleDegree() {
+        return 2 * lastColumn - 1;
+    }
+
+    @Override
+    protected int interpolationDegree() {
+        return middleDegree() + 4;
+    }
+
+    @Override
+    protected double interpolationCentre() {
+        return 0.5;
+    }
+
+    @Override
+    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
+                               double[][] coefficients) {
+        middle.taylor(lastColumn, h, middleDegree(), coefficients);
+        CentredHermite.complete(coefficients, middleDegree(), state, slope, newState, newSlope, h);
+    }
+}

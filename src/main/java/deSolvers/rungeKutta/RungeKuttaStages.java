@@ -1,0 +1,92 @@
+package deSolvers.rungeKutta;
+
+import deSolvers.GuardedStep;
+import java.util.Arrays;
+
+/** The one loop over the stages of an explicit Runge-Kutta method, with the work arrays that it needs. */
+public final class RungeKuttaStages {
+    private final ButcherTableau tableau;
+    private final double[][] k;
+    private double[] trial = {};
+
+    /** @param tableau the method */
+    public RungeKuttaStages(ButcherTableau tableau) {
+        this.tableau = tableau;
+        this.k = new double[tableau.stages()][0];
+    }
+
+    /** @param n the state's size from now on */
+    public void resize(int n) {
+        trial = new double[n];
+        for (int i = 0; i < k.length; i++) {
+            k[i] = new double[n];
+        }
+    }
+
+    /**
+     * Evaluates all stages but the first, whose slope is known.
+     *
+     * @param source the step's source; left at the last stage
+     * @param state  the state at the beginning
+     * @param slope  the derivative there
+     * @param offset where the sub-step begins, from the beginning of the step (s)
+     * @param h      the sub-step (s)
+     */
+    public void evaluate(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+        System.arraycopy(slope, 0, k[0], 0, slope.length);
+        for (int stage = 1; stage < k.length; stage++) {
+            sum(stage, trial);
+            for (int i = 0; i < trial.length; i++) {
+                trial[i] = state[i] + h * trial[i];
+            }
+            source.setState(trial);
+            source.setOffset(offset + tableau.node(stage) * h);
+            source.getStateDerivative(k[stage]);        // at (s + h sum a k, t + c h)
+        }
+    }
+
+    private void sum(int stage, double[] result) {
+        Arrays.fill(result, 0);
+        for (int j = 0; j < stage; j++) {
+            add(tableau.coefficient(stage, j), k[j], result);
+        }
+    }
+
+    private static void add(double weight, double[] k, double[] result) {
+        if (weight != 0) {
+            for (int i = 0; i < result.length; i++) {
+                result[i] += weight * k[i];
+            }
+        }
+    }
+
+    /**
+     * A weighted sum of the slopes.
+     *
+     * @param weights one for each stage
+     * @param h       a factor for all (s)
+     * @param result  receives h sum w k
+     */
+    public void combine(double[] weights, double h, double[] result) {
+        Arrays.fill(result, 0);
+        for (int j = 0; j < k.length; j++) {
+            add(weights[j], k[j], result);
+        }
+        for (int i = 0; i < result.length; i++) {
+            result[i] *= h;
+        }
+    }
+
+    /** @return the state of the last stage evaluated; to be read only */
+    public double[] lastState() {
+        return trial;
+    }
+
+    /**
+     * @param stage 0 to stages - 1
+     * @return its slope; to be read only
+     */
+    public double[] slope(int stage) {
+        return k[stage];
+    }
+}

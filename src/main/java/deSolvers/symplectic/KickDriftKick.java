@@ -1,0 +1,75 @@
+package deSolvers.symplectic;
+
+import static deSolvers.symplectic.BlockLayout.drift;
+import static deSolvers.symplectic.BlockLayout.kick;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.GuardedStep;
+import deSolvers.SecondOrderStateSource;
+import deSolvers.StepMemory;
+
+/**
+ * A step made of one or more leapfrogs, each as long as its weight says: half a kick, a drift, half a kick. The
+ * acceleration at the end of one is the acceleration at the beginning of the next, in the same step or the one after.
+ */
+final class KickDriftKick {
+    private final double[] weights;
+    private final GuardedStep guard;
+    private final StepMemory memory = new StepMemory();
+    private final ClosingKick closingKick = new ClosingKick();
+    private double[] state = {};
+    private double[] dSdt = {};
+
+    /**
+     * @param solver  whose steps these are
+     * @param weights the parts of deltaT that the leapfrogs take; their sum is 1
+     */
+    KickDriftKick(DESolver solver, double... weights) {
+        this.guard = new GuardedStep(solver);
+        this.weights = weights;
+    }
+
+    void step(DESolver solver, DEStateSource client, double deltaT) {
+        SecondOrderStateSource secondOrder = BlockLayout.secondOrder(solver, client);
+        int d = secondOrder.getDimension();
+        int n = client.getStateSize();
+        if (state.length != n) {
+            state = new double[n];
+            dSdt = new double[n];
+            memory.forget();
+        }
+        try (GuardedStep source = guard.begin(client, deltaT)) {
+            source.getState(state);
+            boolean continues = memory.holds(client, source.getStartTime(), state, deltaT);
+            memory.forget();                            // until this step has ended well
+            if (!continues) {
+                source.getStateDerivative(dSdt);        // at (x, v, t)
+                source.requireFinite(dSdt);
+            }
+            boolean implicit = secondOrder.accelerationDependsOnVelocity();
+            double done = 0;
+            for (double weight : weights) {
+                double h = weight * deltaT;
+                kick(state, dSdt, d, h / 2);
+                drift(state, d, h);
+                done += h;
+                source.setOffset(done);
+                if (implicit) {
+                    closingKick.solve(source, state, dSdt, d, h / 2);
+                } else {
+                    source.setState(state);
+                    source.getStateDerivative(dSdt);    // at (x(t + h), t + h)
+                    source.requireFinite(dSdt);
+                    kick(state, dSdt, d, h / 2);
+                }
+            }
+            source.finish(state);
+            memory.keep(client, source.getEndTime(), state, deltaT);
+        }
+    }
+
+    void reset() {
+        memory.forget();
+    }
+}

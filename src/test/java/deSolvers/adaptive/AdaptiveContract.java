@@ -1,0 +1,252 @@
+package deSolvers.adaptive;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverContract;
+import deSolvers.DESolverException;
+import deSolvers.DenseOutput;
+import deSolvers.problems.DragInWind;
+import deSolvers.problems.GrowthInSeason;
+import deSolvers.problems.Kepler;
+import deSolvers.problems.Oscillator;
+import deSolvers.problems.Pole;
+import deSolvers.problems.ReferenceProblem;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** What a solver that chooses its own sub-steps promises besides the contract of all. */
+public abstract class AdaptiveContract extends DESolverContract {
+
+    /** @return a new solver with these tolerances */
+    protected abstract DESolver createSolver(double relativeTolerance, double absoluteTolerance);
+
+    /** @return the power of the tolerance with which the error at the end falls in theory */
+    protected abstract double toleranceExponent();
+
+    private double errorAfter(ReferenceProblem problem, double duration, double tolerance) {
+        problem.startAt(0);
+        createSolver(tolerance, tolerance).stepState(problem, duration);
+        return problem.error();
+    }
+
+    /** Least squares of log(error) against log(tolerance), 1e-3 ... 1e-11. */
+    private double fittedExponent(ReferenceProblem problem, double duration) {
+        double n = 0;
+        double sx = 0;
+        double sy = 0;
+        double sxx = 0;
+        double sxy = 0;
+        for (double exponent = -3; exponent >= -11; exponent -= 0.5) {
+            double y = StrictMath.log10(errorAfter(problem, duration, StrictMath.pow(10, exponent)));
+            n++;
+            sx += exponent;
+            sy += y;
+            sxx += exponent * exponent;
+            sxy += exponent * y;
+        }
+        return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    }
+
+    @Test
+    void theErrorFollowsTheTolerance() {
+        for (ReferenceProblem problem : new ReferenceProblem[] {new Kepler(0.5), new DragInWind(2, 2), new GrowthInSeason()}) {
+            double exponent = fittedExponent(problem, 12);
+            // Measured: step-doubling 0.84, 0.82, 0.89; with local extrapolation XX; dormand-prince 1.05, 1.03, 0.93;
+            // bulirsch-stoer 0.96, 1.04, 0.90. The reason why they scatter is that errors of sub-steps partly cancel.
+            assertTrue(exponent > 0.7 && exponent < 1.3, problem.getClass().getSimpleName() + ": " + exponent);
+            assertEquals(toleranceExponent(), exponent, 0.15, problem.getClass().getSimpleName());
+        }
+    }
+
+    @Test
+    void smoothStretchesCostLess() {
+        Kepler orbit = new Kepler(0.9);
+        DESolver solver = createSolver(1e-8, 1e-8);
+        double quarter = Math.PI / 2;
+        solver.stepState(orbit, quarter);
+        long nearTheSun = orbit.evaluations();
+        solver.stepState(orbit, quarter);
+        solver.stepState(orbit, quarter);
+        long farOut = orbit.evaluations() - nearTheSun;
+        // Measured 3.3 (step-doubling), 3.5 (dormand-prince) and 3.0 (bulirsch-stoer) times as many.
+        assertTrue(2.5 * farOut < nearTheSun, farOut + " evaluations for half an orbit far out, " + nearTheSun + " for a quarter near");
+    }
+
+    @Test
+    void theNextSubStepIsRemembered() {
+        DragInWind problem = new DragInWind(2, 2);
+        DESolver solver = createSolver(1e-6, 1e-6);
+        run(solver, problem, 40, false);
+        long remembered = problem.evaluations();
+        problem.startAt(0);
+        run(solver, problem, 40, true);
+        long restarted = problem.evaluations();
+        // Measured 0.76 (step-doubling), 0.70 (dormand-prince), 0.58 (bulirsch-stoer).
+        assertTrue(remembered < 0.85 * restarted, remembered + " evaluations, " + restarted + " with restarts");
+    }
+
+    private static void run(DESolver solver, ReferenceProblem problem, int steps, boolean restart) {
+        for (int i = 0; i < steps; i++) {
+            if (restart) {
+                solver.reset();
+            }
+            solver.stepState(problem, 0.5);
+        }
+    }
+
+    @Test
+    void shortStepsAreMoreAccurateThanALongOne() {
+        DragInWind problem = new DragInWind(2, 2);
+        DESolver solver = createSolver(1e-6, 1e-6);
+        for (int i = 0; i < 768; i++) {
+            solver.stepState(problem, 1.0 / 64);
+        }
+        double inFrames = problem.error();
+        // Measured 2e-5 (step-doubling) and less: the frames are shorter than the tolerance would allow.
+        assertTrue(inFrames < errorAfter(problem, 12, 1e-6) / 1000, "error " + inFrames);
+    }
+
+    @Test
+    void thereAndBackAgain() {
+        DragInWind problem = new DragInWind(2, 2);
+        DESolver solver = createSolver(1e-9, 1e-9);
+        solver.stepState(problem, 3);
+        solver.stepState(problem, -3);
+        // Measured 0.9e-9 to 2.7e-9.
+        assertTrue(problem.error() < 1e-8, "error " + problem.error());
+    }
+
+    @Test
+    void tolerancesMustMakeSense() {
+        double[][] bad = {{-1e-6, 1e-6}, {1e-6, -1e-6}, {0, 0}, {Double.NaN, 1e-6}, {1e-6, Double.NaN},
+            {Double.POSITIVE_INFINITY, 1e-6}, {1e-6, Double.POSITIVE_INFINITY}};
+        for (double[] pair : bad) {
+            Exception e = assertThrows(IllegalArgumentException.class, () -> createSolver(pair[0], pair[1]));
+            assertTrue(e.getMessage().contains("relativeTolerance " + pair[0]), e.getMessage());
+        }
+        for (double[] pair : new double[][] {{1e-6, 0}, {0, 1e-6}}) {
+            GrowthInSeason problem = new GrowthInSeason();
+            createSolver(pair[0], pair[1]).stepState(problem, 1);
+            // Measured up to 2.4e-6 (step-doubling).
+            assertTrue(problem.error() < 1e-5, "error " + problem.error());
+        }
+    }
+
+    @Test
+    void aPoleEndsInAnExceptionAndTheSourceIsPutBack() {
+        Pole problem = new Pole();
+        DESolver solver = createSolver(1e-6, 1e-9);
+        DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, 2));
+        assertEquals(0, problem.error());
+        assertEquals(0, problem.getTime());
+        assertEquals(0, e.getEntry());
+        assertTrue(e.getMessage().contains("sub-step fell to"), e.getMessage());
+        // Measured 2624 (dormand-prince) to 4550 (bulirsch-stoer).
+        assertTrue(problem.evaluations() < 10_000, problem.evaluations() + " evaluations");
+        solver.stepState(problem, 0.5);
+        // Measured up to 4.5e-6 (step-doubling).
+        assertEquals(2, problem.state()[0], 1e-5);
+    }
+
+    @Test
+    void atLeast300000SubStepsAreAllowedAndNoEndIsAnException() {
+        Oscillator problem = new Oscillator();
+        DESolver solver = createSolver(1e-6, 1e-6);
+        DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, 1e9));
+        assertEquals(0, problem.error());
+        assertEquals(0, problem.getTime());
+        Matcher message = Pattern.compile("given up after (\\d+) sub-steps, (\\S+) s from the beginning").matcher(e.getMessage());
+        assertTrue(message.find(), e.getMessage());
+        double secondsASubStep = Double.parseDouble(message.group(2)) / Integer.parseInt(message.group(1));
+        solver.stepState(problem, 310_000 * secondsASubStep);       // the sub-steps are all alike here
+    }
+
+    @Test
+    void theStatesInBetweenAreAsGoodAsTheStep() {
+        for (double direction : new double[] {1, -1}) {
+            DragInWind problem = new DragInWind(2, 2);
+            DESolver solver = createSolver(1e-8, 1e-8);
+            DenseOutput dense = (DenseOutput) solver;
+            dense.setDenseOutput(true);
+            problem.startAt(6);
+            solver.stepState(problem, direction * 6);
+            double worst = 0;
+            double[] state = new double[problem.getStateSize()];
+            for (int i = 0; i <= 1000; i++) {
+                double t = 6 + direction * 6 * i / 1000;
+                dense.getStateAt(t, state);
+                double[] exact = problem.exactState(t);
+                for (int j = 0; j < state.length; j++) {
+                    worst = Math.max(worst, Math.abs(state[j] - exact[j]));
+                }
+            }
+            // Measured up to 2.9 (step-doubling), 4.0 (dormand-prince), 2.1 (bulirsch-stoer) times the error at the end.
+            assertTrue(worst < 5 * problem.error(), worst + " in between, " + problem.error() + " at the end");
+            dense.getStateAt(problem.getTime(), state);
+            assertArrayEquals(problem.state(), state, 1e-13);
+        }
+    }
+
+    @Test
+    void theTrajectoryIsTheSameWithAndWithoutTheStatesInBetween() {
+        DragInWind with = new DragInWind(2, 2);
+        DragInWind without = new DragInWind(2, 2);
+        DESolver dense = createSolver(1e-6, 1e-6);
+        ((DenseOutput) dense).setDenseOutput(true);
+        DESolver plain = createSolver(1e-6, 1e-6);
+        for (int i = 0; i < 20; i++) {
+            dense.stepState(with, 0.7);
+            plain.stepState(without, 0.7);
+            assertArrayEquals(without.state(), with.state());
+        }
+        assertTrue(with.evaluations() <= without.evaluations() + 1, with.evaluations() + " " + without.evaluations());
+    }
+
+    @Test
+    void onlyTheLastStepCanBeAskedFor() {
+        DESolver solver = createSolver(1e-6, 1e-6);
+        DenseOutput dense = (DenseOutput) solver;
+        double[] state = new double[1];
+        GrowthInSeason problem = new GrowthInSeason();
+        solver.stepState(problem, 1);
+        assertThrows(IllegalStateException.class, () -> dense.getStateAt(0.5, state));
+        dense.setDenseOutput(true);
+        solver.stepState(problem, 1);
+        dense.getStateAt(1.5, state);
+        assertEquals(problem.exactState(1.5)[0], state[0], 1e-4);
+        for (double outside : new double[] {0.999, 2.001, Double.NaN}) {
+            assertThrows(IllegalArgumentException.class, () -> dense.getStateAt(outside, state));
+        }
+        assertThrows(IllegalArgumentException.class, () -> dense.getStateAt(1.5, new double[2]));
+        solver.reset();
+        assertThrows(IllegalStateException.class, () -> dense.getStateAt(1.5, state));
+    }
+
+    @Test
+    void statesInBetweenCostNoMemoryInTheLongRun() {
+        com.sun.management.ThreadMXBean threads =
+                (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
+        DragInWind problem = new DragInWind(2, 2);
+        DESolver solver = createSolver();
+        ((DenseOutput) solver).setDenseOutput(true);
+        double[] state = new double[problem.getStateSize()];
+        long before = 0;
+        for (int i = 0; i < 1100; i++) {
+            if (i == 100) {
+                before = threads.getCurrentThreadAllocatedBytes();
+            }
+            problem.startAt(0);
+            solver.reset();
+            solver.stepState(problem, 1);
+            ((DenseOutput) solver).getStateAt(0.5, state);
+        }
+        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+        // startAt makes one array of 8 doubles each time (80 bytes); nothing else.
+        assertTrue(bytes < 100 * 1000, bytes + " bytes in 1000 steps");
+    }
+}

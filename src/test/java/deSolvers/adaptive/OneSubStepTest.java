@@ -1,0 +1,94 @@
+package deSolvers.adaptive;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.StepMatrix;
+import deSolvers.problems.Oscillator;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+
+/** One sub-step of the pairs, as long as deltaT because the tolerance allows everything, against its stability function. */
+class OneSubStepTest {
+    private static final double EVERYTHING = 1e6;
+    private static final double[] RK4 = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24};
+    private static final double[] DORMAND_PRINCE = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600};
+
+    private static double at(double[] polynomial, double z) {
+        double value = 0;
+        for (int i = polynomial.length - 1; i >= 0; i--) {
+            value = value * z + polynomial[i];
+        }
+        return value;
+    }
+
+    private static double[] square(double[] m) {
+        return new double[] {m[0] * m[0] + m[1] * m[2], m[0] * m[1] + m[1] * m[3],
+            m[2] * m[0] + m[3] * m[2], m[2] * m[1] + m[3] * m[3]};
+    }
+
+    private static void assertStep(DESolver solver, double h, double[] closed) {
+        for (int column = 0; column < 2; column++) {
+            Oscillator problem = new Oscillator(1, 1 - column, column);
+            solver.reset();
+            solver.stepState(problem, h);
+            assertEquals(closed[column], problem.state()[0], 1e-12, "x at h = " + h);
+            assertEquals(closed[2 + column], problem.state()[1], 1e-12, "v at h = " + h);
+        }
+    }
+
+    @Test
+    void theOscillatorsStepIsTheClosedForm() {
+        for (double h : new double[] {0.01, 0.1, 0.5, 1, -0.5}) {
+            assertStep(new DormandPrinceSolver(EVERYTHING, EVERYTHING), h, StepMatrix.polynomial(h, DORMAND_PRINCE));
+            double[] twice = square(StepMatrix.polynomial(h / 2, RK4));
+            assertStep(new StepDoublingSolver(EVERYTHING, EVERYTHING), h, twice);
+            double[] once = StepMatrix.polynomial(h, RK4);
+            double[] extrapolated = new double[4];
+            for (int i = 0; i < 4; i++) {
+                extrapolated[i] = (16 * twice[i] - once[i]) / 15;
+            }
+            assertStep(new StepDoublingSolver(EVERYTHING, EVERYTHING, true), h, extrapolated);
+        }
+    }
+
+    private static double limit(DoubleUnaryOperator amplification, double low, double high) {
+        double stable = low;
+        double unstable = high;
+        assertTrue(amplification.applyAsDouble(stable) <= 1 && amplification.applyAsDouble(unstable) > 1);
+        while (unstable - stable > 1e-9) {
+            double mid = (stable + unstable) / 2;
+            if (amplification.applyAsDouble(mid) <= 1) {
+                stable = mid;
+            } else {
+                unstable = mid;
+            }
+        }
+        return stable;
+    }
+
+    private static double extrapolated(double z) {
+        double half = at(RK4, z / 2);
+        return (16 * half * half - at(RK4, z)) / 15;
+    }
+
+    private static double modulus(double[] m) {
+        return Math.sqrt(m[0] * m[0] + m[1] * m[1]);
+    }
+
+    /** The limits that javadoc and catalogue state follow from the functions that the steps were held to. */
+    @Test
+    void theStabilityLimits() {
+        assertEquals(3.3066, limit(x -> Math.abs(at(DORMAND_PRINCE, -x)), 2, 5), 5e-5);
+        assertEquals(0.9972, limit(y -> modulus(StepMatrix.polynomial(y, DORMAND_PRINCE)), 0.5, 1.5), 5e-5);
+        assertEquals(5.5706, limit(x -> Math.abs(at(RK4, -x / 2)), 2, 8), 5e-5);
+        assertEquals(5.6569, limit(y -> modulus(StepMatrix.polynomial(y / 2, RK4)), 2, 8), 5e-5);
+        assertEquals(6.46, limit(x -> Math.abs(extrapolated(-x)), 3, 9), 5e-3);
+        double[] twice = square(StepMatrix.polynomial(0.25, RK4));
+        double[] once = StepMatrix.polynomial(0.5, RK4);
+        double re = (16 * twice[0] - once[0]) / 15;
+        double im = (16 * twice[1] - once[1]) / 15;
+        assertEquals(3.4e-6, Math.sqrt(re * re + im * im) - 1, 0.05e-6);    // grows at h omega = 0.5 all the same
+    }
+}

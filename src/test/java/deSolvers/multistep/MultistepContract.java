@@ -1,0 +1,115 @@
+package deSolvers.multistep;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.FixedStepContract;
+import deSolvers.problems.ForcedOscillator;
+import deSolvers.problems.ReferenceProblem;
+import org.junit.jupiter.api.Test;
+
+/** What a solver that uses earlier steps promises besides: it knows when they are of no use any more. */
+public abstract class MultistepContract extends FixedStepContract {
+    private static final double H = 0.0625;
+
+    /** @return steps made by another method at the beginning of a course */
+    protected abstract int startingSteps();
+
+    /** @return evaluations in a starting step */
+    protected abstract int evaluationsAStartingStep();
+
+    /** @return evaluations in a step after that */
+    protected abstract int evaluationsAStep();
+
+    private long evaluationsOf(DESolver solver, ReferenceProblem problem, int steps) {
+        long before = problem.evaluations();
+        for (int i = 0; i < steps; i++) {
+            solver.stepState(problem, H);
+        }
+        return problem.evaluations() - before;
+    }
+
+    private long evaluationsOfACourse(int steps) {
+        int starting = Math.min(steps, startingSteps());
+        return (long) starting * evaluationsAStartingStep() + (long) (steps - starting) * evaluationsAStep();
+    }
+
+    @Test
+    void evaluationsAreThoseOfAStartAndThenFewer() {
+        assertEquals(evaluationsOfACourse(20), evaluationsOf(createSolver(), new ForcedOscillator(), 20));
+    }
+
+    @Test
+    void anyInterruptionRestarts() {
+        ForcedOscillator problem = new ForcedOscillator();
+        DESolver solver = createSolver();
+        evaluationsOf(solver, problem, 10);
+        assertEquals(10L * evaluationsAStep(), evaluationsOf(solver, problem, 10), "no interruption");
+        solver.reset();
+        assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "reset()");
+        double[] state = problem.state();
+        state[1] = -state[1];
+        problem.setState(state);                        // a bounce
+        assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "another state");
+        problem.incTime(1);
+        assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "another time");
+        solver.stepState(problem, H / 2);
+        assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "another deltaT before");
+        solver.stepState(new ForcedOscillator(), H);
+        assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "another source before");
+    }
+
+    /** A kick every 16 steps, as by a bounce: the course after each has the bits of a new solver's. */
+    @Test
+    void afterAKickNothingOfBeforeIsUsed() {
+        ForcedOscillator problem = new ForcedOscillator();
+        DESolver solver = createSolver();
+        for (int bounce = 0; bounce < 5; bounce++) {
+            double[] state = problem.state();
+            state[1] += 0.5;
+            problem.setState(state);
+            ForcedOscillator twin = new ForcedOscillator();
+            twin.setState(state);
+            twin.incTime(problem.getTime());
+            evaluationsOf(solver, problem, 16);
+            evaluationsOf(createSolver(), twin, 16);
+            assertArrayEquals(twin.state(), problem.state());
+        }
+    }
+
+    /** A law that changes while state, time and deltaT go on is not seen; the old derivatives spoil the next steps. */
+    @Test
+    void aLawThatChangesSilentlyShowsWhyResetExists() {
+        double told = errorWithJump(true);
+        double untold = errorWithJump(false);
+        assertEquals(0, told);
+        assertTrue(untold > 0.01, "untold " + untold);  // a quarter of a step, H/4, for adams
+    }
+
+    /** s' = 1 until t = 1, then s' = -1, switched by hand. */
+    private double errorWithJump(boolean reset) {
+        double[] rate = {1};
+        ReferenceProblem problem = new ReferenceProblem(1) {
+            @Override
+            public double[] exactState(double t) {
+                return new double[] {t <= 1 ? t : 2 - t};
+            }
+
+            @Override
+            protected void rates(double t, double[] s, double[] dSdt) {
+                dSdt[0] = rate[0];
+            }
+        };
+        problem.startAt(0);
+        DESolver solver = createSolver();
+        evaluationsOf(solver, problem, 16);
+        rate[0] = -1;
+        if (reset) {
+            solver.reset();
+        }
+        evaluationsOf(solver, problem, 16);
+        return problem.error();
+    }
+}

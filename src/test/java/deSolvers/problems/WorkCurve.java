@@ -1,0 +1,86 @@
+package deSolvers.problems;
+
+import deSolvers.DESolver;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.DoubleFunction;
+
+/** Evaluations against achieved error, for comparing two methods at the same error. */
+public final class WorkCurve {
+    private final List<double[]> points = new ArrayList<>();        // (log10 error, log10 evaluations)
+
+    /**
+     * Notes a run.
+     *
+     * @param evaluations calls of the derivative
+     * @param error       the error at the end
+     */
+    public void add(double evaluations, double error) {
+        points.add(new double[] {StrictMath.log10(error), StrictMath.log10(evaluations)});
+    }
+
+    /**
+     * Runs a solver over a problem with tolerances (relative = absolute) of 10^-from, half a decade smaller, ... 10^-to.
+     *
+     * @param problem  the problem, stepped from 0 in one step
+     * @param duration its length (s)
+     * @param solver   makes a solver for a tolerance
+     * @param from     first exponent
+     * @param to       last exponent
+     * @return the curve
+     */
+    public static WorkCurve of(ReferenceProblem problem, double duration, DoubleFunction<DESolver> solver, int from, int to) {
+        WorkCurve curve = new WorkCurve();
+        for (double exponent = from; exponent <= to; exponent += 0.5) {
+            problem.startAt(0);
+            solver.apply(StrictMath.pow(10, -exponent)).stepState(problem, duration);
+            curve.add(problem.evaluations(), problem.error());
+        }
+        return curve;
+    }
+
+    /**
+     * How many times the other's evaluations this one needs, averaged (geometrically) over the errors that both reach.
+     * Each curve is smoothed first, so that one run that happens to end on the exact solution counts little.
+     *
+     * @param other the curve to compare with
+     * @return the ratio; below 1 where this one is cheaper
+     */
+    public double over(WorkCurve other) {
+        double low = Math.max(lowest(), other.lowest());
+        double high = Math.min(highest(), other.highest());
+        double sum = 0;
+        for (int i = 0; i <= 20; i++) {
+            double error = low + (high - low) * i / 20;
+            sum += at(error) - other.at(error);
+        }
+        return StrictMath.pow(10, sum / 21);
+    }
+
+    private double lowest() {
+        return points.stream().mapToDouble(p -> p[0]).min().orElseThrow();
+    }
+
+    private double highest() {
+        return points.stream().mapToDouble(p -> p[0]).max().orElseThrow();
+    }
+
+    /** A straight line by least squares, near points counting more than far ones, read at the error. */
+    private double at(double error) {
+        double n = 0;
+        double sx = 0;
+        double sy = 0;
+        double sxx = 0;
+        double sxy = 0;
+        for (double[] p : points) {
+            double x = p[0] - error;
+            double weight = 1 / (1 + x * x);
+            n += weight;
+            sx += weight * x;
+            sy += weight * p[1];
+            sxx += weight * x * x;
+            sxy += weight * x * p[1];
+        }
+        return (sy * sxx - sx * sxy) / (n * sxx - sx * sx);
+    }
+}

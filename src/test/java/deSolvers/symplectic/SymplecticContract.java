@@ -1,0 +1,58 @@
+package deSolvers.symplectic;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.FixedStepContract;
+import deSolvers.problems.Chain;
+import deSolvers.problems.Kepler;
+import deSolvers.problems.Oscillator;
+import deSolvers.problems.ReferenceProblem;
+import org.junit.jupiter.api.Test;
+
+/** What a method promises that keeps phase-space volume: an energy error that stays bounded. */
+public abstract class SymplecticContract extends FixedStepContract {
+    private static final double H = 0.25;
+
+    /** @return whether a step back undoes a step */
+    protected boolean isReversible() {
+        return true;
+    }
+
+    /**
+     * @param h a step
+     * @return the largest energy error on x'' = -x from (1, 0) in theory, relative to the energy
+     */
+    protected double energyBound(double h) {
+        double[] step = oscillatorStep(h);
+        // A step (a b; c a) of determinant 1 keeps b v^2 - c x^2, so that v^2 = -c/b (1 - x^2).
+        return Math.abs(-step[2] / step[1] - 1);
+    }
+
+    @Test
+    void theEnergyErrorStaysBoundedFor100000Periods() {
+        double first = EnergyKeeping.check(createSolver(), H, energyBound(H));
+        // The bound is reached, up to how close the steps come to the worst phase.
+        assertTrue(first > 0.99 * energyBound(H), first + " of " + energyBound(H));
+    }
+
+    @Test
+    void thereAndBack() {
+        for (ReferenceProblem problem : new ReferenceProblem[] {new Oscillator(), new Kepler(0.5), new Chain(5, 3)}) {
+            var solver = createSolver();
+            for (int i = 0; i < 1000; i++) {
+                solver.stepState(problem, 1.0 / 64);
+            }
+            for (int i = 0; i < 1000; i++) {
+                solver.stepState(problem, -1.0 / 64);
+            }
+            assertEquals(0, problem.getTime());
+            // Measured at most 7.0e-13 (verlet, Kepler) and at least 1.3e-3 (symplectic-euler, oscillator).
+            if (isReversible()) {
+                assertTrue(problem.error() < 5e-12, problem.getClass().getSimpleName() + ": " + problem.error());
+            } else {
+                assertTrue(problem.error() > 1e-3, problem.getClass().getSimpleName() + ": " + problem.error());
+            }
+        }
+    }
+}
