@@ -80,7 +80,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
         double ratio = Double.POSITIVE_INFINITY;
         for (int j = 0; verdict == OrderControl.Verdict.CONTINUE; j++) {
             ModifiedMidpoint.Record record = isDense() ? middle.record(j) : NO_RECORD;
-            midpoint.cover(source, state, slope, offset, h, OrderControl.SUBSTEPS[j], record, table[j]);
+            midpoint.cover(source, state, slope, offset, h, OrderControl.substeps(j), record, table[j]);
             if (j > 0) {
                 extrapolate(j);
                 ratio = tolerance().ratio(error, state, table[0]);
@@ -95,7 +95,7 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     /** Line j of the table, in place of line j - 1: table[j - k] becomes T_jk; the error is T_jj - T_j,j-1. */
     private void extrapolate(int j) {
         for (int k = 1; k <= j; k++) {
-            double n = (double) OrderControl.SUBSTEPS[j] / OrderControl.SUBSTEPS[j - k];
+            double n = (double) OrderControl.substeps(j) / OrderControl.substeps(j - k);
             double divisor = n * n - 1;
             double[] finer = table[j - k + 1];
             double[] coarser = table[j - k];

@@ -41,7 +41,7 @@ final class MiddleDerivatives {
     /** @return where the column's coverage is to be recorded */
     ModifiedMidpoint.Record record(int column) {
         if (columns[column] == null) {
-            columns[column] = new Column(OrderControl.SUBSTEPS[column], n);
+            columns[column] = new Column(OrderControl.substeps(column), n);
         }
         return columns[column];
     }
@@ -86,7 +86,7 @@ final class MiddleDerivatives {
     private double extrapolated(int first, int last) {
         for (int k = 1; k <= last - first; k++) {
             for (int j = last; j >= first + k; j--) {
-                double ratio = (double) OrderControl.SUBSTEPS[j] / OrderControl.SUBSTEPS[j - k];
+                double ratio = (double) OrderControl.substeps(j) / OrderControl.substeps(j - k);
                 table[j] += (table[j] - table[j - 1]) / (ratio * ratio - 1);
             }
         }

@@ -8,9 +8,7 @@ import static deSolvers.adaptive.AdaptiveSolver.root;
  * column k is expected to be good enough, k - 1 and k + 1 are accepted too.
  */
 final class OrderControl {
-    /** Substeps of the columns; differences of 4 let the derivatives at the middle be extrapolated as well. */
-    static final int[] SUBSTEPS = {2, 6, 10, 14, 18, 22, 26, 30, 34};
-    static final int COLUMNS = SUBSTEPS.length;
+    static final int COLUMNS = 9;
 
     /** What to do after a column. */
     enum Verdict { CONTINUE, ACCEPT, REJECT }
@@ -32,9 +30,14 @@ final class OrderControl {
     OrderControl() {
         int evaluations = 1;                            // the derivative at the beginning
         for (int k = 0; k < COLUMNS; k++) {
-            evaluations += SUBSTEPS[k];
+            evaluations += substeps(k);
             cost[k] = evaluations;
         }
+    }
+
+    /** 2, 6, 10, ...: differences of 4 let the derivatives at the middle be extrapolated as well. */
+    static int substeps(int column) {
+        return 4 * column + 2;
     }
 
     /** A new course: the target from the tolerance, about one column for 1.7 digits. */
@@ -79,7 +82,7 @@ final class OrderControl {
     private double hope(int k) {
         double hope = 1;
         for (int j = k + 1; j <= Math.min(target + 1, COLUMNS - 1); j++) {
-            double ratio = (double) SUBSTEPS[j] / SUBSTEPS[0];
+            double ratio = (double) substeps(j) / substeps(0);
             hope *= ratio * ratio;
         }
         return hope;

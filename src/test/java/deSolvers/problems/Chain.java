@@ -55,15 +55,15 @@ public final class Chain extends SecondOrderProblem {
     @Override
     protected void accelerate(double t, double[] s, double[] dSdt) {
         for (int j = 0; j < n; j++) {
-            dSdt[2 * j + 1] = tension(s, j + 1) - tension(s, j);
+            dSdt[2 * j + 1] = bend(s, j, 0) + damping * bend(s, j, 1);
         }
     }
 
-    /** Of the spring to the left of mass j; walls at both ends. */
-    private double tension(double[] s, int j) {
-        double stretch = (j == n ? 0 : s[2 * j]) - (j == 0 ? 0 : s[2 * j - 2]);
-        double rate = (j == n ? 0 : s[2 * j + 1]) - (j == 0 ? 0 : s[2 * j - 1]);
-        return stretch + damping * rate;
+    /** Left neighbour - 2 own + right neighbour, of positions (part 0) or velocities (part 1); the walls are at 0. */
+    private double bend(double[] s, int j, int part) {
+        double left = j == 0 ? 0 : s[2 * j - 2 + part];
+        double right = j == n - 1 ? 0 : s[2 * j + 2 + part];
+        return left - 2 * s[2 * j + part] + right;
     }
 
     @Override
