@@ -78,4 +78,13 @@ public interface Effect {
     default double getDrivenPower(double[] state, double time) {
         return 0;
     }
+
+    /**
+     * Particles were taken out of the system. A law that keeps indices of particles has to follow; one that acts on all
+     * there are, need not do anything.
+     *
+     * @param newIndex the new index of each particle by its old one, -1 for those that are gone
+     */
+    default void reindex(int[] newIndex) {
+    }
 }

@@ -20,10 +20,15 @@ public final class ParticleSystem implements SecondOrderStateSource {
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
+    private final List<Anchor> anchors = new ArrayList<>();
+    private final double[] anchorValues = new double[9];
     private double[] state = {};
     private double time;
     private boolean velocityMatters;
     private long evaluations;
+
+    private record Anchor(int particle, AnchorMotion motion) {
+    }
 
     /**
      * Adds a particle.
@@ -45,7 +50,7 @@ public final class ParticleSystem implements SecondOrderStateSource {
             throw new IllegalArgumentException("particle '" + id + "' is fixed and has velocity " + velocity
                     + "; a fixed particle's velocity is zero");
         }
-        int i = particles.add(id, mass, fixed);
+        int i = particles.add(id, mass, fixed, time);
         int needed = STRIDE * particles.count();
         if (state.length < needed) {
             state = Arrays.copyOf(state, Math.max(needed, STRIDE * particles.masses().length));
@@ -53,6 +58,69 @@ public final class ParticleSystem implements SecondOrderStateSource {
         double[] values = {position.x(), position.y(), position.z(), velocity.x(), velocity.y(), velocity.z()};
         System.arraycopy(values, 0, state, STRIDE * i, STRIDE);
         return i;
+    }
+
+    /**
+     * Takes particles out. Those that stay keep their order and move up to fill the gaps; effects and reactions are told.
+     *
+     * @param gone by index, true for particles to be taken out; as many as there are particles
+     * @return the new index of each particle by its old one, -1 for those that are gone
+     */
+    public int[] removeParticles(boolean[] gone) {
+        int[] newIndex = new int[particles.count()];
+        int stay = 0;
+        for (int i = 0; i < newIndex.length; i++) {
+            if (gone[i]) {
+                newIndex[i] = -1;
+                continue;
+            }
+            particles.move(i, stay);
+            System.arraycopy(state, STRIDE * i, state, STRIDE * stay, STRIDE);
+            newIndex[i] = stay++;
+        }
+        particles.shrinkTo(stay);
+        anchors.removeIf(anchor -> newIndex[anchor.particle()] < 0);
+        anchors.replaceAll(anchor -> new Anchor(newIndex[anchor.particle()], anchor.motion()));
+        for (Effect effect : effects) {
+            effect.reindex(newIndex);
+        }
+        for (Reaction reaction : reactions) {
+            reaction.reindex(newIndex);
+        }
+        return newIndex;
+    }
+
+    /**
+     * Lets a fixed particle follow a given motion. The solver moves it like the others, by the velocity in its state and the
+     * motion's acceleration, so that every stage finds it where the method says.
+     *
+     * @param particle the index of a fixed particle
+     * @param motion   where it is to be at each time
+     * @throws IllegalArgumentException if the particle is not fixed
+     */
+    public void moveAnchor(int particle, AnchorMotion motion) {
+        if (!particles.isFixed(particle)) {
+            throw new IllegalArgumentException("particle '" + particles.id(particle)
+                    + "' is free; only a fixed one can follow a given motion");
+        }
+        anchors.add(new Anchor(particle, motion));
+        motion.at(time, anchorValues);
+        System.arraycopy(anchorValues, 0, state, STRIDE * particle, STRIDE);
+    }
+
+    /** @return whether particle i is fixed to a point that moves */
+    public boolean isMovingAnchor(int i) {
+        return anchors.stream().anyMatch(anchor -> anchor.particle() == i);
+    }
+
+    /** @return how many particles are fixed to points that move */
+    public int anchorCount() {
+        return anchors.size();
+    }
+
+    /** @return the index of the particle that is the a-th moving anchor */
+    public int anchor(int a) {
+        return anchors.get(a).particle();
     }
 
     /** @param effect a force to act from now on, after those added before */
@@ -146,6 +214,10 @@ public final class ParticleSystem implements SecondOrderStateSource {
             dSdt[x + 3] *= inverseMass;
             dSdt[x + 4] *= inverseMass;
             dSdt[x + 5] *= inverseMass;
+        }
+        for (int a = 0; a < anchors.size(); a++) {
+            anchors.get(a).motion().at(time, anchorValues);
+            System.arraycopy(anchorValues, STRIDE, dSdt, STRIDE * anchors.get(a).particle() + 3, 3);
         }
     }
 

@@ -14,11 +14,12 @@ public final class Particles {
     private String[] ids = new String[8];
     private double[] masses = new double[8];
     private double[] inverseMasses = new double[8];
+    private double[] birthTimes = new double[8];
 
     Particles() {
     }
 
-    int add(String id, double mass, boolean fixed) {
+    int add(String id, double mass, boolean fixed, double birthTime) {
         if (!(mass > 0) || !(mass <= Double.MAX_VALUE) || !(1 / mass <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("particle '" + id + "' has mass " + mass
                     + "; it has to be positive and finite (a particle that stays where it is, is fixed)");
@@ -28,11 +29,26 @@ public final class Particles {
             ids = Arrays.copyOf(ids, capacity);
             masses = Arrays.copyOf(masses, capacity);
             inverseMasses = Arrays.copyOf(inverseMasses, capacity);
+            birthTimes = Arrays.copyOf(birthTimes, capacity);
         }
         ids[count] = id;
         masses[count] = mass;
         inverseMasses[count] = fixed ? 0 : 1 / mass;
+        birthTimes[count] = birthTime;
         return count++;
+    }
+
+    /** Moves what is known of a particle to a smaller index. */
+    void move(int from, int to) {
+        ids[to] = ids[from];
+        masses[to] = masses[from];
+        inverseMasses[to] = inverseMasses[from];
+        birthTimes[to] = birthTimes[from];
+    }
+
+    void shrinkTo(int count) {
+        Arrays.fill(ids, count, this.count, null);
+        this.count = count;
     }
 
     /** @return the number of particles */
@@ -53,6 +69,11 @@ public final class Particles {
     /** @return whether particle i stays where it is, whatever the forces */
     public boolean isFixed(int i) {
         return inverseMasses[i] == 0;
+    }
+
+    /** @return the simulated time at which particle i came into being (s) */
+    public double birthTime(int i) {
+        return birthTimes[i];
     }
 
     /** @return the masses themselves (kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept */

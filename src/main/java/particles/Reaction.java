@@ -29,7 +29,14 @@ public interface Reaction {
      * @param state the particles' state
      * @param time  t (s)
      * @param force the total force of all effects (N), without reactions
-     * @return the power that the reaction turns into heat (W), 0 or more
+     * @return the power of the reaction's forces (W): negative where friction turns it into heat, 0 for an ideal constraint
      */
-    double getDissipatedPower(double[] state, double time, double[] force);
+    double getPower(double[] state, double time, double[] force);
+
+    /**
+     * Particles were taken out of the system.
+     *
+     * @param newIndex the new index of each particle by its old one, -1 for those that are gone
+     */
+    void reindex(int[] newIndex);
 }

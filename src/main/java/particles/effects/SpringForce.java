@@ -211,6 +211,45 @@ public final class SpringForce implements Effect, SpringView {
                 : new Vector3(rx, ry, rz).length();
     }
 
+    /** {@inheritDoc} Springs go with either of their ends. */
+    @Override
+    public void reindex(int[] newIndex) {
+        int stay = 0;
+        for (int s = 0; s < count; s++) {
+            int i = newIndex[from(s)];
+            int j = newIndex[to(s)];
+            if (i >= 0 && j >= 0) {
+                from[stay] = Particles.STRIDE * i;
+                to[stay] = Particles.STRIDE * j;
+                move(s, stay++);
+            }
+        }
+        count = stay;
+    }
+
+    /**
+     * Takes springs out. Those that stay keep their order.
+     *
+     * @param gone by index, true for springs to be taken out; as many as there are springs
+     */
+    public void removeSprings(boolean[] gone) {
+        int stay = 0;
+        for (int s = 0; s < count; s++) {
+            if (!gone[s]) {
+                from[stay] = from[s];
+                to[stay] = to[s];
+                move(s, stay++);
+            }
+        }
+        count = stay;
+    }
+
+    private void move(int s, int stay) {
+        stiffness[stay] = stiffness[s];
+        restLength[stay] = restLength[s];
+        damping[stay] = damping[s];
+    }
+
     @Override
     public int springCount() {
         return count;

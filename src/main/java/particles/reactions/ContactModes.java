@@ -73,6 +73,21 @@ public final class ContactModes {
         }
     }
 
+    /** Follows particles that were taken out. */
+    void reindex(int[] newIndex) {
+        Mode[][] before = modes;
+        modes = new Mode[particles.count()][];
+        touching = 0;
+        for (int i = 0; i < Math.min(before.length, newIndex.length); i++) {
+            if (newIndex[i] >= 0 && before[i] != null) {
+                modes[newIndex[i]] = before[i];
+                for (Mode mode : before[i]) {
+                    touching += mode == Mode.FREE ? 0 : 1;
+                }
+            }
+        }
+    }
+
     /** @return true if any particle touches any plane */
     public boolean isAnyTouching() {
         return touching > 0;

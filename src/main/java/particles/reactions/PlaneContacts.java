@@ -125,15 +125,25 @@ public final class PlaneContacts implements Reaction {
     }
 
     @Override
-    public double getDissipatedPower(double[] state, double time, double[] force) {
+    public double getPower(double[] state, double time, double[] force) {
         double power = 0;
         for (int i = 0; i < modes.end(); i++) {
-            if (respond(i, state, force) > 0) {
-                int v = STRIDE * i + 3;
-                power -= friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
+            int count = respond(i, state, force);
+            int v = STRIDE * i + 3;
+            for (int p = 0; p < count; p++) {
+                power += push[p] * (normals[p].x() * state[v] + normals[p].y() * state[v + 1] + normals[p].z() * state[v + 2]);
+            }
+            if (count > 0) {
+                power += friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
             }
         }
         return power;
+    }
+
+    @Override
+    public void reindex(int[] newIndex) {
+        modes.reindex(newIndex);
+        stepBegin = new double[0];
     }
 
     /**

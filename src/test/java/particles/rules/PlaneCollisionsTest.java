@@ -185,7 +185,7 @@ class PlaneCollisionsTest {
                 double[] force = new double[6];
                 system.addUpEffects(state, motion.getEndTime(), force);
                 double speed = Math.sqrt(state[3] * state[3] + state[5] * state[5]);
-                assertEquals(0.3 * G * speed, contacts.getDissipatedPower(state, motion.getEndTime(), force), 1e-12);
+                assertEquals(-0.3 * G * speed, contacts.getPower(state, motion.getEndTime(), force), 1e-12);
             }
         });
         simulation.run();

@@ -1,0 +1,155 @@
+package particles;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import particles.Effect.Trait;
+
+/**
+ * The account of a run's energy: kinetic, what effects store, and the work that was done on the system - by drag, damping,
+ * wind, friction, moving anchors as it goes, by bounces, births and deaths at once. What the books do not explain is the
+ * error of the numbers: {@link #getNumericalError()} answers "is this loss physics or numerics?".
+ *
+ * <p>Powers are integrated over each smooth piece of motion by Simpson's rule, from both ends and the middle of the cubic
+ * between them: an error of O(h<sup>4</sup>), so that the remainder shows the order of any solver up to 4. The ledger
+ * evaluates forces for itself, apart from the solver's count, and changes nothing.
+ */
+public final class EnergyLedger implements Observer {
+    private static final int STRIDE = Particles.STRIDE;
+
+    /** One kind of work: how to find its power, and the sum so far. */
+    private static final class Account {
+        private final String name;
+        private final Power power;
+        private double powerBefore;
+        private double work;
+
+        Account(String name, Power power) {
+            this.name = name;
+            this.power = power;
+        }
+    }
+
+    /** The power that goes into the system (W). */
+    private interface Power {
+        double at(ParticleSystem system, double[] state, double time);
+    }
+
+    private final List<Account> accounts = new ArrayList<>();
+    private final Map<String, Double> jumps = new LinkedHashMap<>();
+    private double[] middle = {};
+    private double[] force = {};
+    private double startEnergy;
+    private double energy;
+    private boolean powersKnown;
+
+    @Override
+    public void started(ParticleSystem system) {
+        for (Effect effect : system.getEffects()) {
+            if (effect.getTraits().contains(Trait.DISSIPATIVE)) {
+                accounts.add(new Account(effect.getName() + " (dissipated)",
+                        (s, state, time) -> -effect.getDissipatedPower(state, time)));
+            }
+            if (effect.getTraits().contains(Trait.DRIVING)) {
+                accounts.add(new Account(effect.getName() + " (driven)", (s, state, time) -> effect.getDrivenPower(state, time)));
+            }
+        }
+        for (Reaction reaction : system.getReactions()) {
+            accounts.add(new Account(reaction.getName(), (s, state, time) -> reaction.isActive()
+                    ? reaction.getPower(state, time, effectForces(s, state, time)) : 0));
+        }
+        if (system.anchorCount() > 0) {
+            accounts.add(new Account("moving anchors", this::anchorPower));
+        }
+        energy = system.getEnergy(system.getOwnState(), system.getTime());
+        startEnergy = energy;
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        ParticleSystem system = motion.getSystem();
+        double t0 = motion.getStartTime();
+        double t1 = motion.getEndTime();
+        double half = t0 + (t1 - t0) / 2;
+        if (!accounts.isEmpty()) {
+            if (middle.length != system.getStateSize()) {
+                middle = new double[system.getStateSize()];
+            }
+            motion.interpolate(half, middle);
+        }
+        for (Account account : accounts) {
+            double before = powersKnown ? account.powerBefore : account.power.at(system, motion.getStartState(), t0);
+            double after = account.power.at(system, motion.getEndState(), t1);
+            account.work += (t1 - t0) / 6 * (before + 4 * account.power.at(system, middle, half) + after);
+            account.powerBefore = after;
+        }
+        powersKnown = true;
+        energy = system.getEnergy(motion.getEndState(), t1);
+    }
+
+    @Override
+    public void changed(ParticleSystem system, Rule rule) {
+        double after = system.getEnergy(system.getOwnState(), system.getTime());
+        jumps.merge(rule.getName(), after - energy, Double::sum);
+        energy = after;
+        powersKnown = false;
+    }
+
+    private double[] effectForces(ParticleSystem system, double[] state, double time) {
+        if (force.length != system.getStateSize()) {
+            force = new double[system.getStateSize()];
+        }
+        system.addUpEffects(state, time, force);
+        return force;
+    }
+
+    /** What pulls at an anchor is answered by what moves it: minus the force of all springs and the like, times its velocity. */
+    private double anchorPower(ParticleSystem system, double[] state, double time) {
+        double[] pull = new double[system.getStateSize()];
+        for (Effect effect : system.getEffects()) {
+            if (effect.getTraits().contains(Trait.INTERNAL)) {
+                effect.addForces(state, time, pull, 0, effect.size());
+            }
+        }
+        double power = 0;
+        for (int a = 0; a < system.anchorCount(); a++) {
+            int v = STRIDE * system.anchor(a) + 3;
+            power -= pull[v] * state[v] + pull[v + 1] * state[v + 1] + pull[v + 2] * state[v + 2];
+        }
+        return power;
+    }
+
+    /** @return the total energy at the beginning (J) */
+    public double getStartEnergy() {
+        return startEnergy;
+    }
+
+    /** @return the total energy now (J) */
+    public double getEnergy() {
+        return energy;
+    }
+
+    /**
+     * The work done on the system so far.
+     *
+     * @return by name, in joules; negative where energy was taken out
+     */
+    public Map<String, Double> getWork() {
+        Map<String, Double> work = new LinkedHashMap<>();
+        for (Account account : accounts) {
+            work.merge(account.name, account.work, Double::sum);
+        }
+        jumps.forEach((name, joules) -> work.merge(name, joules, Double::sum));
+        return work;
+    }
+
+    /** @return the energy that no work explains: the total now, minus that at the beginning, minus all work (J) */
+    public double getNumericalError() {
+        double explained = 0;
+        for (double joules : getWork().values()) {
+            explained += joules;
+        }
+        return energy - startEnergy - explained;
+    }
+}

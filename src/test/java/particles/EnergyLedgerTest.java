@@ -1,0 +1,163 @@
+package particles;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.GRAVITY;
+
+import deSolvers.DESolver;
+import deSolvers.EulerSolver;
+import deSolvers.MidpointSolver;
+import deSolvers.RK4Solver;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.symplectic.SymplecticEulerSolver;
+import java.util.List;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.effects.Gravity;
+import particles.effects.GustyWind;
+import particles.effects.LinearDrag;
+import particles.effects.SpringForce;
+import particles.effects.Wind;
+import particles.reactions.ContactPlane;
+import particles.reactions.Friction;
+import particles.reactions.PlaneContacts;
+import particles.rules.PlaneImpacts;
+
+/** The ledger's books against closed forms, and what they leave unexplained against the orders of the solvers. */
+class EnergyLedgerTest {
+
+    private static EnergyLedger run(ParticleSystem system, DESolver solver, double deltaT, double duration) {
+        EnergyLedger ledger = new EnergyLedger();
+        Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
+        simulation.addObserver(ledger);
+        simulation.run();
+        return ledger;
+    }
+
+    /** x'' = -x in three dimensions: a spring of rest length 0. */
+    private static ParticleSystem oscillator() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("wall", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("block", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
+        SpringForce spring = new SpringForce(system.getParticles());
+        spring.addSpring(0, 1, 1, 0, 0);
+        system.addEffect(spring);
+        return system;
+    }
+
+    /** Damped springs with rest lengths, gravity, drag in a gusty wind, and an anchor that is shaken: every smooth effect. */
+    private static ParticleSystem everything() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("hand", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("a", 1, new Vector3(1, 0, 0.2), Vector3.ZERO, false);
+        system.addParticle("b", 0.5, new Vector3(1.5, -0.8, 0), new Vector3(0.3, 0, 1), false);
+        system.moveAnchor(0, (time, values) -> {
+            values[0] = 0.3 * StrictMath.sin(2 * time);
+            values[1] = 0;
+            values[2] = 0;
+            values[3] = 0.6 * StrictMath.cos(2 * time);
+            values[4] = 0;
+            values[5] = 0;
+            values[6] = -1.2 * StrictMath.sin(2 * time);
+            values[7] = 0;
+            values[8] = 0;
+        });
+        SpringForce springs = new SpringForce(system.getParticles());
+        springs.addSpring(0, 1, 30, 0.9, 0.3);
+        springs.addSpring(1, 2, 20, 1, 0.2);
+        springs.addSpring(0, 2, 5, 1.5, 0.1);
+        system.addEffect(springs);
+        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        system.addEffect(new LinearDrag(system.getParticles(), 0.1, new GustyWind(new Vector3(2, 0, 0.5), new Vector3(1, 0, 1), 0.9)));
+        return system;
+    }
+
+    /** The exponent with which the unexplained energy falls from step h to h/4. */
+    private static double slope(Supplier<ParticleSystem> system, Supplier<DESolver> solver, double h, double duration) {
+        double coarse = Math.abs(run(system.get(), solver.get(), h, duration).getNumericalError());
+        double fine = Math.abs(run(system.get(), solver.get(), h / 4, duration).getNumericalError());
+        return Math.log(coarse / fine) / Math.log(4);
+    }
+
+    /** Bar: within 0.2 of the order. Measured: 1.00, 1.00, 2.13, 2.00, 3.86, 1.00, 2.00. */
+    @ParameterizedTest
+    @CsvSource({"euler, 1, 0.0002", "symplectic-euler, 1, 0.0002", "midpoint, 2, 0.002", "verlet, 2, 0.002", "rk4, 4, 0.01",
+        "backward-euler, 1, 0.0002", "implicit-midpoint, 2, 0.004"})
+    void theRemainderFallsWithTheSolversOrder(String solver, int order, double h) {
+        assertEquals(order, slope(EnergyLedgerTest::everything, () -> SolverCatalog.create(solver), h, 1.03), 0.2);
+    }
+
+    /** On the undamped oscillator |R|&sup2; - 1 is of order h&sup4; for midpoint and h&sup6; for rk4: slopes 3 and 5 over a given time. */
+    @Test
+    void theOscillatorsSlopesAreThreeAndFive() {
+        assertEquals(3, slope(EnergyLedgerTest::oscillator, MidpointSolver::new, 0.02, 10), 0.02);
+        assertEquals(5, slope(EnergyLedgerTest::oscillator, RK4Solver::new, 0.1, 10), 0.02);
+    }
+
+    /** E0 (1 + (omega h)&sup2;)^-n for backward Euler, E0 (1 + (omega h)&sup2;)^n for Euler: nothing else is on, so all is error. */
+    @Test
+    void withNothingOnItIsThePlainDrift() {
+        double factor = Math.pow(1 + 0.01 * 0.01, -1000);
+        EnergyLedger backward = run(oscillator(), new BackwardEulerSolver(), 0.01, 10);
+        assertEquals(0.5 * factor, backward.getEnergy(), 0.5 * factor * 1e-9);
+        assertEquals(backward.getEnergy() - backward.getStartEnergy(), backward.getNumericalError());
+        assertTrue(backward.getWork().values().stream().allMatch(work -> work == 0), backward.getWork().toString());
+        EnergyLedger forward = run(oscillator(), new EulerSolver(), 0.01, 10);
+        assertEquals(0.5 / factor, forward.getEnergy(), 1e-9);
+        assertEquals(forward.getEnergy() - 0.5, forward.getNumericalError());
+    }
+
+    /** A fall with drag: what was dissipated is what is missing, m g times the fall minus the kinetic energy. */
+    @Test
+    void dragIsBookedAsDrag() {
+        ParticleSystem system = Systems.oneParticle(Vector3.ZERO, Vector3.ZERO);
+        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        system.addEffect(new LinearDrag(system.getParticles(), 0.5, Wind.STILL));
+        EnergyLedger ledger = run(system, new RK4Solver(), 0.01, 1);
+        double v = 7.719868456438;
+        assertEquals(-(9.81 * 4.180263087124 - v * v / 2), ledger.getWork().get("drag (dissipated)"), 1e-9);
+        assertEquals(0, ledger.getNumericalError(), 1e-9);
+    }
+
+    /** Bouncing to rest: the bounces take m g h0 and nothing is counted twice, neither in flight nor at rest. */
+    @Test
+    void bouncesAndRestAreBookedOnce() {
+        ParticleSystem system = Systems.oneParticle(new Vector3(0, 1, 0), new Vector3(1, 0, 0));
+        PlaneContacts contacts = new PlaneContacts(system.getParticles(), List.of(new ContactPlane("ground", Plane.ground(0), 0.5,
+                new Friction(Friction.Law.COULOMB, 0.1, 0.2, 0), 1e-6)));
+        system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+        system.addReaction(contacts);
+        EnergyLedger ledger = new EnergyLedger();
+        Simulation simulation = new Simulation(system, new RK4Solver(), 0.01, 4, Double.POSITIVE_INFINITY);
+        simulation.addEventRule(new PlaneImpacts(contacts), new RK4Solver());
+        simulation.addObserver(ledger);
+        simulation.run();
+        assertEquals(-9.81, ledger.getWork().get("plane"), 1e-9);
+        assertEquals(-0.5, ledger.getWork().get("contact"), 1e-9, "friction takes the speed along the ground");
+        assertEquals(0, ledger.getEnergy(), 1e-12);
+        assertEquals(0, ledger.getNumericalError(), 1e-9);
+    }
+
+    /** With an anchor that is shaken in resonance the anchor's work is the energy, and none is left unexplained. */
+    @Test
+    void theHandThatShakesDoesTheWork() {
+        ParticleSystem system = everything();
+        EnergyLedger ledger = run(system, new RK4Solver(), 0.001, 3);
+        assertTrue(Math.abs(ledger.getWork().get("moving anchors")) > 0.1, ledger.getWork().toString());
+        assertEquals(0, ledger.getNumericalError(), 1e-8);
+    }
+
+    @Test
+    void theLedgerChangesNothing() {
+        ParticleSystem alone = everything();
+        Systems.run(alone, new SymplecticEulerSolver(), 0.01, 1);
+        ParticleSystem booked = everything();
+        run(booked, new SymplecticEulerSolver(), 0.01, 1);
+        assertArrayEquals(alone.getOwnState(), booked.getOwnState());
+        assertEquals(alone.getEvaluations(), booked.getEvaluations());
+    }
+}
