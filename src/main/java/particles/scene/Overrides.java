@@ -3,6 +3,7 @@ package particles.scene;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import particles.scene.spec.Key;
 import particles.scene.spec.Place;
 import particles.scene.spec.Problems;
@@ -35,18 +36,20 @@ public final class Overrides {
     /** @return the description with what was given, as far as that is right */
     SceneDescription applyTo(SceneDescription scene, Problems problems) {
         Map<Key<?>, Place> places = new HashMap<>(scene.places());
-        String solver = apply(SceneFormat.SOLVER, scene.solver(), places, problems);
-        double deltaT = apply(SceneFormat.DELTA_T, scene.deltaT(), places, problems);
-        double duration = apply(SceneFormat.DURATION, scene.duration(), places, problems);
-        return scene.with(solver, deltaT, duration, Map.copyOf(places));
+        boolean sameSolver = !given.containsKey(SceneFormat.SOLVER.name());
+        String solver = apply(SceneFormat.SOLVER, SolverFormat.NAME, scene.solver(), places, problems);
+        double deltaT = apply(SceneFormat.DELTA_T, SceneFormat.DELTA_T, scene.deltaT(), places, problems);
+        double duration = apply(SceneFormat.DURATION, SceneFormat.DURATION, scene.duration(), places, problems);
+        return scene.with(solver, sameSolver ? scene.tolerances() : Optional.empty(), deltaT, duration, Map.copyOf(places));
     }
 
-    private <T> T apply(Key<T> key, T inFile, Map<Key<?>, Place> places, Problems problems) {
+    /** @param type the key whose type the option has */
+    private <T> T apply(Key<?> key, Key<T> type, T inFile, Map<Key<?>, Place> places, Problems problems) {
         Given value = given.get(key.name());
         if (value == null) {
             return inFile;
         }
         places.put(key, Place.of(value.option()));
-        return key.type().readOption(value.text(), value.option(), problems).orElse(inFile);
+        return type.type().readOption(value.text(), value.option(), problems).orElse(inFile);
     }
 }

@@ -1,12 +1,11 @@
 package particles.scene;
 
 import deSolvers.DESolver;
-import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.NoSuchElementException;
 import java.util.Optional;
+import java.util.function.Supplier;
 import particles.ParticleSystem;
 import particles.Plane;
 import particles.Simulation;
@@ -16,6 +15,7 @@ import particles.effects.SpringForce;
 import particles.reactions.ContactPlane;
 import particles.reactions.PlaneContacts;
 import particles.rules.PlaneCollisions;
+import particles.rules.PlaneImpacts;
 import particles.scene.spec.Problems;
 
 /** From a description to a simulation: what it names is built, and nothing else. */
@@ -32,7 +32,7 @@ public final class SceneBuilder {
     public static Scene build(SceneDescription described, Overrides overrides) {
         Problems problems = new Problems();
         SceneDescription scene = overrides.applyTo(described, problems);
-        Optional<DESolver> solver = problems.count() > 0 ? Optional.empty() : makeSolver(scene, problems);
+        Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene, problems);
         RunLimits.check(scene.deltaT(), scene.duration(), scene.output().frameRate(), scene.places(), problems);
         if (problems.count() > 0) {
             throw new SceneException(problems.lines());
@@ -40,16 +40,7 @@ public final class SceneBuilder {
         return build(scene, solver.orElseThrow());
     }
 
-    private static Optional<DESolver> makeSolver(SceneDescription scene, Problems problems) {
-        try {
-            return Optional.of(SolverCatalog.create(scene.solver()));
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
-            return Optional.empty();
-        }
-    }
-
-    private static Scene build(SceneDescription scene, DESolver solver) {
+    private static Scene build(SceneDescription scene, Supplier<DESolver> solvers) {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
         List<Surface> surfaces = addParticles(scene, system, springs);
@@ -68,13 +59,18 @@ public final class SceneBuilder {
                 .forEach(effect -> effect.kind().build(effect.values(), assembly));
         scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
+        DESolver solver = solvers.get();
         double scale = EnergyScale.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, solver, scene.deltaT(), scene.duration(),
                 scene.blowUpFactor() * scale);
         if (!assembly.planes().isEmpty()) {
             PlaneContacts contacts = new PlaneContacts(system.getParticles(), assembly.planes());
             system.addReaction(contacts);
-            simulation.addRule(new PlaneCollisions(contacts));
+            if (scene.exactImpacts()) {
+                simulation.addEventRule(new PlaneImpacts(contacts), solvers.get());
+            } else {
+                simulation.addRule(new PlaneCollisions(contacts));
+            }
         }
         List<Plane> planes = assembly.planes().stream().map(ContactPlane::plane).toList();
         Optional<Scene.Phase> phase = scene.output().phase()

@@ -51,6 +51,8 @@ final class SceneChecks {
         for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION)) {
             places.put(key, scene.place(key));
         }
+        Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)
+                .flatMap(values -> SolverFormat.tolerances(values, problems));
         if (scene.find(SceneFormat.DELTA_T).isPresent() && scene.find(SceneFormat.DURATION).isPresent()) {
             RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), frameRate(), places, problems);
         }
@@ -59,10 +61,11 @@ final class SceneChecks {
         }
         Values noWords = Values.none(scene.place());
         return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
-                scene.get(SceneFormat.SOLVER), scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION),
+                scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
+                        scene.get(SceneFormat.DURATION),
                 List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs),
                         List.copyOf(scene.get(SceneFormat.EFFECTS)),
-                List.copyOf(scene.get(SceneFormat.RULES)), camera,
+                List.copyOf(scene.get(SceneFormat.RULES)), scene.get(SceneFormat.IMPACT).equals("exact"), camera,
                         LookFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords)),
                 OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)), scene.get(SceneFormat.BLOW_UP_FACTOR),
                 Map.copyOf(places)));

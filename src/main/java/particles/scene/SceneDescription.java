@@ -17,6 +17,7 @@ import particles.scene.spec.Place;
  * @param title        what the scene shows
  * @param teaches      what one learns from it
  * @param solver       the name of the solver
+ * @param tolerances   what it is allowed, if the scene says so
  * @param deltaT       the time step (s)
  * @param duration     how long the run lasts (s)
  * @param particles    the particles that stand alone, first in the state
@@ -24,22 +25,28 @@ import particles.scene.spec.Place;
  * @param springs      the springs that stand alone
  * @param effects      the effects it names
  * @param rules        the rules it names
+ * @param exactImpacts whether steps are divided at impacts
  * @param camera       the camera, if it gives one
  * @param look         how things are drawn
  * @param output       what is written
  * @param blowUpFactor by which factor the kinetic energy may exceed the scene's own energy scale
  * @param places       where the solver, deltaT and duration stand
  */
-public record SceneDescription(String source, String sha256, String title, String teaches, String solver, double deltaT,
-                               double duration, List<ParticleDescription> particles, List<ShapeDescription> shapes,
+public record SceneDescription(String source, String sha256, String title, String teaches, String solver,
+                               Optional<Tolerances> tolerances, double deltaT, double duration,
+                                       List<ParticleDescription> particles, List<ShapeDescription> shapes,
                                List<SpringDescription> springs, List<Chosen<EffectKind>> effects,
                                        List<Chosen<RuleKind>> rules,
-                               Optional<Camera> camera, Look look, OutputDescription output, double blowUpFactor,
+                               boolean exactImpacts, Optional<Camera> camera, Look look, OutputDescription output,
+                                       double blowUpFactor,
                                Map<Key<?>, Place> places) {
 
-    SceneDescription with(String otherSolver, double otherDeltaT, double otherDuration, Map<Key<?>, Place> otherPlaces) {
-        return new SceneDescription(source, sha256, title, teaches, otherSolver, otherDeltaT, otherDuration, particles,
+    SceneDescription with(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
+            double otherDuration, Map<Key<?>, Place> otherPlaces) {
+        return new SceneDescription(source, sha256, title, teaches, otherSolver, otherTolerances,
+                otherDeltaT, otherDuration, particles,
                 shapes,
-                springs, effects, rules, camera, look, output, blowUpFactor, otherPlaces);
+                springs, effects, rules, exactImpacts, camera, look,
+                output, blowUpFactor, otherPlaces);
     }
 }

@@ -1,6 +1,5 @@
 package particles.scene;
 
-import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import particles.scene.spec.Chosen;
 import particles.scene.spec.JsonSchema;
@@ -18,9 +17,7 @@ public final class SceneFormat {
     static final Key<String> TITLE = Key.required("title", TextType.prose(), "What the scene shows, in a few words.");
     static final Key<String> TEACHES = Key.required("teaches", TextType.prose(),
             "What one learns from it, in a sentence or two.");
-    static final Key<String> SOLVER = Key.required("solver", NameType.or("solver", SolverCatalog.names(),
-            TextType.of("the full name of a class, such as exercises.MySolver",
-                    "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$")),
+    static final Key<Values> SOLVER = Key.required("solver", SolverFormat.TYPE,
             "The method that solves the equations of motion.");
     static final Key<Double> DELTA_T = Key.required("deltaT", NumberType.positive("s"), "The time step (s).");
     static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"), "How long the run lasts (s).");
@@ -39,6 +36,8 @@ public final class SceneFormat {
     static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
             ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),
             "What happens between steps; what is not named does not happen.");
+    static final Key<String> IMPACT = Key.withDefault("impact", NameType.of("kind of impact", List.of("clamp", "exact")), "clamp",
+            "clamp: who is below a plane after a step is put onto it; exact: the step is divided at the impact.");
     static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
             "From where the scene is seen; where it is not given, so that everything fits into the picture.");
     static final Key<Values> LOOK = Key.optional("look", LookFormat.TYPE, "How things are drawn.");
@@ -48,7 +47,7 @@ public final class SceneFormat {
 
     static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION, PARTICLES,
             SHAPES,
-            SPRINGS, EFFECTS, RULES, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR);
+            SPRINGS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR);
 
     private SceneFormat() {
     }

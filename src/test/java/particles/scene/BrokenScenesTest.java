@@ -24,6 +24,9 @@ class BrokenScenesTest {
               - {id: bob, position: [0, 1, 0]}
             """;
 
+    private static final String KEYS = "title, teaches, solver, deltaT, duration, particles, shapes, springs, effects, rules, "
+            + "impact, camera, look, output, blowUpFactor";
+
     private static Arguments added(String text, String... lines) {
         return Arguments.of(HEAD + text, List.of(lines));
     }
@@ -37,9 +40,7 @@ class BrokenScenesTest {
                 added("effects:\n  - gravty\n",
                         "x.yaml:9:5: unknown effect 'gravty'; did you mean 'gravity'? known: gravity, wind, drag"),
                 added("efects: []\n",
-                        "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: title, teaches, "
-                                + "solver, deltaT, duration, particles, shapes, springs, effects, rules, camera, "
-                                + "look, output, blowUpFactor"),
+                        "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: " + KEYS),
                 added("effects:\n  gravity: {}\n",
                         "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a dash: "
                                 + "one of gravity, wind, drag, with its keys below it"),
@@ -150,9 +151,7 @@ class BrokenScenesTest {
                         "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
                                 + "put quotes around a text that begins with & or *"),
                 added("? [a]\n: 1\n",
-                        "x.yaml:8:3: a key of the scene is [a]; it has to be one of 'title', 'teaches', 'solver', "
-                                + "'deltaT', 'duration', 'particles', 'shapes', 'springs', 'effects', 'rules', 'camera', "
-                                + "'look', 'output', 'blowUpFactor'"),
+                        "x.yaml:8:3: a key of the scene is [a]; it has to be one of '" + KEYS.replace(", ", "', '") + "'"),
                 added("---\ntitle: second\n",
                         "x.yaml:8:1: a second document begins; a file holds one scene"),
                 added("\tx: 1\n",
@@ -160,14 +159,20 @@ class BrokenScenesTest {
                 added("rules: [a\n",
                         "x.yaml:9:1: not valid YAML: expected ',' or ']', but got <stream end>, in what begins at line 8 "
                                 + "(inside [ ] and { } an id such as cloth[3,4] needs quotes around it)"),
+                whole(HEAD.replace("rk4", "{name: rk4, relativeTolerance: 1e-3}"),
+                        "x.yaml:3:40: solver 'rk4' takes steps of deltaT and no tolerances; those that do: "
+                                + String.join(", ", SolverCatalog.names().stream()
+                                        .filter(name -> SolverCatalog.info(name).adaptive()).toList())),
+                whole(HEAD.replace("rk4", "{name: dormand-prince, tolerance: 2}"),
+                        "x.yaml:3:32: unknown key 'tolerance'; known in the solver: name, relativeTolerance, absoluteTolerance"),
+                added("impact: exactly\n",
+                        "x.yaml:8:9: unknown kind of impact 'exactly'; known: clamp, exact"),
                 whole("",
                         "x.yaml: the file is empty"),
                 whole("# nothing\n",
                         "x.yaml: the file is empty"),
                 whole("just a text\n",
-                        "x.yaml:1:1: the scene is the text 'just a text'; it has to be a mapping with keys of title, "
-                                + "teaches, solver, deltaT, duration, particles, shapes, springs, effects, rules, camera, "
-                                + "look, output, blowUpFactor"),
+                        "x.yaml:1:1: the scene is the text 'just a text'; it has to be a mapping with keys of " + KEYS),
                 whole("title: A: B\n",
                         "x.yaml:1:9: not valid YAML: mapping values are not allowed here (a text with a colon in it "
                                 + "needs quotes around it)"),

@@ -3,6 +3,8 @@ package particles.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -42,5 +44,24 @@ class ScenesTest {
     void isNumberedAndTellsEditorsItsSchema(Path file) throws IOException {
         assertTrue(file.getFileName().toString().matches("\\d\\d-[a-z0-9-]+\\.yaml"), file.toString());
         assertEquals("# yaml-language-server: $schema=scene.schema.json", Files.readAllLines(file).get(0));
+    }
+
+    /** The largest share of its limits that a scene uses is 0.41, by the cloth; stretching makes springs stiffer than here. */
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void stepsAreShortEnoughForItsSprings(Path file) {
+        Scene scene = SceneBuilder.build(SceneReader.read(file), new Overrides());
+        SolverInfo solver = SolverCatalog.info(scene.description().solver());
+        double deltaT = scene.simulation().getDeltaT();
+        double omega = Stiffness.largestOmega(scene);
+        if (solver.imaginaryLimit() == 0) {
+            assertEquals("11-euler-spiral.yaml", file.getFileName().toString(), "only this one shows growth");
+            return;
+        }
+        assertTrue(omega * deltaT <= 0.6 * solver.imaginaryLimit(), "omega deltaT = " + omega * deltaT);
+        if (!Double.isNaN(solver.realLimit())) {
+            double rate = Stiffness.largestRate(scene);
+            assertTrue(rate * deltaT <= 0.6 * solver.realLimit(), "rate deltaT = " + rate * deltaT);
+        }
     }
 }

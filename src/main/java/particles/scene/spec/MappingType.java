@@ -123,7 +123,7 @@ public final class MappingType extends Type<Values> {
 
     @Override
     public String describe() {
-        return (shortFor.isPresent() ? shortFor.get().type().describe() + ", or " : "") + "a mapping with keys of "
+        return (shortFor.isPresent() ? shortFor.get().type().describe() + "; or " : "") + "a mapping with keys of "
                 + String.join(", ", keys.stream().map(Key::name).toList());
     }
 

@@ -1,0 +1,110 @@
+package particles.scene;
+
+import deSolvers.catalog.DidYouMean;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import particles.scene.spec.Wording;
+
+/** Finds scenes: by path, by name with or without number, or by number. */
+public final class SceneFiles {
+    /** The scene that runs where none is asked for: it looks good. */
+    public static final String DEFAULT = "cloth-in-wind";
+
+    private static final String ENDING = ".yaml";
+
+    private SceneFiles() {
+    }
+
+    /**
+     * @param folder where scenes are
+     * @return its scenes, sorted by name and so by number
+     * @throws SceneException if there is no such folder
+     */
+    public static List<Path> list(Path folder) {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(file -> name(file).isPresent()).sorted().toList();
+        } catch (IOException | UncheckedIOException e) {
+            throw new SceneException(List.of("the folder of scenes, " + folder
+                    + ", cannot be read; start where the scenes are,"
+                    + " or give a scene's path"));
+        }
+    }
+
+    /**
+     * Finds a scene.
+     *
+     * @param folder where scenes are
+     * @param wanted a path; or the name of a scene of the folder, such as {@code 09-cloth-in-wind}, {@code cloth-in-wind},
+     *               either with the ending too; or its number, {@code 9} or {@code 09}
+     * @return the file
+     * @throws SceneException if there is none, or more than one
+     */
+    public static Path find(Path folder, String wanted) {
+        Optional<Path> typed = pathOf(wanted);
+        if (typed.isPresent() && Files.isRegularFile(typed.get())) {
+            return typed.get();
+        }
+        if (typed.isEmpty() || typed.get().getNameCount() > 1 || typed.get().isAbsolute()) {
+            throw new SceneException(List.of("there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
+        }
+        List<Path> found = new ArrayList<>();
+        for (Path file : list(folder)) {
+            if (namesOf(file).contains(wanted.endsWith(ENDING) ? wanted.substring(0, wanted.length() - ENDING.length())
+                    : wanted)) {
+                found.add(file);
+            }
+        }
+        if (found.size() > 1) {
+            throw new SceneException(List.of(Wording.quote(wanted) + " may be any of " + String.join(", ",
+                    found.stream().map(Path::toString).toList()) + "; give the whole name"));
+        }
+        if (found.isEmpty()) {
+            throw new SceneException(List.of("there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
+        }
+        return found.get(0);
+    }
+
+    private static Optional<Path> pathOf(String wanted) {
+        try {
+            return wanted.isBlank() ? Optional.empty() : Optional.of(Path.of(wanted));
+        } catch (InvalidPathException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** All that a scene may be called by. */
+    private static List<String> namesOf(Path file) {
+        String name = name(file).orElseThrow();
+        if (!name.matches("\\d+-.+")) {
+            return List.of(name);
+        }
+        String number = name.substring(0, name.indexOf('-'));
+        return List.of(name, name.substring(number.length() + 1), number, number.replaceFirst("^0+(?=.)", ""));
+    }
+
+    private static Optional<String> name(Path file) {
+        String name = file.getFileName().toString();
+        return name.endsWith(ENDING) && !name.startsWith(".") ? Optional.of(name.substring(0,
+                name.length() - ENDING.length()))
+                : Optional.empty();
+    }
+
+    private static String nearest(Path folder, String wanted) {
+        List<Path> scenes = list(folder);
+        List<String> titles = scenes.stream().map(file -> namesOf(file).get(namesOf(file).size() > 1 ? 1 : 0)).toList();
+        String bare = wanted.replace('\\', '/').replaceFirst(".*/", "").replaceFirst("\\.yaml$", "").replaceFirst("^\\d+-",
+                "");
+        String known = " scenes: " + String.join(", ", scenes.stream().map(file -> name(file).orElseThrow()).toList());
+        if (bare.length() < 3 || bare.length() > 60) {
+            return ";" + known;
+        }
+        return DidYouMean.nearest(bare, titles).map(title -> "; did you mean '" + title + "'?").orElse(";") + known;
+    }
+}

@@ -1,0 +1,60 @@
+package particles.scene;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import java.util.function.Supplier;
+import particles.scene.spec.Key;
+import particles.scene.spec.MappingType;
+import particles.scene.spec.NameType;
+import particles.scene.spec.NumberType;
+import particles.scene.spec.Problems;
+import particles.scene.spec.TextType;
+import particles.scene.spec.Values;
+
+/** What a scene says of its solver: a name, or a name with tolerances. */
+final class SolverFormat {
+    static final Key<String> NAME = Key.required("name", NameType.or("solver", SolverCatalog.names(),
+            TextType.of("the full name of a class, such as exercises.MySolver",
+                    "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$")),
+            "The method that solves the equations of motion.");
+    static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 1, ""), "The error that an"
+            + " adaptive solver allows in a sub-step, relative to the state; 1e-6 where only the other is given.");
+    static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
+            "The error that it allows"
+            + " besides, in m and m/s; 1e-9 where only the other is given.");
+
+    static final MappingType TYPE = MappingType.of("the solver", NAME, RELATIVE, ABSOLUTE).shortFor(NAME);
+
+    private SolverFormat() {
+    }
+
+    static Optional<Tolerances> tolerances(Values values, Problems problems) {
+        if (!values.isGiven(RELATIVE) && !values.isGiven(ABSOLUTE)) {
+            return Optional.empty();
+        }
+        String name = values.get(NAME);
+        if (SolverCatalog.names().contains(name) && !SolverCatalog.info(name).adaptive()) {
+            problems.add(values.place(values.isGiven(RELATIVE) ? RELATIVE : ABSOLUTE), "solver '" + name
+                    + "' takes steps of deltaT"
+                    + " and no tolerances; those that do: " + String.join(", ", SolverCatalog.names().stream()
+                            .filter(known -> SolverCatalog.info(known).adaptive()).toList()));
+        }
+        return Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)));
+    }
+
+    /** @return solvers as the scene wants them, one at each call; nothing if they cannot be made */
+    static Optional<Supplier<DESolver>> maker(SceneDescription scene, Problems problems) {
+        Supplier<DESolver> maker = () -> scene.tolerances()
+                .map(tolerances -> SolverCatalog.create(scene.solver(), tolerances.relative(), tolerances.absolute()))
+                .orElseGet(() -> SolverCatalog.create(scene.solver()));
+        try {
+            maker.get();
+            return Optional.of(maker);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
+            return Optional.empty();
+        }
+    }
+}
