@@ -17,7 +17,7 @@ package deSolvers;
  *     it. A law that changes without the state changing has to be told by {@link #reset()}.</li>
  * <li>A step allocates no memory once the work arrays have the source's size.</li>
  * <li>{@code deltaT = 0} changes nothing; a negative deltaT integrates backwards; a state of size 0 still moves the
- *     clock. A deltaT, state or derivative that is not finite ends in a {@link DESolverException}.</li>
+ *     clock. A deltaT, time, state or derivative that is not finite ends in a {@link DESolverException}.</li>
  * </ul>
  * {@link GuardedStep} keeps the parts of this contract that are the same for every method.
  *

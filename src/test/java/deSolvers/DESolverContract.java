@@ -262,6 +262,17 @@ public abstract class DESolverContract {
     }
 
     @Test
+    void aSourceThatTakesNoStateAnyMoreStillGetsItsTimeBack() {
+        DragInWind behind = new DragInWind(1, 1);
+        behind.startAt(START);
+        SpySource source = new SpySource(behind);
+        source.failFrom(SpySource.Call.SET_STATE);
+        DESolver solver = createSolver();
+        assertThrows(SpySource.Failure.class, () -> solver.stepState(source, STEP));
+        assertEquals(START, behind.getTime());
+    }
+
+    @Test
     void aFailureInOneSourceDoesNotSpoilTheNextStepOfAnother() {
         for (int k = 1; k < 40; k++) {
             DESolver solver = createSolver();

@@ -1,10 +1,12 @@
 package deSolvers.adaptive;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.StepMatrix;
+import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.problems.Oscillator;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
@@ -90,5 +92,22 @@ class OneSubStepTest {
         double re = (16 * twice[0] - once[0]) / 15;
         double im = (16 * twice[1] - once[1]) / 15;
         assertEquals(3.4e-6, Math.sqrt(re * re + im * im) - 1, 0.05e-6);    // grows at h omega = 0.5 all the same
+    }
+
+    private static long[] evaluationsOfTwoSteps(DESolver solver) {
+        Oscillator problem = new Oscillator();
+        solver.stepState(problem, 0.125);
+        long first = problem.evaluations();
+        solver.stepState(problem, 0.125);
+        return new long[] {first, problem.evaluations() - first};
+    }
+
+    /** One for the derivative at the beginning and one for the first guess; then what the javadoc says. */
+    @Test
+    void evaluationsASubStep() {
+        assertArrayEquals(new long[] {2 + 6, 6}, evaluationsOfTwoSteps(new DormandPrinceSolver(EVERYTHING, EVERYTHING)));
+        assertArrayEquals(new long[] {2 + 10, 11}, evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING)));
+        assertArrayEquals(new long[] {2 + 10, 11}, evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING, true)));
+        assertArrayEquals(new long[] {2 + 8, 9}, evaluationsOfTwoSteps(new BulirschStoerSolver(EVERYTHING, EVERYTHING)));
     }
 }

@@ -25,6 +25,7 @@ public final class SpySource implements SecondOrderStateSource {
     private final List<double[]> arraysSeen = new ArrayList<>();
     private Call failingCall;
     private int failAt;
+    private boolean failsForEver;
     private int badEntry = -1;
     private double badValue;
     private double badAfter;
@@ -39,6 +40,12 @@ public final class SpySource implements SecondOrderStateSource {
         calls.clear();
         failingCall = call;
         failAt = k;
+    }
+
+    /** Makes every call of a method from now on throw a {@link Failure}. */
+    public void failFrom(Call call) {
+        failAt(call, 1);
+        failsForEver = true;
     }
 
     /** Makes the derivative's entry the given value at all times after t. */
@@ -67,8 +74,9 @@ public final class SpySource implements SecondOrderStateSource {
         if (array != null && arraysSeen.stream().noneMatch(seen -> seen == array)) {
             arraysSeen.add(array);
         }
-        if (calls.merge(call, 1, Integer::sum) == failAt && call == failingCall) {
-            failingCall = null;
+        int count = calls.merge(call, 1, Integer::sum);
+        if (call == failingCall && (failsForEver || count == failAt)) {
+            failingCall = failsForEver ? call : null;
             if (call == Call.GET_STATE || call == Call.DERIVATIVE) {
                 Arrays.fill(array, Double.NaN);
             }

@@ -6,6 +6,7 @@ import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.MidpointSolver;
 import deSolvers.RK4Solver;
+import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.multistep.AdamsBashforthMoultonSolver;
 import org.junit.jupiter.api.Test;
 import org.opentest4j.AssertionFailedError;
@@ -21,5 +22,11 @@ class EnergyIsNotKeptByOthersTest {
             assertThrows(AssertionFailedError.class, () -> EnergyKeeping.check(solver, 0.25, 0.25 * 0.25 / 4));
             assertThrows(AssertionFailedError.class, () -> EnergyKeeping.check(solver, 0.25, 10));
         }
+    }
+
+    /** Backward Euler loses the energy at once, by 1/(1 + h^2) a step. */
+    @Test
+    void theSameTestFailsForBackwardEuler() {
+        assertThrows(AssertionFailedError.class, () -> EnergyKeeping.check(new BackwardEulerSolver(), 0.25, 0.25 * 0.25 / 4));
     }
 }
