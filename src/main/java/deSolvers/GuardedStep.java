@@ -177,8 +177,8 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         double[] dSdt = new double[stateFound.length];
         client.getStateDerivative(dSdt);
         requireFinite(dSdt);
-        return failure(entry, "entry " + entry + " of the state became " + value + " within the step, from a finite state and"
-                + " derivative; deltaT is probably too large, or the derivative is not finite further on");
+        return failure(entry, "entry " + entry + " of the state became " + value + " within the step, from a finite state"
+                + " and derivative; deltaT is probably too large, or the derivative is not finite further on");
     }
 
     @Override

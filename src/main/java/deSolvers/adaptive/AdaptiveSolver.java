@@ -250,9 +250,9 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
         }
         if (tried >= MOST_SUB_STEPS) {
             int entry = tolerance.worstEntry();
-            throw source.failure(entry, "given up after " + tried + " sub-steps, " + done + " s from the beginning, where entry "
-                    + entry + " of the state demands sub-steps of " + subStep + " s; the system is stiff (take an implicit"
-                    + " solver), or deltaT is too long or the tolerance too small");
+            throw source.failure(entry, "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"
+                    + " entry " + entry + " of the state demands sub-steps of " + subStep + " s; the system is stiff"
+                    + " (take an implicit solver), or deltaT is too long or the tolerance too small");
         }
     }
 

@@ -12,9 +12,9 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  *
  * <p><b>Order</b> 5; the estimate is that of order 4.<br>
  * <b>Evaluations</b> 6 a sub-step, taken or rejected, and 2 to begin with.<br>
- * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24 + z<sup>5</sup>/120 + z<sup>6</sup>/600:
- * stable for h |lambda| &le; 3.3066 on the negative real axis and for h omega &le; 0.9972 on the imaginary one, where it
- * damps by (h omega)<sup>6</sup>/3600 a sub-step. A stiff system makes it crawl along these limits.<br>
+ * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24 + z<sup>5</sup>/120 +
+ * z<sup>6</sup>/600: stable for h |lambda| &le; 3.3066 on the negative real axis and for h omega &le; 0.9972 on
+ * the imaginary one, where it damps by (h omega)<sup>6</sup>/3600 a sub-step. A stiff system makes it crawl along these limits.<br>
  * <b>When to use</b> smooth motion to a stated accuracy, 1e-3 to 1e-8: the first choice among the adaptive solvers; not
  * for stiff springs ({@code radau}), and for the strictest tolerances {@code bulirsch-stoer} is cheaper.<br>
  * <b>In between</b> its own interpolation polynomial of order 4 from the stages that are there.<br>
@@ -37,7 +37,8 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
             """, 5, 4);
     /** What the stages count in the highest power of the interpolation polynomial. */
     private static final double[] INTERPOLATION = {-12715105075.0 / 11282082432.0, 0, 87487479700.0 / 32700410799.0,
-        -10690763975.0 / 1880347072.0, 701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0, 69997945.0 / 29380423.0};
+        -10690763975.0 / 1880347072.0, 701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
+        69997945.0 / 29380423.0};
 
     private final RungeKuttaStages stages = new RungeKuttaStages(TABLEAU);
     private final double[] errorWeights = TABLEAU.weights(0);
@@ -70,7 +71,8 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+                             double[] newState) {
         stages.evaluate(source, state, slope, offset, h);
         System.arraycopy(stages.lastState(), 0, newState, 0, newState.length);  // the last row of a is b
         stages.combine(errorWeights, h, error);

@@ -16,9 +16,9 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  *
  * <p><b>Order</b> 4; with local extrapolation 5.<br>
  * <b>Evaluations</b> 11 a double step (the first is shared), 10 for one that is tried again.<br>
- * <b>Stability</b> per double step z of the two RK4 steps, R(z) = R4(z/2)<sup>2</sup>: h |lambda| &le; 5.5706 on the negative real
- * axis, h omega &le; 5.6569 on the imaginary one. With local extrapolation R(z) = (16 R4(z/2)<sup>2</sup> - R4(z))/15: 6.46,
- * and nothing on the imaginary axis, where it grows by 3.4e-6 a double step at h omega = 0.5: more accurate is not more
+ * <b>Stability</b> per double step z of the two RK4 steps, R(z) = R4(z/2)<sup>2</sup>: h |lambda| &le; 5.5706 on the
+ * negative real axis, h omega &le; 5.6569 on the imaginary one. With local extrapolation
+ * R(z) = (16 R4(z/2)<sup>2</sup> - R4(z))/15: 6.46, and nothing on the imaginary axis, where it grows by 3.4e-6 a double step at h omega = 0.5: more accurate is not more
  * stable.<br>
  * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about half the evaluations for the
  * same error.<br>
@@ -79,7 +79,8 @@ public final class StepDoublingSolver extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+                             double[] newState) {
         rk4(source, state, slope, offset, h, once);                             // one step of 2 deltaT
         rk4(source, state, slope, offset, h / 2, middle);                       // the first of two steps of deltaT
         source.setState(middle);

@@ -31,33 +31,42 @@ public final class SolverCatalog {
     private static final double UNLIMITED = Double.POSITIVE_INFINITY;
 
     private static final Map<String, Entry> ENTRIES = byName(
-            entry(EulerSolver::new, "euler", EulerSolver.class, 1, "slides", "1", false, 2, 0,
+            entry(EulerSolver::new, "euler", EulerSolver.class,
+                    1, "slides", "1", false, 2, 0,
                     "One straight step along the derivative; every undamped spring gains energy."),
-            entry(MidpointSolver::new, "midpoint", MidpointSolver.class, 2, "slides", "2", false, 2, 0,
+            entry(MidpointSolver::new, "midpoint", MidpointSolver.class,
+                    2, "slides", "2", false, 2, 0,
                     "The derivative half way makes the step; undamped springs gain energy, slowly."),
-            entry(RK4Solver::new, "rk4", RK4Solver.class, 4, "slides", "4", false, 2.7853, 2.8284,
+            entry(RK4Solver::new, "rk4", RK4Solver.class,
+                    4, "slides", "4", false, 2.7853, 2.8284,
                     "The old workhorse: accurate and stable enough for most scenes."),
-            adaptive(StepDoublingSolver::new, StepDoublingSolver::new, "step-doubling", StepDoublingSolver.class, 4, "adaptive",
-                    "11 a sub-step", 5.5706, 5.6569,
+            adaptive(StepDoublingSolver::new, StepDoublingSolver::new, "step-doubling", StepDoublingSolver.class,
+                    4, "adaptive", "11 a sub-step", 5.5706, 5.6569,
                     "Two steps of RK4 against one of twice the length show the error and set the step."),
-            adaptive(DormandPrinceSolver::new, DormandPrinceSolver::new, "dormand-prince", DormandPrinceSolver.class, 5,
-                    "adaptive", "6 a sub-step", 3.3066, 0.9972,
+            adaptive(DormandPrinceSolver::new, DormandPrinceSolver::new, "dormand-prince", DormandPrinceSolver.class,
+                    5, "adaptive", "6 a sub-step", 3.3066, 0.9972,
                     "An embedded pair of orders 5 and 4: the first choice for smooth motion to a stated accuracy."),
-            adaptive(BulirschStoerSolver::new, BulirschStoerSolver::new, "bulirsch-stoer", BulirschStoerSolver.class, 18,
-                    "extrapolation", "9 to 163 a sub-step", NONE, NONE,
+            adaptive(BulirschStoerSolver::new, BulirschStoerSolver::new, "bulirsch-stoer", BulirschStoerSolver.class,
+                    18, "extrapolation", "9 to 163 a sub-step", NONE, NONE,
                     "Midpoint steps extrapolated to length 0, of variable order: smooth motion to very high accuracy."),
-            entry(AdamsBashforthMoultonSolver::new, "adams", AdamsBashforthMoultonSolver.class, 4, "multistep", "2", false, 1.28, 0,
-                    "Predicts from the last four derivatives and corrects: two evaluations for order 4, if nothing interrupts."),
-            entry(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class, 1, "symplectic", "1", true, NONE, 2,
+            entry(AdamsBashforthMoultonSolver::new, "adams", AdamsBashforthMoultonSolver.class,
+                    4, "multistep", "2", false, 1.28, 0,
+                    "Predicts from the last derivatives and corrects: two evaluations for order 4, if nothing interrupts."),
+            entry(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class,
+                    1, "symplectic", "1", true, NONE, 2,
                     "The slides' simple algorithm: new velocity first, so that energy errors stay bounded."),
-            entry(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class, 2, "symplectic", "1, more with damping", true, NONE, 2,
+            entry(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class,
+                    2, "symplectic", "1, more with damping", true, NONE, 2,
                     "Kick, drift, kick: reversible, and the energy error stays bounded for ever."),
-            entry(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class, 4, "symplectic", "3, more with damping", true, NONE, 1.5734,
+            entry(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class,
+                    4, "symplectic", "3, more with damping", true, NONE, 1.5734,
                     "Three leapfrogs whose errors cancel: order 4, and the energy error stays bounded for ever."),
-            entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class, 1, "implicit", "Newton", false, UNLIMITED,
-                    UNLIMITED, "Stable for any step on stiff springs and strong damping, and damps what it cannot follow."),
-            entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class, 2, "implicit", "Newton", false,
-                    UNLIMITED, UNLIMITED, "Stable for any step, reversible, and keeps the energy of linear springs."));
+            entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
+                    1, "implicit", "Newton", false, UNLIMITED, UNLIMITED,
+                    "Stable for any step on stiff springs and strong damping, and damps what it cannot follow."),
+            entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class,
+                    2, "implicit", "Newton", false, UNLIMITED, UNLIMITED,
+                    "Stable for any step, reversible, and keeps the energy of linear springs."));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
     }
@@ -71,8 +80,9 @@ public final class SolverCatalog {
     }
 
     /** A solver that steps by deltaT. */
-    private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order, String family,
-                               String evaluations, boolean secondOrder, double realLimit, double imaginaryLimit, String sentence) {
+    private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
+                               String family, String evaluations, boolean secondOrder, double realLimit,
+                               double imaginaryLimit, String sentence) {
         SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder, realLimit,
                 imaginaryLimit, sentence);
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
@@ -120,7 +130,8 @@ public final class SolverCatalog {
     public static SolverInfo info(String name) {
         Entry entry = ENTRIES.get(name);
         if (entry == null) {
-            throw new NoSuchElementException("no solver is called '" + name + "'" + DidYouMean.hint(name, names(), "'%s'"::formatted)
+            throw new NoSuchElementException("no solver is called '" + name + "'"
+                    + DidYouMean.hint(name, names(), "'%s'"::formatted)
                     + " known: " + String.join(", ", names()));
         }
         return entry.info();
@@ -171,7 +182,8 @@ public final class SolverCatalog {
         try {
             Class<?> found = Class.forName(name, true, Thread.currentThread().getContextClassLoader());
             if (!DESolver.class.isAssignableFrom(found)) {
-                throw new IllegalArgumentException("class " + name + " is no solver: it has to extend " + DESolver.class.getName());
+                throw new IllegalArgumentException("class " + name + " is no solver: it has to extend "
+                        + DESolver.class.getName());
             }
             Class<?>[] types = new Class<?>[tolerances.length];
             Arrays.fill(types, double.class);
@@ -180,8 +192,8 @@ public final class SolverCatalog {
             throw new NoSuchElementException("no class is called '" + name + "', and no solver; known solvers: "
                     + String.join(", ", names()), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
-            throw new IllegalArgumentException("class " + name + " cannot be made: it has to be public, not abstract, and have"
-                    + " a public constructor " + (tolerances.length == 0 ? "without parameters" : "of two doubles"), e);
+            throw new IllegalArgumentException("class " + name + " cannot be made: it has to be public, not abstract, and"
+                    + " have a public constructor " + (tolerances.length == 0 ? "without parameters" : "of two doubles"), e);
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException("the constructor of " + name + " failed: " + e.getCause(), e);
         }

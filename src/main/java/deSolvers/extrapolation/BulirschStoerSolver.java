@@ -75,7 +75,8 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+                             double[] newState) {
         OrderControl.Verdict verdict = OrderControl.Verdict.CONTINUE;
         double ratio = Double.POSITIVE_INFINITY;
         for (int j = 0; verdict == OrderControl.Verdict.CONTINUE; j++) {

@@ -55,8 +55,8 @@ public final class ButcherTableau {
             }
             int expected = below ? nodes.size() : rows.size();
             if (row.length != expected) {
-                throw new IllegalArgumentException("a line of a tableau has " + row.length + " numbers instead of " + expected
-                        + ": " + line);
+                throw new IllegalArgumentException("a line of a tableau has " + row.length + " numbers instead of "
+                        + expected + ": " + line);
             }
             (below ? weights : rows).add(row);
         }

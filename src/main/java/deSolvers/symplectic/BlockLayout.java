@@ -12,8 +12,8 @@ final class BlockLayout {
     /** The source as one of second order, or an error that says what is missing. */
     static SecondOrderStateSource secondOrder(DESolver solver, DEStateSource source) {
         if (!(source instanceof SecondOrderStateSource)) {
-            throw new IllegalArgumentException(solver.getClass().getSimpleName() + " moves positions and velocities in turn and"
-                    + " needs a " + SecondOrderStateSource.class.getName() + "; " + source.getClass().getName()
+            throw new IllegalArgumentException(solver.getClass().getSimpleName() + " moves positions and velocities in"
+                    + " turn and needs a " + SecondOrderStateSource.class.getName() + "; " + source.getClass().getName()
                     + " is only a " + DEStateSource.class.getName());
         }
         SecondOrderStateSource second = (SecondOrderStateSource) source;

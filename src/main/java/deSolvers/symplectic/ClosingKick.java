@@ -8,7 +8,7 @@ import deSolvers.GuardedStep;
  * step, and the order would fall to 1.
  */
 final class ClosingKick {
-    /** Relative to the largest velocity; some hundred roundings, so that it is always reached where the iteration converges. */
+    /** Relative to the largest velocity; some hundred roundings, always reached where the iteration converges. */
     private static final double TOLERANCE = 1e-13;
     private static final int MOST_ITERATIONS = 100;
 

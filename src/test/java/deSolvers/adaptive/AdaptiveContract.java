@@ -56,7 +56,8 @@ public abstract class AdaptiveContract extends DESolverContract {
 
     @Test
     void theErrorFollowsTheTolerance() {
-        for (ReferenceProblem problem : new ReferenceProblem[] {new Kepler(0.5), new DragInWind(2, 2), new GrowthInSeason()}) {
+        ReferenceProblem[] problems = {new Kepler(0.5), new DragInWind(2, 2), new GrowthInSeason()};
+        for (ReferenceProblem problem : problems) {
             double exponent = fittedExponent(problem, 12);
             // Measured: step-doubling 0.84, 0.82, 0.89 and, with local extrapolation, 0.92, 1.01, 0.88; dormand-prince 1.05,
             // 1.03, 0.93; bulirsch-stoer 0.96, 1.04, 0.90. They scatter because errors of sub-steps partly cancel.
@@ -76,7 +77,8 @@ public abstract class AdaptiveContract extends DESolverContract {
         solver.stepState(orbit, quarter);
         long farOut = orbit.evaluations() - nearTheSun;
         // Measured 3.3 (step-doubling), 3.5 (dormand-prince) and 3.0 (bulirsch-stoer) times as many.
-        assertTrue(2.5 * farOut < nearTheSun, farOut + " evaluations for half an orbit far out, " + nearTheSun + " for a quarter near");
+        assertTrue(2.5 * farOut < nearTheSun, farOut + " evaluations for half an orbit far out, " + nearTheSun
+                + " for a quarter near the sun");
     }
 
     @Test
@@ -162,7 +164,8 @@ public abstract class AdaptiveContract extends DESolverContract {
         DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, 1e9));
         assertEquals(0, problem.error());
         assertEquals(0, problem.getTime());
-        Matcher message = Pattern.compile("given up after (\\d+) sub-steps, (\\S+) s from the beginning").matcher(e.getMessage());
+        Matcher message = Pattern.compile("given up after (\\d+) sub-steps, (\\S+) s from the beginning")
+                .matcher(e.getMessage());
         assertTrue(message.find(), e.getMessage());
         double secondsASubStep = Double.parseDouble(message.group(2)) / Integer.parseInt(message.group(1));
         solver.stepState(problem, 310_000 * secondsASubStep);       // the sub-steps are all alike here

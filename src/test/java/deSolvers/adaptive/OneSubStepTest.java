@@ -107,7 +107,8 @@ class OneSubStepTest {
     void evaluationsASubStep() {
         assertArrayEquals(new long[] {2 + 6, 6}, evaluationsOfTwoSteps(new DormandPrinceSolver(EVERYTHING, EVERYTHING)));
         assertArrayEquals(new long[] {2 + 10, 11}, evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING)));
-        assertArrayEquals(new long[] {2 + 10, 11}, evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING, true)));
+        assertArrayEquals(new long[] {2 + 10, 11},
+                evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING, true)));
         assertArrayEquals(new long[] {2 + 8, 9}, evaluationsOfTwoSteps(new BulirschStoerSolver(EVERYTHING, EVERYTHING)));
     }
 }

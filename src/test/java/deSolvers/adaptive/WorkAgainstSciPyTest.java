@@ -34,7 +34,8 @@ class WorkAgainstSciPyTest {
 
     static Stream<Arguments> problems() {
         return Stream.of(Arguments.of("Kepler 0.5", new Kepler(0.5), 12), Arguments.of("Kepler 0.9", new Kepler(0.9), 6),
-                Arguments.of("DragInWind", new DragInWind(2, 2), 12), Arguments.of("GrowthInSeason", new GrowthInSeason(), 12),
+                Arguments.of("DragInWind", new DragInWind(2, 2), 12),
+                Arguments.of("GrowthInSeason", new GrowthInSeason(), 12),
                 Arguments.of("Oscillator", new Oscillator(), 20));
     }
 
@@ -57,7 +58,8 @@ class WorkAgainstSciPyTest {
     void stepDoublingNeedsMore(String name, ReferenceProblem problem, double duration) {
         WorkCurve pair = WorkCurve.of(problem, duration, tol -> new DormandPrinceSolver(tol, tol), 3, 10);
         double plain = WorkCurve.of(problem, duration, tol -> new StepDoublingSolver(tol, tol), 3, 10).over(pair);
-        double extrapolated = WorkCurve.of(problem, duration, tol -> new StepDoublingSolver(tol, tol, true), 3, 10).over(pair);
+        double extrapolated = WorkCurve.of(problem, duration, tol -> new StepDoublingSolver(tol, tol, true), 3, 10)
+                .over(pair);
         // Measured 2.07, 2.46, 2.67, 1.44, 2.75, and 1.95, 1.72, 1.82, 2.18, 1.74 with local extrapolation.
         assertTrue(plain > 1.2, name + ": " + plain);
         assertTrue(extrapolated > 1.2, name + ": " + extrapolated);

@@ -65,7 +65,8 @@ class SolverCatalogTest {
             SolverCatalog.create(info.name()).stepState(new ForcedOscillator(), 0.125);
             DESolver solver = SolverCatalog.create(info.name());
             if (info.secondOrder()) {
-                assertThrows(IllegalArgumentException.class, () -> solver.stepState(new GrowthInSeason(), 0.125), info.name());
+                assertThrows(IllegalArgumentException.class, () -> solver.stepState(new GrowthInSeason(), 0.125),
+                        info.name());
             } else {
                 solver.stepState(new GrowthInSeason(), 0.125);
             }
@@ -89,7 +90,8 @@ class SolverCatalogTest {
                 double fine = errorOf(SolverCatalog.create(info.name(), 1e-9, 1e-9));
                 assertTrue(fine < coarse / 1000, info.name() + ": " + fine + " against " + coarse);
             } else {
-                Exception e = assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create(info.name(), 1e-3, 1e-3));
+                Exception e = assertThrows(IllegalArgumentException.class,
+                        () -> SolverCatalog.create(info.name(), 1e-3, 1e-3));
                 assertTrue(e.getMessage().contains("'" + info.name() + "'"), e.getMessage());
                 assertTrue(e.getMessage().contains("dormand-prince"), e.getMessage());
             }

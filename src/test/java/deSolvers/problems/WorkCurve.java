@@ -29,7 +29,8 @@ public final class WorkCurve {
      * @param to       last exponent
      * @return the curve
      */
-    public static WorkCurve of(ReferenceProblem problem, double duration, DoubleFunction<DESolver> solver, int from, int to) {
+    public static WorkCurve of(ReferenceProblem problem, double duration, DoubleFunction<DESolver> solver, int from,
+                               int to) {
         WorkCurve curve = new WorkCurve();
         for (double exponent = from; exponent <= to; exponent += 0.5) {
             problem.startAt(0);

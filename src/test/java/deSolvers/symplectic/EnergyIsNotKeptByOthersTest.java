@@ -27,6 +27,7 @@ class EnergyIsNotKeptByOthersTest {
     /** Backward Euler loses the energy at once, by 1/(1 + h^2) a step. */
     @Test
     void theSameTestFailsForBackwardEuler() {
-        assertThrows(AssertionFailedError.class, () -> EnergyKeeping.check(new BackwardEulerSolver(), 0.25, 0.25 * 0.25 / 4));
+        assertThrows(AssertionFailedError.class,
+                () -> EnergyKeeping.check(new BackwardEulerSolver(), 0.25, 0.25 * 0.25 / 4));
     }
 }

@@ -1,0 +1,43 @@
+package deSolvers;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import deSolvers.problems.DragInWind;
+import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.SecondOrderProblem;
+
+/** What all clauses of the contract are tested with: a problem, and the comparison with a solver that remembers nothing. */
+public abstract class ContractBasics {
+    static final double START = 0.3;
+    static final double STEP = 0.1;
+
+    /** @return a new solver */
+    protected abstract DESolver createSolver();
+
+    /** A problem that exercises everything: three dimensions, drag, and a wind that depends on time. */
+    static SecondOrderProblem windy(int blocks) {
+        SecondOrderProblem problem = new DragInWind(3, blocks);
+        problem.startAt(START);
+        return problem;
+    }
+
+    static void assertSameBits(ReferenceProblem expected, ReferenceProblem actual, String when) {
+        assertArrayEquals(expected.state(), actual.state(), when);          // no tolerance: bit for bit
+        assertEquals(expected.getTime(), actual.getTime(), when);
+    }
+
+    final void assertStepsLikeNew(DESolver used, SecondOrderProblem from, double deltaT, String when) {
+        SecondOrderProblem other = windy(from.getStateSize() / 6);
+        moveTo(other, from);
+        createSolver().stepState(other, deltaT);
+        used.stepState(from, deltaT);
+        assertSameBits(other, from, when);
+    }
+
+    static void moveTo(ReferenceProblem cursor, ReferenceProblem place) {
+        cursor.setState(place.state());
+        cursor.incTime(place.getTime() - cursor.getTime());
+        assertEquals(place.getTime(), cursor.getTime());
+    }
+}

@@ -1,0 +1,177 @@
+package deSolvers;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.problems.DragInWind;
+import deSolvers.problems.SecondOrderProblem;
+import deSolvers.problems.SpySource;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+
+/** What {@link DESolver} promises where a step cannot be made: the reason, and everything back where it was. */
+public abstract class FailureContract extends ContractBasics {
+
+    @Test
+    void deltaTMustBeFinite() {
+        for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+            SecondOrderProblem problem = windy(1);
+            DESolver solver = createSolver();
+            DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, bad));
+            assertSameBits(windy(1), problem, "deltaT " + bad);
+            assertNames(e, "deltaT = " + bad);
+            assertEquals(bad, e.getDeltaT());
+        }
+    }
+
+    private void assertNames(DESolverException e, String... parts) {
+        String solver = createSolver().getClass().getSimpleName();
+        assertTrue(e.getMessage().startsWith(solver + " at t = " + START), e.getMessage());
+        assertEquals(START, e.getTime());
+        for (String part : parts) {
+            assertTrue(e.getMessage().contains(part), "'" + part + "' in: " + e.getMessage());
+        }
+    }
+
+    @Test
+    void aClockThatIsNotFiniteIsNamed() {
+        SecondOrderProblem problem = windy(1);
+        problem.incTime(Double.NaN);
+        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, STEP));
+        assertTrue(e.getMessage().contains("clock"), e.getMessage());
+    }
+
+    @Test
+    void aStateThatIsNotFiniteIsNamedAndPutBack() {
+        for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+            for (int entry = 0; entry < 6; entry++) {
+                SecondOrderProblem problem = windy(1);
+                double[] state = problem.state();
+                state[entry] = bad;
+                problem.setState(state);
+                DESolver solver = createSolver();
+                DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, STEP));
+                assertNames(e, "deltaT = " + STEP, "entry " + entry + " of the state is " + bad + " before the step");
+                assertEquals(entry, e.getEntry());
+                assertArrayEquals(state, problem.state());
+                assertEquals(START, problem.getTime());
+                assertStepsLikeNew(solver, windy(1), STEP, "after a bad state");
+            }
+        }
+    }
+
+    @Test
+    void aDerivativeThatIsNotFiniteIsNamed() {
+        for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
+            for (int entry = 0; entry < 6; entry++) {
+                SpySource source = new SpySource(windy(1));
+                source.spoilDerivative(entry, bad, 0);
+                DESolver solver = createSolver();
+                DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(source, STEP));
+                assertNames(e, "deltaT = " + STEP, "entry " + entry + " of the derivative is " + bad);
+                assertEquals(entry, e.getEntry());
+                assertSameBits(windy(1), source.problem(), "derivative " + bad);
+                assertStepsLikeNew(solver, windy(1), STEP, "after a bad derivative");
+            }
+        }
+    }
+
+    @Test
+    void aDerivativeThatStopsBeingFiniteWithinTheStepIsAnErrorToo() {
+        for (int entry = 0; entry < 6; entry++) {
+            SpySource source = new SpySource(windy(1));
+            source.spoilDerivative(entry, Double.NaN, START + STEP / 3);
+            DESolver solver = createSolver();
+            if (asksWithinTheStep(createSolver())) {
+                DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(source, STEP));
+                assertNames(e, "entry " + e.getEntry());    // the first one reached, not always the culprit
+                assertSameBits(windy(1), source.problem(), "entry " + entry);
+                assertStepsLikeNew(solver, windy(1), STEP, "after a bad derivative");
+            }
+        }
+    }
+
+    /** Euler and its symplectic brother ask for the derivative only where the step begins. */
+    private static boolean asksWithinTheStep(DESolver solver) {
+        SpySource source = new SpySource(windy(1));
+        solver.stepState(source, STEP);
+        return source.calls(SpySource.Call.DERIVATIVE) > 1;
+    }
+
+    @Test
+    void onAnExceptionOfTheSourceStateAndTimeComeBackBitForBit() {
+        for (SpySource.Call call : SpySource.Call.values()) {
+            int k = 1;
+            while (failsAt(call, k)) {
+                k += k < 200 ? 1 : k / 3;               // every call of a short step, a sample of a long one
+            }
+            assertTrue(k > 1 || call.compareTo(SpySource.Call.DIMENSION) >= 0, call + " was never called");
+        }
+    }
+
+    /** The second step fails at the k-th call, then is made again; false if it has fewer calls. */
+    private boolean failsAt(SpySource.Call call, int k) {
+        SpySource source = new SpySource(windy(1));
+        SecondOrderProblem unbroken = windy(1);
+        DESolver solver = createSolver();
+        DESolver other = createSolver();
+        solver.stepState(source, STEP);
+        other.stepState(unbroken, STEP);
+        assertSameBits(unbroken, source.problem(), "two solvers of one kind");
+        source.failAt(call, k);
+        try {
+            solver.stepState(source, STEP);
+            return false;
+        } catch (SpySource.Failure expected) {
+            assertSameBits(unbroken, source.problem(), "failure at " + call + " " + k);
+        }
+        SecondOrderProblem restarted = windy(1);
+        moveTo(restarted, unbroken);
+        createSolver().stepState(restarted, STEP);
+        other.stepState(unbroken, STEP);
+        solver.stepState(source, STEP);                 // goes on as if unbroken, or starts anew; nothing in between
+        double[] end = source.problem().state();
+        assertTrue(Arrays.equals(end, unbroken.state()) || Arrays.equals(end, restarted.state()),
+                "the step after a failure at " + call + " " + k);
+        return true;
+    }
+
+    @Test
+    void aSourceThatTakesNoStateAnyMoreStillGetsItsTimeBack() {
+        DragInWind behind = new DragInWind(1, 1);
+        behind.startAt(START);
+        SpySource source = new SpySource(behind);
+        source.failFrom(SpySource.Call.SET_STATE);
+        DESolver solver = createSolver();
+        assertThrows(SpySource.Failure.class, () -> solver.stepState(source, STEP));
+        assertEquals(START, behind.getTime());
+    }
+
+    @Test
+    void aFailureInOneSourceDoesNotSpoilTheNextStepOfAnother() {
+        for (int k = 1; k < 40; k++) {
+            DESolver solver = createSolver();
+            SecondOrderProblem a = windy(1);
+            SecondOrderProblem unbroken = windy(1);
+            DESolver other = createSolver();
+            solver.stepState(a, STEP);
+            other.stepState(unbroken, STEP);
+            SpySource b = new SpySource(windy(1));
+            b.failAt(SpySource.Call.DERIVATIVE, k);
+            try {
+                solver.stepState(b, STEP);
+            } catch (SpySource.Failure expected) {
+                assertSameBits(windy(1), b.problem(), "the source that failed");
+            }
+            SecondOrderProblem restarted = windy(1);
+            moveTo(restarted, a);
+            createSolver().stepState(restarted, STEP);
+            solver.stepState(a, STEP);
+            other.stepState(unbroken, STEP);
+            assertTrue(Arrays.equals(a.state(), unbroken.state()) || Arrays.equals(a.state(), restarted.state()),
+                    "a's step after b failed at evaluation " + k);
+        }
+    }
+}
