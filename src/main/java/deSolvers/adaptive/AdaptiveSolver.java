@@ -241,7 +241,7 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
 
     /** Smaller sub-steps than the clock or the sum can tell apart do not help; only deltaT itself may be smaller. */
     private void checkLimits(GuardedStep source, int tried, double done, double length) {
-        double resolution = 4 * Math.max(Math.ulp(source.getStartTime() + done), Math.ulp(done));
+        double resolution = 4 * Math.max(Math.ulp(source.getStartTime()), Math.ulp(done));
         if (subStep < resolution && subStep < length - done) {
             int entry = tolerance.worstEntry();
             throw source.failure(entry, "the sub-step fell to " + subStep + " s after " + done + " s, and entry " + entry

@@ -18,8 +18,8 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * <b>Evaluations</b> 11 a double step (the first is shared), 10 for one that is tried again.<br>
  * <b>Stability</b> per double step z of the two RK4 steps, R(z) = R4(z/2)<sup>2</sup>: h |lambda| &le; 5.5706 on the
  * negative real axis, h omega &le; 5.6569 on the imaginary one. With local extrapolation
- * R(z) = (16 R4(z/2)<sup>2</sup> - R4(z))/15: 6.46, and nothing on the imaginary axis, where it grows by 3.4e-6 a double step at h omega = 0.5: more accurate is not more
- * stable.<br>
+ * R(z) = (16 R4(z/2)<sup>2</sup> - R4(z))/15: 6.46 on the real axis and nothing on the imaginary one, where it grows by
+ * 3.4e-6 a double step at h omega = 0.5: more accurate is not more stable.<br>
  * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about half the evaluations for the
  * same error.<br>
  * <b>In between</b> the polynomial of degree 5 through state and derivative at the beginning, middle and end.<br>

@@ -18,8 +18,9 @@ import deSolvers.adaptive.CentredHermite;
  * <b>Evaluations</b> 2 + 6 + 10 + ... a sub-step, and 1 at its beginning.<br>
  * <b>Stability</b> that of an explicit method, with another R(z) for every number of lines; the error control makes a
  * stretch shorter before it grows. A stiff system makes it crawl, dearer than {@code dormand-prince} does.<br>
- * <b>When to use</b> smooth motion to high accuracy, 1e-8 and beyond; not where bounces or contacts interrupt the motion,
- * since its strength is long strides, nor below 1e-5, where {@code dormand-prince} is cheaper.<br>
+ * <b>When to use</b> smooth motion to high accuracy, errors of 1e-8 and below; not where bounces or contacts interrupt
+ * the motion, since its strength is long strides, nor where an error of 1e-5 will do, for which {@code dormand-prince}
+ * is cheaper.<br>
  * <b>In between</b> a polynomial from the derivatives at the middle, extrapolated too.<br>
  * <b>Source</b> R. Bulirsch, J. Stoer, Numer. Math. 8 (1966) 1-13; W. B. Gragg, SIAM J. Numer. Anal. 2 (1965) 384-403;
  * P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); E. Hairer, A. Ostermann, Numer. Math. 58 (1990) 419-439
