@@ -33,7 +33,7 @@ public abstract class FixedStepContract extends DESolverContract {
         };
     }
 
-    /** The slope between two step counts; measured within 0.0245 of p (rk4 backwards) for the solvers of the slides. */
+    /** The slope between two step counts; measured from p - 0.024 (rk4, backwards) to p + 0.032 (adams). */
     private void assertOrder(ReferenceProblem problem, double duration) {
         int[] steps = orderSteps();
         double slope = StrictMath.log(errorAfter(problem, duration, steps[0]) / errorAfter(problem, duration, steps[1]))

@@ -14,6 +14,7 @@ import deSolvers.StepMemory;
  * acceleration at the end of one is the acceleration at the beginning of the next, in the same step or the one after.
  */
 final class KickDriftKick {
+    private final DESolver solver;
     private final double[] weights;
     private final GuardedStep guard;
     private final StepMemory memory = new StepMemory();
@@ -26,11 +27,12 @@ final class KickDriftKick {
      * @param weights the parts of deltaT that the leapfrogs take; their sum is 1
      */
     KickDriftKick(DESolver solver, double... weights) {
+        this.solver = solver;
         this.guard = new GuardedStep(solver);
         this.weights = weights;
     }
 
-    void step(DESolver solver, DEStateSource client, double deltaT) {
+    void step(DEStateSource client, double deltaT) {
         SecondOrderStateSource secondOrder = BlockLayout.secondOrder(solver, client);
         int d = secondOrder.getDimension();
         int n = client.getStateSize();

@@ -26,7 +26,7 @@ public final class VelocityVerletSolver extends DESolver {
 
     @Override
     public void stepState(DEStateSource source, double deltaT) {
-        leapfrog.step(this, source, deltaT);
+        leapfrog.step(source, deltaT);
     }
 
     @Override

@@ -29,7 +29,7 @@ public final class Yoshida4Solver extends DESolver {
 
     @Override
     public void stepState(DEStateSource source, double deltaT) {
-        leapfrogs.step(this, source, deltaT);
+        leapfrogs.step(source, deltaT);
     }
 
     @Override
