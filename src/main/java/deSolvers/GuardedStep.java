@@ -91,6 +91,11 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         }
     }
 
+    /** @return the source itself, for what it offers beyond the simple interface; to be moved only through this step */
+    public DEStateSource getClient() {
+        return client;
+    }
+
     /** @return the time at which the step began (s) */
     public double getStartTime() {
         return timeFound;

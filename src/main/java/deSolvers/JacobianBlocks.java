@@ -28,4 +28,12 @@ public interface JacobianBlocks {
      * @param dFdV 9 doubles, the derivative of F<sub>i</sub> by v<sub>i</sub> (N s/m)
      */
     void addPair(int i, int j, double[] dFdX, double[] dFdV);
+
+    /**
+     * Multiplies all that was added so far for the force on one particle: for a reaction whose answer depends on the force.
+     *
+     * @param i      the particle
+     * @param matrix 9 doubles by rows, the derivative of the total force on the particle by the force before the reaction
+     */
+    void transformRow(int i, double[] matrix);
 }

@@ -1,5 +1,6 @@
 package particles;
 
+import deSolvers.JacobianBlocks;
 import java.util.Set;
 
 /**
@@ -51,6 +52,25 @@ public interface Effect {
 
     /** @return whether the force depends on velocities, as drag and damping do */
     boolean dependsOnVelocity();
+
+    /**
+     * @return whether {@link #addJacobianBlocks} adds all there is; an implicit solver takes differences of the whole
+     *         system where one effect does not
+     */
+    default boolean hasJacobianBlocks() {
+        return false;
+    }
+
+    /**
+     * Adds the derivatives of all items' forces by positions and velocities. Laws whose force is the same everywhere and at
+     * every velocity add nothing and say that this is all.
+     *
+     * @param state  the particles' state, to be read only
+     * @param time   t (s)
+     * @param blocks receives them
+     */
+    default void addJacobianBlocks(double[] state, double time, JacobianBlocks blocks) {
+    }
 
     /**
      * @param state the particles' state

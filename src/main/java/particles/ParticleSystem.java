@@ -1,5 +1,7 @@
 package particles;
 
+import deSolvers.JacobianBlocks;
+import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,7 +16,7 @@ import java.util.List;
  *
  * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
  */
-public final class ParticleSystem implements SecondOrderStateSource {
+public final class ParticleSystem implements SecondOrderStateSource, JacobianStateSource {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles = new Particles();
@@ -22,6 +24,7 @@ public final class ParticleSystem implements SecondOrderStateSource {
     private final List<Reaction> reactions = new ArrayList<>();
     private final List<Anchor> anchors = new ArrayList<>();
     private final double[] anchorValues = new double[9];
+    private final ParticleJacobian jacobian = new ParticleJacobian(this);
     private double[] state = {};
     private double time;
     private boolean velocityMatters;
@@ -219,6 +222,31 @@ public final class ParticleSystem implements SecondOrderStateSource {
             anchors.get(a).motion().at(time, anchorValues);
             System.arraycopy(anchorValues, STRIDE, dSdt, STRIDE * anchors.get(a).particle() + 3, 3);
         }
+    }
+
+    /** {@inheritDoc} By differences, each for two evaluations, where an effect or a reaction does not know its own part. */
+    @Override
+    public void getJacobianProduct(double[] direction, double[] product) {
+        if (jacobian.isExact()) {
+            jacobian.multiply(state, time, direction, product);
+        } else {
+            jacobian.difference(state, direction, product);
+        }
+    }
+
+    @Override
+    public Blocks getJacobianBlocks() {
+        return jacobian.isExact() ? Blocks.EXACT : Blocks.APPROXIMATE;
+    }
+
+    @Override
+    public void addJacobianBlocks(JacobianBlocks blocks) {
+        jacobian.addBlocks(state, time, blocks);
+    }
+
+    @Override
+    public double getInverseMass(int i) {
+        return particles.inverseMasses()[i];
     }
 
     /** Clears the array, lets all effects act, then the reactions that hold something. */

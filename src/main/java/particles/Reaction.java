@@ -1,5 +1,7 @@
 package particles;
 
+import deSolvers.JacobianBlocks;
+
 /**
  * A force that answers the total of all others: resting contact and its friction push back just as hard as they are
  * pushed. Acts after all effects.
@@ -24,6 +26,22 @@ public interface Reaction {
 
     /** @return whether the force depends on velocities, as friction does */
     boolean dependsOnVelocity();
+
+    /** @return whether {@link #addJacobianBlocks} adds all there is */
+    default boolean hasJacobianBlocks() {
+        return false;
+    }
+
+    /**
+     * Makes the derivatives of the forces so far those of the forces with the answer.
+     *
+     * @param state  the particles' state, to be read only
+     * @param time   t (s)
+     * @param force  the total force before this reaction (N), in the entries where the velocities stand; to be read only
+     * @param blocks holds what the effects have added
+     */
+    default void addJacobianBlocks(double[] state, double time, double[] force, JacobianBlocks blocks) {
+    }
 
     /**
      * @param state the particles' state

@@ -9,6 +9,7 @@ import deSolvers.adaptive.StepDoublingSolver;
 import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
+import deSolvers.implicit.RadauIIASolver;
 import deSolvers.multistep.AdamsBashforthMoultonSolver;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
@@ -66,7 +67,10 @@ public final class SolverCatalog {
                     "Stable for any step on stiff springs and strong damping, and damps what it cannot follow."),
             entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class,
                     2, "implicit", "Newton", false, UNLIMITED, UNLIMITED,
-                    "Stable for any step, reversible, and keeps the energy of linear springs."));
+                    "Stable for any step, reversible, and keeps the energy of linear springs."),
+            adaptive(RadauIIASolver::new, RadauIIASolver::new, "radau", RadauIIASolver.class,
+                    5, "implicit", "Newton", UNLIMITED, UNLIMITED,
+                    "Stiff systems to a stated accuracy: three implicit stages, and sub-steps as long as it takes."));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
     }

@@ -19,6 +19,7 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
     private double[] state;
     /** For each row: the sum of |K| |x|, by which rounding of positions enters the forces. */
     private double[] forceScale = {};
+    private final double[] product = new double[9];
     private int cursor;
     private boolean matches;
     private boolean recording;
@@ -88,6 +89,22 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
             addForceScale(i, dFdX, j);
             addForceScale(j, dFdX, i);
             addForceScale(j, dFdX, j);
+        }
+    }
+
+    @Override
+    public void transformRow(int i, double[] matrix) {
+        if (recording || !matches) {
+            return;
+        }
+        for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {
+            Block3.multiply(matrix, 0, value, 9 * s, product, 0);
+            System.arraycopy(product, 0, value, 9 * s, 9);
+        }
+        System.arraycopy(forceScale, 3 * i, product, 0, 3);
+        for (int c = 0; c < 3; c++) {
+            forceScale[3 * i + c] = Math.abs(matrix[3 * c]) * product[0] + Math.abs(matrix[3 * c + 1]) * product[1]
+                    + Math.abs(matrix[3 * c + 2]) * product[2];
         }
     }
 

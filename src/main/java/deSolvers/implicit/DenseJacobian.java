@@ -15,6 +15,9 @@ final class DenseJacobian {
     /** An entry that is 0 and does not move is varied as if it were this part of the largest entry. */
     private static final double SMALL_ENTRY = 1e-5;
 
+    /** Smaller differences would lose their digits to underflow. */
+    private static final double SMALLEST_DELTA = 1e-290;
+
     private final ImplicitWork.Counter work;
     private double[] varied = {};
     private double[] column = {};
@@ -62,7 +65,7 @@ final class DenseJacobian {
             if (scale == 0) {
                 scale = 1;
             }
-            varied[j] = state[j] + Math.copySign(ROOT_EPSILON * scale, h * dSdt[j]);
+            varied[j] = state[j] + Math.copySign(Math.max(ROOT_EPSILON * scale, SMALLEST_DELTA), h * dSdt[j]);
             double delta = varied[j] - state[j];        // as rounded, so that the difference is exact
             source.setState(varied);
             source.getStateDerivative(column);

@@ -96,7 +96,7 @@ final class DenseProblem implements NewtonProblem {
             for (int j = 0; j < n; j++) {
                 sum += Math.abs(jacobian.data[i * n + j]) * Math.abs(m[j]);
             }
-            floor[i] = ROUNDING * (Math.abs(start[i]) + Math.abs(m[i]) + Math.abs(gamma) * sum);
+            floor[i] = Double.MIN_NORMAL + ROUNDING * (Math.abs(start[i]) + Math.abs(m[i]) + Math.abs(gamma) * sum);
         }
     }
 }

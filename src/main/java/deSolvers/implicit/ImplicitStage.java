@@ -99,7 +99,7 @@ final class ImplicitStage {
             dense.begin(source, client, start, gamma);
             return dense;
         }
-        krylov.begin(source, client, start, gamma, linearTolerance);
+        krylov.begin(source, start, gamma, linearTolerance);
         return krylov;
     }
 

@@ -20,6 +20,9 @@ final class Newton {
     /** Entries smaller than this part of the largest are judged as if they were as large as that. */
     private static final double SMALL_ENTRY = 1e-3;
 
+    private static final double SMALLEST_UNSCALED = 1e-100;
+    private static final double LARGEST_UNSCALED = 1e100;
+
     private final ImplicitWork.Counter work;
     private double[] residual = {};
     private double[] correction = {};
@@ -58,7 +61,7 @@ final class Newton {
             work.newtonIterations++;
             if (!haveCorrection) {
                 problem.linearise(u);
-                if (!problem.correct(residual, correction)) {
+                if (!correct(problem, correction)) {
                     return false;
                 }
                 size = size(correction, u);
@@ -76,7 +79,7 @@ final class Newton {
                     System.arraycopy(trial, 0, u, 0, n);
                     return true;
                 }
-                next = GuardedStep.firstNonFinite(residual) < 0 && problem.correct(residual, nextCorrection)
+                next = GuardedStep.firstNonFinite(residual) < 0 && correct(problem, nextCorrection)
                         ? size(nextCorrection, trial) : Double.POSITIVE_INFINITY;
                 if (next <= (1 - damping / 4) * size) {
                     break;
@@ -123,13 +126,33 @@ final class Newton {
             return false;
         }
         problem.linearise(u);
-        if (!problem.correct(residual, correction)) {
+        if (!correct(problem, correction)) {
             return false;
         }
         for (int i = 0; i < u.length; i++) {
             u[i] += correction[i];
         }
         return true;
+    }
+
+    /** A residual whose square would under- or overflow is scaled for the linear solver. */
+    private boolean correct(NewtonProblem problem, double[] result) {
+        double largest = 0;
+        for (double r : residual) {
+            largest = Math.max(largest, Math.abs(r));
+        }
+        if (largest > SMALLEST_UNSCALED && largest < LARGEST_UNSCALED || largest == 0) {
+            return problem.correct(residual, result);
+        }
+        for (int i = 0; i < residual.length; i++) {
+            residual[i] /= largest;
+        }
+        boolean solved = problem.correct(residual, result);
+        for (int i = 0; i < residual.length; i++) {
+            residual[i] *= largest;
+            result[i] *= largest;
+        }
+        return solved;
     }
 
     /** What the last failure looked like, for a message. */

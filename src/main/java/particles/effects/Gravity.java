@@ -55,6 +55,12 @@ public final class Gravity implements Effect {
         return false;
     }
 
+    /** {@inheritDoc} There are none: the force is the same everywhere. */
+    @Override
+    public boolean hasJacobianBlocks() {
+        return true;
+    }
+
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
         double[] masses = particles.masses();

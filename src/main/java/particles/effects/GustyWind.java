@@ -36,6 +36,11 @@ public final class GustyWind implements Wind {
     }
 
     @Override
+    public boolean isUniform() {
+        return true;
+    }
+
+    @Override
     public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
         double swell = StrictMath.sin(2 * Math.PI * time / period);
         double ux = mean.x() + swell * gust.x();

@@ -1,5 +1,6 @@
 package particles.effects;
 
+import deSolvers.JacobianBlocks;
 import java.util.EnumSet;
 import java.util.Set;
 import particles.Effect;
@@ -19,6 +20,8 @@ public final class LinearDrag implements Effect {
     private final double coefficient;
     private final Wind wind;
     private double[] air = {};
+    private final double[] dFdX = new double[9];        // stays 0
+    private final double[] dFdV = new double[9];
 
     /**
      * @param particles   on whom it acts
@@ -33,6 +36,9 @@ public final class LinearDrag implements Effect {
         this.particles = particles;
         this.coefficient = coefficient;
         this.wind = wind;
+        for (int e = 0; e < 9; e += 4) {
+            dFdV[e] = -coefficient;
+        }
     }
 
     @Override
@@ -54,6 +60,19 @@ public final class LinearDrag implements Effect {
     @Override
     public boolean dependsOnVelocity() {
         return true;
+    }
+
+    /** {@inheritDoc} They are known where the air moves in the same way everywhere. */
+    @Override
+    public boolean hasJacobianBlocks() {
+        return wind == Wind.STILL || wind.isUniform();
+    }
+
+    @Override
+    public void addJacobianBlocks(double[] state, double time, JacobianBlocks blocks) {
+        for (int i = 0; i < particles.count(); i++) {
+            blocks.add(i, i, dFdX, dFdV);
+        }
     }
 
     @Override

@@ -1,5 +1,6 @@
 package particles.effects;
 
+import deSolvers.JacobianBlocks;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
@@ -35,6 +36,7 @@ public final class SpringForce implements Effect, SpringView {
     private double[] restLength = new double[8];
     private double[] damping = new double[8];
     private boolean damped;
+    private final SpringJacobian derivative = new SpringJacobian();
 
     /** @param particles whom the springs connect */
     public SpringForce(Particles particles) {
@@ -134,6 +136,18 @@ public final class SpringForce implements Effect, SpringView {
             force[j + 3] -= fx;
             force[j + 4] -= fy;
             force[j + 5] -= fz;
+        }
+    }
+
+    @Override
+    public boolean hasJacobianBlocks() {
+        return true;
+    }
+
+    @Override
+    public void addJacobianBlocks(double[] state, double time, JacobianBlocks blocks) {
+        for (int s = 0; s < count; s++) {
+            derivative.add(state, from[s], to[s], stiffness[s], restLength[s], damping[s], blocks);
         }
     }
 

@@ -19,4 +19,9 @@ public interface Wind {
      * @param to    one past the last particle
      */
     void getVelocities(double[] state, double time, double[] wind, int from, int to);
+
+    /** @return whether the air moves in the same way everywhere, whatever the particles do */
+    default boolean isUniform() {
+        return false;
+    }
 }

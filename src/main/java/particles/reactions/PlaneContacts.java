@@ -1,5 +1,6 @@
 package particles.reactions;
 
+import deSolvers.JacobianBlocks;
 import java.util.List;
 import particles.ParticleSystem;
 import particles.Particles;
@@ -20,23 +21,21 @@ public final class PlaneContacts implements Reaction {
 
     private static final int STRIDE = Particles.STRIDE;
 
-    /** Relative to the speed at the beginning of a step; the direction of less is mostly rounding. */
-    private static final double ALMOST_STOPPED = 1e-6;
-
     private final Particles particles;
     private final List<ContactPlane> planes;
     private final NormalForces normalForces;
     private final ContactModes modes;
     private boolean holdsOn;
-    private double[] stepBegin = {};                    // the state where the present step began
+    private boolean sticking;                           // of the particle that respond() looked at last
+    private final Sliding sliding = new Sliding();
+    private final ContactDerivative derivative;
 
     private final ContactPlane[] touched;               // work arrays for one particle
     private final Vector3[] normals;
     private final double[] push;
     private final double[] pressing = new double[3];
     private final double[] friction = new double[3];
-    private final double[] tangent = new double[3];
-    private final double[] beginning = new double[3];
+    private final double[] left = new double[3];
 
     /**
      * @param particles whom the planes hold
@@ -50,6 +49,7 @@ public final class PlaneContacts implements Reaction {
         touched = new ContactPlane[planes.size()];
         normals = new Vector3[planes.size()];
         push = new double[planes.size()];
+        derivative = new ContactDerivative(planes.size());
     }
 
     /** @return the planes, in the order in which {@link #getModes} counts them */
@@ -69,10 +69,7 @@ public final class PlaneContacts implements Reaction {
      * @param system the system before a step
      */
     public void beginStep(ParticleSystem system) {
-        if (stepBegin.length != system.getStateSize()) {
-            stepBegin = new double[system.getStateSize()];
-        }
-        system.getState(stepBegin);
+        sliding.beginStep(system);
     }
 
     /**
@@ -87,7 +84,7 @@ public final class PlaneContacts implements Reaction {
 
     /** @return the state where the present step began, to be read only */
     public double[] getStepBegin() {
-        return stepBegin;
+        return sliding.getStepBegin();
     }
 
     @Override
@@ -103,6 +100,30 @@ public final class PlaneContacts implements Reaction {
     @Override
     public boolean dependsOnVelocity() {
         return planes.stream().anyMatch(plane -> plane.friction().law() != Friction.Law.NONE);
+    }
+
+    @Override
+    public boolean hasJacobianBlocks() {
+        return true;
+    }
+
+    @Override
+    public void addJacobianBlocks(double[] state, double time, double[] force, JacobianBlocks blocks) {
+        for (int i = 0; i < modes.end(); i++) {
+            int count = respond(i, state, force);
+            if (count == 0) {
+                continue;
+            }
+            derivative.begin(count, normals, push);
+            if (sticking) {
+                derivative.hold();
+            }
+            for (int p = 0; p < count && !sticking; p++) {
+                double factor = sliding.find(touched[p].friction(), normals[p], push[p], pressing, state, STRIDE * i + 3);
+                derivative.rub(p, factor, sliding, touched[p].friction().law());
+            }
+            derivative.add(i, blocks);
+        }
     }
 
     @Override
@@ -163,7 +184,7 @@ public final class PlaneContacts implements Reaction {
             pushed += push[p];
             withstood += push[p] * touched[p].friction().staticCoefficient();
         }
-        return pushed > 0 ? withstood - length(unheld(count)) : -1;
+        return pushed > 0 ? withstood - Sliding.length(unheld(count)) : -1;
     }
 
     /**
@@ -189,13 +210,13 @@ public final class PlaneContacts implements Reaction {
 
     /** The force on the particle after the planes have pushed. */
     private double[] unheld(int count) {
-        System.arraycopy(pressing, 0, tangent, 0, 3);
+        System.arraycopy(pressing, 0, left, 0, 3);
         for (int p = 0; p < count; p++) {
-            tangent[0] += push[p] * normals[p].x();
-            tangent[1] += push[p] * normals[p].y();
-            tangent[2] += push[p] * normals[p].z();
+            left[0] += push[p] * normals[p].x();
+            left[1] += push[p] * normals[p].y();
+            left[2] += push[p] * normals[p].z();
         }
-        return tangent;
+        return left;
     }
 
     /** Finds push and friction for one particle; returns how many planes it touches, 0 if there is nothing to answer. */
@@ -204,7 +225,7 @@ public final class PlaneContacts implements Reaction {
             return 0;
         }
         int count = 0;
-        boolean sticking = true;
+        sticking = true;
         for (int p = 0; p < planes.size(); p++) {
             Mode mode = modes.get(p, i);
             if (mode != Mode.FREE) {
@@ -244,52 +265,9 @@ public final class PlaneContacts implements Reaction {
 
     /** Sliding friction of one plane, against the velocity along it. */
     private void rub(int p, double[] state, int v) {
-        Friction law = touched[p].friction();
-        if (law.law() == Friction.Law.NONE || !(push[p] > 0)) {
-            return;
-        }
-        double factor = push[p] * law.coefficient();
-        along(normals[p], state, v, tangent);
-        if (law.law() == Friction.Law.COULOMB) {
-            double sign = followBeginning(normals[p], v);
-            double speed = length(tangent);
-            if (speed > 0) {
-                factor *= sign / speed;
-            } else {                                    // about to move: against the force that will move it
-                along(normals[p], pressing, 0, tangent);
-                factor /= Math.max(factor, length(tangent));
-            }
-        }
+        double factor = sliding.find(touched[p].friction(), normals[p], push[p], pressing, state, v);
         for (int c = 0; c < 3 && factor != 0; c++) {
-            friction[c] -= factor * tangent[c];
+            friction[c] -= factor * sliding.direction[c];
         }
-    }
-
-    /**
-     * Compares the velocity along a plane, now in tangent, with that at the beginning of the step: -1 if it points back. Where
-     * it is rounding and no direction any more, the beginning's takes its place.
-     */
-    private double followBeginning(Vector3 normal, int v) {
-        if (stepBegin.length <= v) {
-            return 1;
-        }
-        along(normal, stepBegin, v, beginning);
-        if (length(tangent) < ALMOST_STOPPED * length(beginning)) {
-            System.arraycopy(beginning, 0, tangent, 0, 3);
-            return 1;
-        }
-        return tangent[0] * beginning[0] + tangent[1] * beginning[1] + tangent[2] * beginning[2] < 0 ? -1 : 1;
-    }
-
-    /** The part of a vector that lies in a plane. */
-    private static void along(Vector3 normal, double[] vectors, int place, double[] result) {
-        double across = normal.x() * vectors[place] + normal.y() * vectors[place + 1] + normal.z() * vectors[place + 2];
-        result[0] = vectors[place] - across * normal.x();
-        result[1] = vectors[place + 1] - across * normal.y();
-        result[2] = vectors[place + 2] - across * normal.z();
-    }
-
-    private static double length(double[] vector) {
-        return Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
     }
 }

@@ -1,0 +1,217 @@
+package deSolvers.implicit;
+
+import deSolvers.GuardedStep;
+import deSolvers.adaptive.AdaptiveSolver;
+
+/**
+ * The Radau IIA method with three stages: the collocation polynomial of degree 3 whose derivative is right at three times,
+ * the last of them the end of the sub-step. With q the square root of 6:
+ * <pre>
+ *   (4 - q)/10 | (88 - 7q)/360       (296 - 169q)/1800   (-2 + 3q)/225
+ *   (4 + q)/10 | (296 + 169q)/1800   (88 + 7q)/360       (-2 - 3q)/225
+ *       1      | (16 - q)/36         (16 + q)/36          1/9
+ *   -----------+-----------------------------------------------------
+ *              | (16 - q)/36         (16 + q)/36          1/9
+ * </pre>
+ * The stages are found by a simplified Newton iteration to a hundredth of the tolerance. The Jacobian is kept as long as
+ * that converges fast, the factorised matrices as long as the sub-step stays the same. The estimate of the error uses one
+ * more, explicit stage, and is filtered through the real matrix, so that stiff components do not spoil it.
+ *
+ * <p><b>Order</b> 5; on very stiff components 3, the order of the stages. The estimate is of order 3.<br>
+ * <b>Evaluations</b> 3 for each iteration, most often 2 to 4 iterations a sub-step, and 1 more; n more for each Jacobian
+ * where the source does not know its own ({@link deSolvers.JacobianStateSource}).<br>
+ * <b>Stability</b> L-stable, R(z) = (1 + 2z/5 + z<sup>2</sup>/20)/(1 - 3z/5 + 3z<sup>2</sup>/20 - z<sup>3</sup>/60): no limit on the
+ * step for anything that decays or oscillates.<br>
+ * <b>When to use</b> stiff systems to a stated accuracy, 1e-3 to 1e-10: the reference to compare others with. For smooth
+ * motion {@code dormand-prince} is cheaper; for a large cloth that only has to look right, {@code backward-euler}.<br>
+ * <b>In between</b> the collocation polynomial itself, of order 3.<br>
+ * <b>Source</b> E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996, sections
+ * IV.5 and IV.8; the control of the sub-step after K. Gustafsson (1994), ACM TOMS 20, 496.
+ */
+public final class RadauIIASolver extends AdaptiveSolver {
+    /** A Jacobian is old when Newton's iteration with it gains less than three digits a time. */
+    private static final double SLOW_RATE = 1e-3;
+    private static final double MOST_SHRINKING = 0.2;
+    private static final double MOST_GROWTH = 10;
+    /** Sub-steps that would grow by less than this stay the same, and keep their factorised matrices. */
+    private static final double WORTH_FACTORISING = 1.2;
+
+    private final ImplicitWork.Counter work = new ImplicitWork.Counter();
+    private RadauSystems systems = new DenseRadauSystems(work, 0);
+    private RadauNewton newton = new RadauNewton(work, tolerance(), 0);
+    private boolean dense;
+    private double[][] z = new double[3][0];
+    private double[][] polynomial = new double[3][0];  // of the last sub-step taken: coefficients of u, u^2, u^3
+    private double[] error = {};
+    private double[] right = {};
+    private double[] shifted = {};
+    private boolean jacobianKnown;
+    private boolean jacobianFresh;
+    private double preparedFor;                         // the sub-step of the factorised matrices, 0 if there are none
+    private boolean converged;
+    private boolean rejected;
+    private double lastTaken;                           // the sub-step before, 0 if there is none
+    private double lastError;
+
+    /** With the tolerances {@value #RELATIVE_TOLERANCE} and {@value #ABSOLUTE_TOLERANCE}. */
+    public RadauIIASolver() {
+        this(RELATIVE_TOLERANCE, ABSOLUTE_TOLERANCE);
+    }
+
+    /**
+     * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
+     * @param absoluteTolerance error allowed besides, in the entry's unit
+     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
+     */
+    public RadauIIASolver(double relativeTolerance, double absoluteTolerance) {
+        super(relativeTolerance, absoluteTolerance);
+    }
+
+    @Override
+    protected void resize(int n) {
+        dense = n <= ImplicitStage.LARGEST_DENSE;
+        systems = dense ? new DenseRadauSystems(work, n) : new KrylovRadauSystems(work, n);
+        newton = new RadauNewton(work, tolerance(), n);
+        z = new double[3][n];
+        polynomial = new double[3][n];
+        error = new double[n];
+        right = new double[n];
+        shifted = new double[n];
+    }
+
+    @Override
+    protected void restart() {
+        jacobianKnown = false;
+        preparedFor = 0;
+        lastTaken = 0;
+        rejected = false;
+    }
+
+    @Override
+    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+        converged = findStages(source, state, slope, offset, h);
+        if (!converged) {
+            return Double.POSITIVE_INFINITY;
+        }
+        for (int i = 0; i < state.length; i++) {
+            newState[i] = state[i] + z[2][i];
+        }
+        double ratio = estimate(state, slope, h, newState);
+        if (rejected && ratio > 1) {                    // once more with the derivative at s + error: no stiff part is left
+            for (int i = 0; i < state.length; i++) {
+                right[i] = state[i] + error[i];
+            }
+            source.setState(right);
+            source.setOffset(offset);
+            source.getStateDerivative(shifted);
+            ratio = GuardedStep.firstNonFinite(shifted) < 0 ? estimate(state, shifted, h, newState) : ratio;
+        }
+        return ratio;
+    }
+
+    /** (mu - h J) error = h f + e . z, in units of the tolerance. */
+    private double estimate(double[] state, double[] slope, double h, double[] newState) {
+        for (int i = 0; i < state.length; i++) {
+            right[i] = h * slope[i] + RadauTableau.ERROR[0] * z[0][i] + RadauTableau.ERROR[1] * z[1][i]
+                    + RadauTableau.ERROR[2] * z[2][i];
+        }
+        return systems.solveReal(right, error) ? tolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
+    }
+
+    /** With the Jacobian at hand, and once more with a new one if that was old and did not do. */
+    private boolean findStages(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+        while (true) {
+            if (!jacobianKnown || !jacobianFresh && !dense) {
+                systems.setJacobian(source, state, slope, offset, h);
+                jacobianKnown = true;
+                jacobianFresh = true;
+                preparedFor = 0;
+            }
+            boolean prepared = preparedFor == h || systems.prepare(h, RadauTableau.MU, RadauTableau.MU_RE, RadauTableau.MU_IM);
+            preparedFor = prepared ? h : 0;
+            guess(h);
+            if (prepared && newton.solve(source, systems, state, offset, h, z)) {
+                return true;
+            }
+            if (jacobianFresh) {
+                return false;
+            }
+            jacobianKnown = false;
+        }
+    }
+
+    /** The last sub-step's polynomial, gone on with; 0 for the first. */
+    private void guess(double h) {
+        double ratio = lastTaken == 0 ? 0 : h / lastTaken;
+        for (int k = 0; k < 3; k++) {
+            double u = 1 + RadauTableau.C[k] * ratio;
+            double u2 = u * u - 1;
+            double u3 = u * u * u - 1;
+            for (int i = 0; i < error.length; i++) {
+                z[k][i] = polynomial[0][i] * (u - 1) + polynomial[1][i] * u2 + polynomial[2][i] * u3;
+            }
+        }
+    }
+
+    @Override
+    protected double nextSubStep(double h, double error) {
+        if (!converged) {
+            return h / 2;
+        }
+        int most = 2 * RadauNewton.MOST_ITERATIONS + 1;
+        double safety = 0.9 * most / (most - 1 + newton.iterations());
+        double factor = error == 0 ? MOST_GROWTH : fourthRoot(1 / error);
+        if (lastTaken != 0 && error != 0) {             // what the errors of two sub-steps predict
+            factor *= Math.min(1, h / Math.abs(lastTaken) * fourthRoot(lastError / error));
+        }
+        factor = Math.max(MOST_SHRINKING, Math.min(MOST_GROWTH, safety * factor));
+        rejected = error > 1;
+        if (rejected) {
+            return h * factor;
+        }
+        take(error);
+        return jacobianKnown && factor >= 1 && factor < WORTH_FACTORISING ? h : h * factor;
+    }
+
+    private static double fourthRoot(double value) {
+        return Math.sqrt(Math.sqrt(value));
+    }
+
+    /** The sub-step is taken: its polynomial and its error serve the next one. */
+    private void take(double error) {
+        for (int i = 0; i < this.error.length; i++) {
+            for (int power = 0; power < 3; power++) {
+                polynomial[power][i] = RadauTableau.POLYNOMIAL[0][power] * z[0][i]
+                        + RadauTableau.POLYNOMIAL[1][power] * z[1][i] + RadauTableau.POLYNOMIAL[2][power] * z[2][i];
+            }
+        }
+        jacobianKnown = !(newton.iterations() > 2 && newton.rate() > SLOW_RATE);
+        jacobianFresh = false;
+        lastError = Math.max(error, 1e-2);
+        lastTaken = preparedFor;
+    }
+
+    @Override
+    protected int errorExponent() {
+        return 4;
+    }
+
+    @Override
+    protected int interpolationDegree() {
+        return 3;
+    }
+
+    @Override
+    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
+                               double[][] coefficients) {
+        System.arraycopy(state, 0, coefficients[0], 0, state.length);
+        for (int power = 0; power < 3; power++) {
+            System.arraycopy(polynomial[power], 0, coefficients[power + 1], 0, state.length);
+        }
+    }
+
+    /** @return what was done in all steps so far */
+    public ImplicitWork getWork() {
+        return work.read();
+    }
+}

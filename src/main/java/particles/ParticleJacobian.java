@@ -1,0 +1,155 @@
+package particles;
+
+import deSolvers.JacobianBlocks;
+import java.util.Arrays;
+import java.util.List;
+
+/** The derivative of a particle system's forces, from what its effects and reactions know, or by differences. */
+final class ParticleJacobian implements JacobianBlocks {
+    private static final int STRIDE = Particles.STRIDE;
+    /** Half the digits: the best balance of rounding against curvature in a forward difference. */
+    private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
+
+    private final ParticleSystem system;
+    private double[] force = {};
+    private double[] varied = {};
+    private double[] direction;
+    private double[] product;
+
+    ParticleJacobian(ParticleSystem system) {
+        this.system = system;
+    }
+
+    /** Whether all effects, and all reactions that hold something, know their blocks. */
+    boolean isExact() {
+        return knows(system.getEffects(), system.getReactions());
+    }
+
+    private static boolean knows(List<Effect> effects, List<Reaction> reactions) {
+        for (int e = 0; e < effects.size(); e++) {
+            if (!effects.get(e).hasJacobianBlocks()) {
+                return false;
+            }
+        }
+        for (int r = 0; r < reactions.size(); r++) {
+            if (reactions.get(r).isActive() && !reactions.get(r).hasJacobianBlocks()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Adds the blocks of all that know theirs. */
+    void addBlocks(double[] state, double time, JacobianBlocks blocks) {
+        List<Effect> effects = system.getEffects();
+        for (int e = 0; e < effects.size(); e++) {
+            if (effects.get(e).hasJacobianBlocks()) {
+                effects.get(e).addJacobianBlocks(state, time, blocks);
+            }
+        }
+        List<Reaction> reactions = system.getReactions();
+        boolean forceKnown = false;
+        for (int r = 0; r < reactions.size(); r++) {
+            Reaction reaction = reactions.get(r);
+            if (!reaction.isActive()) {
+                continue;
+            }
+            if (!forceKnown) {
+                fit();
+                system.addUpEffects(state, time, force);
+                forceKnown = true;
+            }
+            if (reaction.hasJacobianBlocks()) {
+                reaction.addJacobianBlocks(state, time, force, blocks);
+            }
+            reaction.addForces(state, time, force);
+        }
+    }
+
+    /** J w, block by block; exact if {@link #isExact}. */
+    void multiply(double[] state, double time, double[] w, double[] product) {
+        direction = w;
+        this.product = product;
+        Arrays.fill(product, 0);
+        addBlocks(state, time, this);
+        double[] inverseMasses = system.getParticles().inverseMasses();
+        for (int i = 0, x = 0; x < product.length; i++, x += STRIDE) {
+            for (int c = x; c < x + 3; c++) {
+                product[c] = w[c + 3];
+                product[c + 3] *= inverseMasses[i];
+            }
+        }
+    }
+
+    /** J w by one difference of derivatives; leaves the system where it is. */
+    void difference(double[] state, double[] w, double[] product) {
+        fit();
+        double size = 0;
+        double length = 0;
+        for (int i = 0; i < w.length; i++) {
+            size += state[i] * state[i];
+            length += w[i] * w[i];
+        }
+        if (length == 0) {
+            Arrays.fill(product, 0);
+            return;
+        }
+        double delta = ROOT_EPSILON * Math.sqrt((size == 0 ? 1 : size) / length);
+        system.getStateDerivative(force);
+        System.arraycopy(state, 0, varied, 0, w.length);
+        for (int i = 0; i < w.length; i++) {
+            state[i] += delta * w[i];
+        }
+        try {
+            system.getStateDerivative(product);
+        } finally {
+            System.arraycopy(varied, 0, state, 0, w.length);
+        }
+        for (int i = 0; i < w.length; i++) {
+            product[i] = (product[i] - force[i]) / delta;
+        }
+    }
+
+    private void fit() {
+        if (force.length != system.getStateSize()) {
+            force = new double[system.getStateSize()];
+            varied = new double[system.getStateSize()];
+        }
+    }
+
+    @Override
+    public void add(int i, int j, double[] dFdX, double[] dFdV) {
+        apply(i, j, dFdX, dFdV, 1);
+    }
+
+    @Override
+    public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
+        apply(i, i, dFdX, dFdV, 1);
+        apply(i, j, dFdX, dFdV, -1);
+        apply(j, j, dFdX, dFdV, 1);
+        apply(j, i, dFdX, dFdV, -1);
+    }
+
+    private void apply(int i, int j, double[] dFdX, double[] dFdV, double sign) {
+        int to = STRIDE * i + 3;
+        int from = STRIDE * j;
+        for (int c = 0; c < 3; c++) {
+            double sum = 0;
+            for (int k = 0; k < 3; k++) {
+                sum += dFdX[3 * c + k] * direction[from + k] + dFdV[3 * c + k] * direction[from + 3 + k];
+            }
+            product[to + c] += sign * sum;
+        }
+    }
+
+    @Override
+    public void transformRow(int i, double[] matrix) {
+        int f = STRIDE * i + 3;
+        double x = product[f];
+        double y = product[f + 1];
+        double z = product[f + 2];
+        for (int c = 0; c < 3; c++) {
+            product[f + c] = matrix[3 * c] * x + matrix[3 * c + 1] * y + matrix[3 * c + 2] * z;
+        }
+    }
+}

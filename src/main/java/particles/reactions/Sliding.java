@@ -1,0 +1,90 @@
+package particles.reactions;
+
+import particles.ParticleSystem;
+import particles.Vector3;
+
+/** Which way a particle slides along a plane, also where it is about to start or has just turned round within a step. */
+final class Sliding {
+    /** Relative to the speed at the beginning of a step; the direction of less is mostly rounding. */
+    private static final double ALMOST_STOPPED = 1e-6;
+
+    /** What friction opposes: a velocity along the plane (m/s), or the force that will move the particle (N). */
+    final double[] direction = new double[3];
+    private final double[] beginning = new double[3];
+    private double[] stepBegin = {};                    // the state where the present step began
+    private boolean independent;
+
+    void beginStep(ParticleSystem system) {
+        if (stepBegin.length != system.getStateSize()) {
+            stepBegin = new double[system.getStateSize()];
+        }
+        system.getState(stepBegin);
+    }
+
+    double[] getStepBegin() {
+        return stepBegin;
+    }
+
+    /** Whether the direction found last does not depend on the present velocity. */
+    boolean isIndependentOfVelocity() {
+        return independent;
+    }
+
+    /**
+     * Finds the direction.
+     *
+     * @param push     how hard the plane pushes (N)
+     * @param pressing the force on the particle before (N)
+     * @param v        where the particle's velocity begins in the state
+     * @return by what to multiply the direction for minus the friction; 0 if there is none
+     */
+    double find(Friction law, Vector3 normal, double push, double[] pressing, double[] state, int v) {
+        independent = false;
+        if (law.law() == Friction.Law.NONE || !(push > 0)) {
+            return 0;
+        }
+        double factor = push * law.coefficient();
+        along(normal, state, v, direction);
+        if (law.law() == Friction.Law.COULOMB) {
+            double sign = followBeginning(normal, v);
+            double speed = length(direction);
+            if (speed > 0) {
+                factor *= sign / speed;
+            } else {                                    // about to move: against the force that will move it
+                along(normal, pressing, 0, direction);
+                factor /= Math.max(factor, length(direction));
+                independent = true;
+            }
+        }
+        return factor;
+    }
+
+    /**
+     * Compares the velocity along a plane, now in direction, with that at the beginning of the step: -1 if it points back.
+     * Where it is rounding and no direction any more, the beginning's takes its place.
+     */
+    private double followBeginning(Vector3 normal, int v) {
+        if (stepBegin.length <= v) {
+            return 1;
+        }
+        along(normal, stepBegin, v, beginning);
+        if (length(direction) < ALMOST_STOPPED * length(beginning)) {
+            System.arraycopy(beginning, 0, direction, 0, 3);
+            independent = true;
+            return 1;
+        }
+        return direction[0] * beginning[0] + direction[1] * beginning[1] + direction[2] * beginning[2] < 0 ? -1 : 1;
+    }
+
+    /** The part of a vector that lies in a plane. */
+    private static void along(Vector3 normal, double[] vectors, int place, double[] result) {
+        double across = normal.x() * vectors[place] + normal.y() * vectors[place + 1] + normal.z() * vectors[place + 2];
+        result[0] = vectors[place] - across * normal.x();
+        result[1] = vectors[place + 1] - across * normal.y();
+        result[2] = vectors[place + 2] - across * normal.z();
+    }
+
+    static double length(double[] vector) {
+        return Math.sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    }
+}

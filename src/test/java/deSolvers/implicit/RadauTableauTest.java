@@ -1,0 +1,99 @@
+package deSolvers.implicit;
+
+import static deSolvers.implicit.RadauTableau.C;
+import static deSolvers.implicit.RadauTableau.S6;
+import static deSolvers.implicit.RadauTableau.T;
+import static deSolvers.implicit.RadauTableau.T_INVERSE;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** The numbers of the method against each other: order conditions, and the split of its matrix. */
+class RadauTableauTest {
+    private static final double[][] A = {
+        {(88 - 7 * S6) / 360, (296 - 169 * S6) / 1800, (-2 + 3 * S6) / 225},
+        {(296 + 169 * S6) / 1800, (88 + 7 * S6) / 360, (-2 - 3 * S6) / 225},
+        {(16 - S6) / 36, (16 + S6) / 36, 1.0 / 9}};
+
+    /** With B(5) and C(3) and the last row for weights, the method has order 5 (Butcher 1964); a sixth condition fails. */
+    @Test
+    void orderConditions() {
+        for (int k = 1; k <= 6; k++) {
+            double sum = 0;
+            for (int i = 0; i < 3; i++) {
+                sum += A[2][i] * StrictMath.pow(C[i], k - 1);
+                double stage = 0;
+                for (int j = 0; j < 3; j++) {
+                    stage += A[i][j] * StrictMath.pow(C[j], k - 1);
+                }
+                if (k <= 3) {
+                    assertEquals(StrictMath.pow(C[i], k) / k, stage, 1e-16 * 4, "C(" + k + "), stage " + i);
+                }
+            }
+            if (k <= 5) {
+                assertEquals(1.0 / k, sum, 4e-16, "B(" + k + ")");
+            } else {
+                assertTrue(Math.abs(sum - 1.0 / 6) > 1e-4, "order 6 would be one more than there is");
+            }
+        }
+    }
+
+    @Test
+    void theChangeOfVariablesSplitsTheInverse() {
+        double[][] split = {{RadauTableau.MU, 0, 0}, {0, RadauTableau.MU_RE, -RadauTableau.MU_IM},
+            {0, RadauTableau.MU_IM, RadauTableau.MU_RE}};
+        double[][] inverse = product(product(T, split), T_INVERSE);
+        assertIdentity(product(T, T_INVERSE));
+        assertIdentity(product(A, inverse));
+    }
+
+    /** Measured at most 1.9e-15, with entries of the factors up to 6. */
+    private static void assertIdentity(double[][] matrix) {
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                assertEquals(i == j ? 1 : 0, matrix[i][j], 1e-14);
+            }
+        }
+    }
+
+    private static double[][] product(double[][] a, double[][] b) {
+        double[][] c = new double[3][3];
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                for (int k = 0; k < 3; k++) {
+                    c[i][j] += a[i][k] * b[k][j];
+                }
+            }
+        }
+        return c;
+    }
+
+    /** The polynomial goes through the stages, and with z = c it is u itself. */
+    @Test
+    void theCollocationPolynomialGoesThroughTheStages() {
+        for (int at = 0; at < 3; at++) {
+            double u = C[at];
+            for (int stage = 0; stage < 3; stage++) {
+                double[] p = RadauTableau.POLYNOMIAL[stage];
+                assertEquals(at == stage ? 1 : 0, p[0] * u + p[1] * u * u + p[2] * u * u * u, 2e-14);
+            }
+        }
+    }
+
+    /** The estimate compares with a formula of order 3 that has the derivative at the start for a fourth stage. */
+    @Test
+    void theErrorEstimateVanishesForPolynomialsOfDegreeThree() {
+        for (int k = 1; k <= 4; k++) {                      // s = u^k: z_i = c_i^k, h f = k at the start for k = 1, else 0
+            double estimate = k == 1 ? 1 : 0;
+            for (int i = 0; i < 3; i++) {
+                estimate += RadauTableau.ERROR[i] * StrictMath.pow(C[i], k);
+            }
+            if (k <= 3) {
+                assertEquals(0, estimate, 4e-15, "degree " + k);
+            } else {
+                assertTrue(Math.abs(estimate) > 0.01, "degree 4 is seen: " + estimate);
+            }
+        }
+    }
+}
