@@ -1,6 +1,5 @@
 package particles;
 
-import deSolvers.JacobianBlocks;
 import java.util.Set;
 
 /**
@@ -54,10 +53,10 @@ public interface Effect {
     boolean dependsOnVelocity();
 
     /**
-     * @return whether {@link #addJacobianBlocks} adds all there is; an implicit solver takes differences of the whole
+     * @return whether {@link #addForceDerivatives} adds all there is; an implicit solver takes differences of the whole
      *         system where one effect does not
      */
-    default boolean hasJacobianBlocks() {
+    default boolean hasForceDerivatives() {
         return false;
     }
 
@@ -67,9 +66,9 @@ public interface Effect {
      *
      * @param state  the particles' state, to be read only
      * @param time   t (s)
-     * @param blocks receives them
+     * @param derivatives receives them
      */
-    default void addJacobianBlocks(double[] state, double time, JacobianBlocks blocks) {
+    default void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
     }
 
     /**

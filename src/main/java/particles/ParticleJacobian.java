@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /** The derivative of a particle system's forces, from what its effects and reactions know, or by differences. */
-final class ParticleJacobian implements JacobianBlocks {
+final class ParticleJacobian implements ForceDerivatives {
     private static final int STRIDE = Particles.STRIDE;
     /** Half the digits: the best balance of rounding against curvature in a forward difference. */
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
@@ -13,8 +13,10 @@ final class ParticleJacobian implements JacobianBlocks {
     private final ParticleSystem system;
     private double[] force = {};
     private double[] varied = {};
-    private double[] direction;
-    private double[] product;
+    private final Product productBlocks = new Product();
+    private JacobianBlocks target = productBlocks;
+    private double[] direction = {};
+    private double[] product = {};
 
     ParticleJacobian(ParticleSystem system) {
         this.system = system;
@@ -27,12 +29,12 @@ final class ParticleJacobian implements JacobianBlocks {
 
     private static boolean knows(List<Effect> effects, List<Reaction> reactions) {
         for (int e = 0; e < effects.size(); e++) {
-            if (!effects.get(e).hasJacobianBlocks()) {
+            if (!effects.get(e).hasForceDerivatives()) {
                 return false;
             }
         }
         for (int r = 0; r < reactions.size(); r++) {
-            if (reactions.get(r).isActive() && !reactions.get(r).hasJacobianBlocks()) {
+            if (reactions.get(r).isActive() && !reactions.get(r).hasForceDerivatives()) {
                 return false;
             }
         }
@@ -41,10 +43,11 @@ final class ParticleJacobian implements JacobianBlocks {
 
     /** Adds the blocks of all that know theirs. */
     void addBlocks(double[] state, double time, JacobianBlocks blocks) {
+        target = blocks;
         List<Effect> effects = system.getEffects();
         for (int e = 0; e < effects.size(); e++) {
-            if (effects.get(e).hasJacobianBlocks()) {
-                effects.get(e).addJacobianBlocks(state, time, blocks);
+            if (effects.get(e).hasForceDerivatives()) {
+                effects.get(e).addForceDerivatives(state, time, this);
             }
         }
         List<Reaction> reactions = system.getReactions();
@@ -59,19 +62,23 @@ final class ParticleJacobian implements JacobianBlocks {
                 system.addUpEffects(state, time, force);
                 forceKnown = true;
             }
-            if (reaction.hasJacobianBlocks()) {
-                reaction.addJacobianBlocks(state, time, force, blocks);
+            if (reaction.hasForceDerivatives()) {
+                reaction.addForceDerivatives(state, time, force, this);
             }
             reaction.addForces(state, time, force);
         }
     }
 
-    /** J w, block by block; exact if {@link #isExact}. */
+    /** J w: block by block, or by one difference of derivatives where an effect or a reaction does not know its own part. */
     void multiply(double[] state, double time, double[] w, double[] product) {
+        if (!isExact()) {
+            difference(state, w, product);
+            return;
+        }
         direction = w;
         this.product = product;
         Arrays.fill(product, 0);
-        addBlocks(state, time, this);
+        addBlocks(state, time, productBlocks);
         double[] inverseMasses = system.getParticles().inverseMasses();
         for (int i = 0, x = 0; x < product.length; i++, x += STRIDE) {
             for (int c = x; c < x + 3; c++) {
@@ -81,8 +88,8 @@ final class ParticleJacobian implements JacobianBlocks {
         }
     }
 
-    /** J w by one difference of derivatives; leaves the system where it is. */
-    void difference(double[] state, double[] w, double[] product) {
+    /** Leaves the system where it is. Both evaluations are counted. */
+    private void difference(double[] state, double[] w, double[] product) {
         fit();
         double size = 0;
         double length = 0;
@@ -119,37 +126,55 @@ final class ParticleJacobian implements JacobianBlocks {
 
     @Override
     public void add(int i, int j, double[] dFdX, double[] dFdV) {
-        apply(i, j, dFdX, dFdV, 1);
+        target.add(i, j, dFdX, dFdV);
     }
 
     @Override
     public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
-        apply(i, i, dFdX, dFdV, 1);
-        apply(i, j, dFdX, dFdV, -1);
-        apply(j, j, dFdX, dFdV, 1);
-        apply(j, i, dFdX, dFdV, -1);
-    }
-
-    private void apply(int i, int j, double[] dFdX, double[] dFdV, double sign) {
-        int to = STRIDE * i + 3;
-        int from = STRIDE * j;
-        for (int c = 0; c < 3; c++) {
-            double sum = 0;
-            for (int k = 0; k < 3; k++) {
-                sum += dFdX[3 * c + k] * direction[from + k] + dFdV[3 * c + k] * direction[from + 3 + k];
-            }
-            product[to + c] += sign * sum;
-        }
+        target.addPair(i, j, dFdX, dFdV);
     }
 
     @Override
     public void transformRow(int i, double[] matrix) {
-        int f = STRIDE * i + 3;
-        double x = product[f];
-        double y = product[f + 1];
-        double z = product[f + 2];
-        for (int c = 0; c < 3; c++) {
-            product[f + c] = matrix[3 * c] * x + matrix[3 * c + 1] * y + matrix[3 * c + 2] * z;
+        target.transformRow(i, matrix);
+    }
+
+    /** Multiplies the blocks with the direction as they arrive. */
+    private final class Product implements JacobianBlocks {
+        @Override
+        public void add(int i, int j, double[] dFdX, double[] dFdV) {
+            apply(i, j, dFdX, dFdV, 1);
+        }
+
+        @Override
+        public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
+            apply(i, i, dFdX, dFdV, 1);
+            apply(i, j, dFdX, dFdV, -1);
+            apply(j, j, dFdX, dFdV, 1);
+            apply(j, i, dFdX, dFdV, -1);
+        }
+
+        private void apply(int i, int j, double[] dFdX, double[] dFdV, double sign) {
+            int to = STRIDE * i + 3;
+            int from = STRIDE * j;
+            for (int c = 0; c < 3; c++) {
+                double sum = 0;
+                for (int k = 0; k < 3; k++) {
+                    sum += dFdX[3 * c + k] * direction[from + k] + dFdV[3 * c + k] * direction[from + 3 + k];
+                }
+                product[to + c] += sign * sum;
+            }
+        }
+
+        @Override
+        public void transformRow(int i, double[] matrix) {
+            int f = STRIDE * i + 3;
+            double x = product[f];
+            double y = product[f + 1];
+            double z = product[f + 2];
+            for (int c = 0; c < 3; c++) {
+                product[f + c] = matrix[3 * c] * x + matrix[3 * c + 1] * y + matrix[3 * c + 2] * z;
+            }
         }
     }
 }

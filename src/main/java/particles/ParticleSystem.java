@@ -208,8 +208,7 @@ public final class ParticleSystem implements SecondOrderStateSource, JacobianSta
         evaluations++;
         addUpForces(state, time, dSdt);
         double[] inverseMasses = particles.inverseMasses();
-        int n = particles.count();
-        for (int i = 0, x = 0; i < n; i++, x += STRIDE) {
+        for (int i = 0, x = 0, n = particles.count(); i < n; i++, x += STRIDE) {
             double inverseMass = inverseMasses[i];
             dSdt[x] = state[x + 3];
             dSdt[x + 1] = state[x + 4];
@@ -224,14 +223,9 @@ public final class ParticleSystem implements SecondOrderStateSource, JacobianSta
         }
     }
 
-    /** {@inheritDoc} By differences, each for two evaluations, where an effect or a reaction does not know its own part. */
     @Override
     public void getJacobianProduct(double[] direction, double[] product) {
-        if (jacobian.isExact()) {
-            jacobian.multiply(state, time, direction, product);
-        } else {
-            jacobian.difference(state, direction, product);
-        }
+        jacobian.multiply(state, time, direction, product);
     }
 
     @Override

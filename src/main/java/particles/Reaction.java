@@ -1,7 +1,5 @@
 package particles;
 
-import deSolvers.JacobianBlocks;
-
 /**
  * A force that answers the total of all others: resting contact and its friction push back just as hard as they are
  * pushed. Acts after all effects.
@@ -27,8 +25,8 @@ public interface Reaction {
     /** @return whether the force depends on velocities, as friction does */
     boolean dependsOnVelocity();
 
-    /** @return whether {@link #addJacobianBlocks} adds all there is */
-    default boolean hasJacobianBlocks() {
+    /** @return whether {@link #addForceDerivatives} adds all there is */
+    default boolean hasForceDerivatives() {
         return false;
     }
 
@@ -38,9 +36,9 @@ public interface Reaction {
      * @param state  the particles' state, to be read only
      * @param time   t (s)
      * @param force  the total force before this reaction (N), in the entries where the velocities stand; to be read only
-     * @param blocks holds what the effects have added
+     * @param derivatives holds what the effects have added
      */
-    default void addJacobianBlocks(double[] state, double time, double[] force, JacobianBlocks blocks) {
+    default void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
     }
 
     /**

@@ -112,8 +112,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     /** (mu - h J) error = h f + e . z, in units of the tolerance. */
     private double estimate(double[] state, double[] slope, double h, double[] newState) {
         for (int i = 0; i < state.length; i++) {
-            right[i] = h * slope[i] + RadauTableau.ERROR[0] * z[0][i] + RadauTableau.ERROR[1] * z[1][i]
-                    + RadauTableau.ERROR[2] * z[2][i];
+            right[i] = h * slope[i] + RadauTableau.error(z, i);
         }
         return systems.solveReal(right, error) ? tolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
     }
@@ -144,7 +143,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     private void guess(double h) {
         double ratio = lastTaken == 0 ? 0 : h / lastTaken;
         for (int k = 0; k < 3; k++) {
-            double u = 1 + RadauTableau.C[k] * ratio;
+            double u = 1 + RadauTableau.c(k) * ratio;
             double u2 = u * u - 1;
             double u3 = u * u * u - 1;
             for (int i = 0; i < error.length; i++) {
@@ -181,8 +180,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     private void take(double error) {
         for (int i = 0; i < this.error.length; i++) {
             for (int power = 0; power < 3; power++) {
-                polynomial[power][i] = RadauTableau.POLYNOMIAL[0][power] * z[0][i]
-                        + RadauTableau.POLYNOMIAL[1][power] * z[1][i] + RadauTableau.POLYNOMIAL[2][power] * z[2][i];
+                polynomial[power][i] = RadauTableau.polynomial(power + 1, z, i);
             }
         }
         jacobianKnown = !(newton.iterations() > 2 && newton.rate() > SLOW_RATE);

@@ -1,11 +1,8 @@
 package deSolvers.implicit;
 
-import static deSolvers.implicit.RadauTableau.C;
 import static deSolvers.implicit.RadauTableau.MU;
 import static deSolvers.implicit.RadauTableau.MU_IM;
 import static deSolvers.implicit.RadauTableau.MU_RE;
-import static deSolvers.implicit.RadauTableau.T;
-import static deSolvers.implicit.RadauTableau.T_INVERSE;
 
 import deSolvers.GuardedStep;
 import deSolvers.adaptive.Tolerance;
@@ -24,6 +21,7 @@ final class RadauNewton {
     private final Tolerance tolerance;
     private final double[][] w;
     private final double[][] f;
+    private final double[][] split;                     // T^-1 f
     private final double[] trial;
     private final double[] right;
     private final double[] correction;
@@ -38,6 +36,7 @@ final class RadauNewton {
         this.tolerance = tolerance;
         w = new double[3][n];
         f = new double[3][n];
+        split = new double[3][n];
         trial = new double[n];
         right = new double[n];
         correction = new double[n];
@@ -56,7 +55,7 @@ final class RadauNewton {
         int n = state.length;
         double enough = Math.max(Math.min(MOST_LEFT, Math.sqrt(tolerance.relative())),
                 10 * Math.ulp(1.0) * tolerance.size(state, state));     // no less than rounding
-        transform(T_INVERSE, z, w);
+        RadauTableau.transform(true, z, w);
         double sizeBefore = 0;
         rate = 0;
         for (iterations = 1; iterations <= MOST_ITERATIONS; iterations++) {
@@ -75,7 +74,7 @@ final class RadauNewton {
             if (!(size <= Double.MAX_VALUE)) {
                 return false;
             }
-            transform(T, w, z);
+            RadauTableau.transform(false, w, z);
             if (size == 0) {
                 return true;
             }
@@ -109,7 +108,7 @@ final class RadauNewton {
                 trial[i] = state[i] + z[k][i];
             }
             source.setState(trial);
-            source.setOffset(offset + C[k] * h);
+            source.setOffset(offset + RadauTableau.c(k) * h);
             source.getStateDerivative(f[k]);
             if (GuardedStep.firstNonFinite(f[k]) >= 0) {
                 return false;
@@ -120,24 +119,13 @@ final class RadauNewton {
 
     /** (mu - h J) correction = h (T^-1 f) - mu w, for the real and the complex variable. */
     private boolean correct(RadauSystems systems, double h) {
+        RadauTableau.transform(true, f, split);
         for (int i = 0; i < right.length; i++) {
-            right[i] = h * row(0, i) - MU * w[0][i];
-            complexRight[2 * i] = h * row(1, i) - (MU_RE * w[1][i] - MU_IM * w[2][i]);
-            complexRight[2 * i + 1] = h * row(2, i) - (MU_RE * w[2][i] + MU_IM * w[1][i]);
+            right[i] = h * split[0][i] - MU * w[0][i];
+            complexRight[2 * i] = h * split[1][i] - (MU_RE * w[1][i] - MU_IM * w[2][i]);
+            complexRight[2 * i + 1] = h * split[2][i] - (MU_RE * w[2][i] + MU_IM * w[1][i]);
         }
         return systems.solveReal(right, correction) && systems.solveComplex(complexRight, complexCorrection);
-    }
-
-    private double row(int k, int i) {
-        return T_INVERSE[k][0] * f[0][i] + T_INVERSE[k][1] * f[1][i] + T_INVERSE[k][2] * f[2][i];
-    }
-
-    private static void transform(double[][] matrix, double[][] from, double[][] to) {
-        for (int i = 0; i < from[0].length; i++) {
-            for (int k = 0; k < 3; k++) {
-                to[k][i] = matrix[k][0] * from[0][i] + matrix[k][1] * from[1][i] + matrix[k][2] * from[2][i];
-            }
-        }
     }
 
     /** How many iterations the last solution took. */

@@ -57,7 +57,7 @@ public final class Gravity implements Effect {
 
     /** {@inheritDoc} There are none: the force is the same everywhere. */
     @Override
-    public boolean hasJacobianBlocks() {
+    public boolean hasForceDerivatives() {
         return true;
     }
 

@@ -1,9 +1,9 @@
 package particles.effects;
 
-import deSolvers.JacobianBlocks;
 import java.util.EnumSet;
 import java.util.Set;
 import particles.Effect;
+import particles.ForceDerivatives;
 import particles.Particles;
 
 /**
@@ -64,14 +64,14 @@ public final class LinearDrag implements Effect {
 
     /** {@inheritDoc} They are known where the air moves in the same way everywhere. */
     @Override
-    public boolean hasJacobianBlocks() {
+    public boolean hasForceDerivatives() {
         return wind == Wind.STILL || wind.isUniform();
     }
 
     @Override
-    public void addJacobianBlocks(double[] state, double time, JacobianBlocks blocks) {
+    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         for (int i = 0; i < particles.count(); i++) {
-            blocks.add(i, i, dFdX, dFdV);
+            derivatives.add(i, i, dFdX, dFdV);
         }
     }
 

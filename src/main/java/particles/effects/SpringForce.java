@@ -1,10 +1,10 @@
 package particles.effects;
 
-import deSolvers.JacobianBlocks;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import particles.Effect;
+import particles.ForceDerivatives;
 import particles.Particles;
 import particles.SpringView;
 import particles.Vector3;
@@ -140,14 +140,14 @@ public final class SpringForce implements Effect, SpringView {
     }
 
     @Override
-    public boolean hasJacobianBlocks() {
+    public boolean hasForceDerivatives() {
         return true;
     }
 
     @Override
-    public void addJacobianBlocks(double[] state, double time, JacobianBlocks blocks) {
+    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         for (int s = 0; s < count; s++) {
-            derivative.add(state, from[s], to[s], stiffness[s], restLength[s], damping[s], blocks);
+            derivative.add(state, from[s], to[s], stiffness[s], restLength[s], damping[s], derivatives);
         }
     }
 

@@ -1,6 +1,6 @@
 package particles.effects;
 
-import deSolvers.JacobianBlocks;
+import particles.ForceDerivatives;
 import particles.Particles;
 
 /**
@@ -29,7 +29,7 @@ final class SpringJacobian {
      * @param i where the particle on which F_ij acts begins in the state
      * @param j where the other one does
      */
-    void add(double[] state, int i, int j, double stiffness, double restLength, double damping, JacobianBlocks blocks) {
+    void add(double[] state, int i, int j, double stiffness, double restLength, double damping, ForceDerivatives derivatives) {
         double length = direction(state, i, j);
         double across = -stiffness;                     // without direction: what a spring of rest length 0 has everywhere
         double along = 0;
@@ -53,7 +53,7 @@ final class SpringJacobian {
                 dFdV[e] = drag * u[row] * u[column];
             }
         }
-        blocks.addPair(i / Particles.STRIDE, j / Particles.STRIDE, dFdX, dFdV);
+        derivatives.addPair(i / Particles.STRIDE, j / Particles.STRIDE, dFdX, dFdV);
     }
 
     /** Writes u and returns |r|; both are 0 where there is no direction. */

@@ -1,7 +1,7 @@
 package particles.reactions;
 
-import deSolvers.JacobianBlocks;
 import java.util.Arrays;
+import particles.ForceDerivatives;
 import particles.Vector3;
 
 /**
@@ -116,9 +116,9 @@ final class ContactDerivative {
     }
 
     /** Changes the particle's row, and adds what depends on its velocity. */
-    void add(int i, JacobianBlocks blocks) {
-        blocks.transformRow(i, total);
-        blocks.add(i, i, dFdX, dFdV);
+    void add(int i, ForceDerivatives derivatives) {
+        derivatives.transformRow(i, total);
+        derivatives.add(i, i, dFdX, dFdV);
     }
 
     private static void addTo(double[] row, double factor, Vector3 vector) {

@@ -1,7 +1,7 @@
 package particles.reactions;
 
-import deSolvers.JacobianBlocks;
 import java.util.List;
+import particles.ForceDerivatives;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
@@ -103,12 +103,12 @@ public final class PlaneContacts implements Reaction {
     }
 
     @Override
-    public boolean hasJacobianBlocks() {
+    public boolean hasForceDerivatives() {
         return true;
     }
 
     @Override
-    public void addJacobianBlocks(double[] state, double time, double[] force, JacobianBlocks blocks) {
+    public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
         for (int i = 0; i < modes.end(); i++) {
             int count = respond(i, state, force);
             if (count == 0) {
@@ -122,7 +122,7 @@ public final class PlaneContacts implements Reaction {
                 double factor = sliding.find(touched[p].friction(), normals[p], push[p], pressing, state, STRIDE * i + 3);
                 derivative.rub(p, factor, sliding, touched[p].friction().law());
             }
-            derivative.add(i, blocks);
+            derivative.add(i, derivatives);
         }
     }
 
@@ -164,7 +164,7 @@ public final class PlaneContacts implements Reaction {
     @Override
     public void reindex(int[] newIndex) {
         modes.reindex(newIndex);
-        stepBegin = new double[0];
+        sliding.forget();
     }
 
     /**

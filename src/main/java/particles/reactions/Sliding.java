@@ -21,6 +21,10 @@ final class Sliding {
         system.getState(stepBegin);
     }
 
+    void forget() {
+        stepBegin = new double[0];
+    }
+
     double[] getStepBegin() {
         return stepBegin;
     }
