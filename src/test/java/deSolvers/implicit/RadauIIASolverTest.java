@@ -25,6 +25,11 @@ class RadauIIASolverTest extends AdaptiveContract {
         return 1.25;
     }
 
+    @Override
+    protected boolean isExplicit() {
+        return false;
+    }
+
     /** The collocation polynomial has the order of the estimate, not that of the end: it keeps to the tolerance (measured 0.25 of it). */
     @Override
     protected double inBetween(double errorAtEnd, double tolerance) {
