@@ -24,7 +24,7 @@ public record Look(Shown particles, Shown springs, double particleRadius, double
     public enum Shown {
         /** All. */
         ALWAYS,
-        /** Those that do not belong to a surface; springs with an end that does not. */
+        /** Those that do not belong to a surface; springs with an end that does not, unless they begin on a closed one. */
         BESIDE_SURFACES,
         /** None. */
         NEVER
@@ -33,7 +33,8 @@ public record Look(Shown particles, Shown springs, double particleRadius, double
     /** @throws IllegalArgumentException if a number is out of its range */
     public Look {
         if (!(particleRadius >= 0) || !(particleRadius <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the particles' radius has to be 0 or more and finite, not " + particleRadius);
+            throw new IllegalArgumentException("the particles' radius has to be 0 or more and finite, not "
+                    + particleRadius);
         }
         if (!(strainRange > 0) || !(strainRange <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("the range of strain has to be positive and finite, not " + strainRange);

@@ -1,5 +1,7 @@
 package particles.experiments;
 
+import java.util.Locale;
+
 /** A direction of space, by which one component of a particle's motion is chosen. */
 public enum Axis {
     /** To the right. */
@@ -11,6 +13,6 @@ public enum Axis {
 
     /** @return x, y or z */
     public String symbol() {
-        return name().toLowerCase(java.util.Locale.ROOT);
+        return name().toLowerCase(Locale.ROOT);
     }
 }

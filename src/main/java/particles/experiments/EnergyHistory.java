@@ -12,9 +12,9 @@ import particles.ParticleSystem;
 import particles.Rule;
 
 /**
- * The energies of a run over time: kinetic, what each effect stores, and their sum, after each step and again after rules
- * changed something, so that the loss in a bounce is a vertical line. Thinned to some thousand points a curve, with every
- * extreme kept.
+ * The energies of a run over time: kinetic, what each effect stores, and their sum, after each step and again after
+ * rules changed something, so that the loss in a bounce is a vertical line. Thinned to some thousand points a curve,
+ * with every extreme kept.
  */
 public final class EnergyHistory implements Observer {
     private static final int BUCKETS = 1024;
@@ -37,7 +37,7 @@ public final class EnergyHistory implements Observer {
         this(1);
     }
 
-    /** @param stride every how many steps the energies are computed, 1 or more: they cost about what half an evaluation does */
+    /** @param stride every how many steps the energies are computed, 1 or more: that costs as much as half an evaluation */
     public EnergyHistory(long stride) {
         if (stride < 1) {
             throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
@@ -111,16 +111,17 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene at
-     *         rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
+     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene
+     * at         rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
      */
     public double getScale() {
         return largestOfMotionAndSprings > AT_REST * restScale ? largestOfMotionAndSprings : restScale;
     }
 
     /**
-     * The energies, and below them the relative drift of the total. The total is the first series. A potential that no inner force has, such as gravity's,
-     * has its zero at the lowest value of the run, since a chart must not depend on where the origin lies.
+     * The energies, and below them the relative drift of the total. The total is the first series. A potential that no
+     * inner force has, such as gravity's, has its zero at the lowest value of the run, since a chart must not depend on
+     * where the origin lies.
      *
      * @param title of the chart, such as the scene and its solver
      * @return two charts over the same time

@@ -3,9 +3,9 @@ package particles.experiments;
 import java.util.Arrays;
 
 /**
- * A quantity over time, thinned to a few thousand points without losing an extreme: neighbouring samples share a bucket,
- * of which the smallest and the largest are kept with their times. When the buckets run out, each takes twice as many
- * samples. What is kept depends on the samples alone.
+ * A quantity over time, thinned to a few thousand points without losing an extreme: neighbouring samples share a
+ * bucket, of which the smallest and the largest are kept with their times. When the buckets run out, each takes twice
+ * as many samples. What is kept depends on the samples alone.
  */
 final class Extremes {
     private final long[] lowIndex;

@@ -13,8 +13,8 @@ import particles.Rule;
 
 /**
  * The path of one particle in its state space: position against velocity along an axis, after each step and again after
- * rules changed something, so that a bounce is a vertical line. A very long path is thinned to every 2nd, 4th, ... state, and
- * then drawn as points, since lines between distant states would show a motion that was none.
+ * rules changed something, so that a bounce is a vertical line. A very long path is thinned to every 2nd, 4th, ...
+ * state, and then drawn as points, since lines between distant states would show a motion that was none.
  */
 public final class PhaseHistory implements Observer {
     private static final int CAPACITY = 1 << 15;

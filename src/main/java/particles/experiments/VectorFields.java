@@ -20,8 +20,9 @@ public final class VectorFields {
     }
 
     /**
-     * Evaluates the field on a grid around a path. A system has one degree of freedom for this purpose if one particle can
-     * move, and nothing that it meets on the grid drives it across the axis. The effects are asked, reactions are not.
+     * Evaluates the field on a grid around a path. A system has one degree of freedom for this purpose if one particle
+     * can move, and nothing that it meets on the grid drives it across the axis. The effects are asked, reactions are
+     * not.
      *
      * @param system whose effects make the field, at its present time; not changed, and not counted as evaluations
      * @param axis   along which the particle moves

@@ -6,8 +6,8 @@ import particles.ChartData;
 import particles.ChartData.Series;
 
 /**
- * Chart data as JFreeChart reads it. A point that has no place in the chart, since it is not finite or not positive on a
- * logarithmic axis, is a gap in its line.
+ * Chart data as JFreeChart reads it. A point that has no place in the chart, since it is not finite or not positive on
+ * a logarithmic axis, is a gap in its line.
  */
 final class ChartDataset extends AbstractXYDataset {
     private static final long serialVersionUID = 1L;
@@ -17,8 +17,8 @@ final class ChartDataset extends AbstractXYDataset {
     ChartDataset(ChartData data) {
         for (Series series : data.series()) {
             if (series.x().length != series.y().length) {
-                throw new IllegalArgumentException("series '" + series.name() + "' has " + series.x().length + " abscissae and "
-                        + series.y().length + " ordinates");
+                throw new IllegalArgumentException("series '" + series.name() + "' has " + series.x().length
+                        + " abscissae and " + series.y().length + " ordinates");
             }
         }
         this.data = data;

@@ -12,9 +12,9 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 
 /**
- * The one look of all charts: on white, for print as well as for the screen; lines differ in colour and in their dashes,
- * points in colour and shape. The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which people
- * with any kind of colour vision tell apart; their yellow is left out, since it is too pale on white.
+ * The one look of all charts: on white, for print as well as for the screen; lines differ in colour and in their
+ * dashes, points in colour and shape. The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008),
+ * which people with any kind of colour vision tell apart; their yellow is left out, since it is too pale on white.
  */
 final class ChartStyle {
     static final Color TEXT = new Color(0x222222);

@@ -7,9 +7,9 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 
 /**
- * Whether this machine can draw text, found out once and before anything depends on it. A Java without fonts, or without
- * the libraries that read them, fails in many ways and places: InternalError, NullPointerException, UnsatisfiedLinkError
- * at first, NoClassDefFoundError ever after.
+ * Whether this machine can draw text, found out once and before anything depends on it. A Java without fonts, or
+ * without the libraries that read them, fails in many ways and places: InternalError, NullPointerException,
+ * UnsatisfiedLinkError at first, NoClassDefFoundError ever after.
  */
 final class Lettering {
     /** One clear line for what cannot be drawn without text. */

@@ -11,8 +11,8 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * Which names of a folder are ours, kept in a small hidden file of the folder. A name is written there before the file of
- * that name is, so that what a killed run left behind is known as ours too.
+ * Which names of a folder are ours, kept in a small hidden file of the folder. A name is written there before the file
+ * of that name is, so that what a killed run left behind is known as ours too.
  */
 final class MadeList {
     /** The list's own name. */

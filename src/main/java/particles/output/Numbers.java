@@ -4,8 +4,8 @@ import com.fasterxml.jackson.core.io.NumberOutput;
 
 /**
  * Numbers in files: the shortest digits that read back as the same double, by one fixed algorithm (R. Giulietti, "The
- * Schubfach way to render doubles"), so that a file has the same bytes on every JDK; {@link Double#toString} changed its
- * digits in JDK 19.
+ * Schubfach way to render doubles"), so that a file has the same bytes on every JDK; {@link Double#toString} changed
+ * its digits in JDK 19.
  */
 final class Numbers {
     private Numbers() {

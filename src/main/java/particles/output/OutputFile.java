@@ -10,9 +10,9 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * A file that comes to be as a whole or not at all: it is written under a temporary name in the same folder and moved to
- * its own name by {@link #commit}. Closed without commit, it leaves nothing behind, and a file that was there before stays.
- * May be closed by another thread than the one that writes, as a program does that is being stopped.
+ * A file that comes to be as a whole or not at all: it is written under a temporary name in the same folder and moved
+ * to its own name by {@link #commit}. Closed without commit, it leaves nothing behind, and a file that was there before
+ * stays. May be closed by another thread than the one that writes, as a program does that is being stopped.
  */
 public final class OutputFile extends OutputStream {
     private static final int BUFFER = 1 << 16;

@@ -10,8 +10,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * The folder of a run's results. It remembers in a small hidden file which names it wrote, so that a new run removes what
- * the old one made and nothing else; a file of the same name that no run made is never overwritten. Every file is
+ * The folder of a run's results. It remembers in a small hidden file which names it wrote, so that a new run removes
+ * what the old one made and nothing else; a file of the same name that no run made is never overwritten. Every file is
  * written whole or not at all. Nothing outside the folder is touched.
  */
 public final class OutputFolder implements AutoCloseable {
@@ -98,8 +98,8 @@ public final class OutputFolder implements AutoCloseable {
     }
 
     /**
-     * Throws away what is unfinished and begins nothing any more; what is complete stays. For the end of a program, also
-     * from another thread when it is being stopped.
+     * Throws away what is unfinished and begins nothing any more; what is complete stays. For the end of a program,
+     * also from another thread when it is being stopped.
      */
     @Override
     public void close() {

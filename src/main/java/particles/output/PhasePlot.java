@@ -1,6 +1,7 @@
 package particles.output;
 
 import java.awt.BasicStroke;
+import java.util.Arrays;
 import java.util.Optional;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
@@ -14,8 +15,9 @@ import particles.ChartData.Series;
 import particles.VectorField;
 
 /**
- * A path in state space: the first series of the chart data, with heads along it that show its direction, its start marked,
- * and, where it is known, the vector field behind it. The arrows of the field are as long as the field is strong.
+ * A path in state space: the first series of the chart data, with heads along it that show its direction, its start
+ * marked, and, where it is known, the vector field behind it. The arrows of the field are as long as the field is
+ * strong.
  */
 final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
@@ -67,7 +69,7 @@ final class PhasePlot {
 
     /** The smallest distance between two different grid lines. */
     private static double spacing(double[] values) {
-        double[] sorted = java.util.Arrays.stream(values).sorted().distinct().toArray();
+        double[] sorted = Arrays.stream(values).sorted().distinct().toArray();
         double spacing = Double.POSITIVE_INFINITY;
         for (int k = 1; k < sorted.length; k++) {
             spacing = Math.min(spacing, sorted[k] - sorted[k - 1]);
@@ -76,8 +78,8 @@ final class PhasePlot {
     }
 
     private static void show(NumberAxis axis, double[] values, double margin) {
-        double low = java.util.Arrays.stream(values).min().orElse(0);
-        double high = java.util.Arrays.stream(values).max().orElse(0);
+        double low = Arrays.stream(values).min().orElse(0);
+        double high = Arrays.stream(values).max().orElse(0);
         axis.setRange(new Range(low - margin, high + margin));
     }
 

@@ -17,8 +17,8 @@ import particles.Particles;
  * 0.0,bob,1.0,0.0,0.0,0.0,0.0,0.0
  * </pre>
  * in s, m and m/s, ids quoted as RFC 4180 says where they need it, lines ended by {@code \n}, UTF-8. Recorded are the
- * solver's own states, after rules have acted, never interpolated ones: the first, every stride-th after it, and the last. The
- * bytes depend on the trajectory alone, whatever else observes the run.
+ * solver's own states, after rules have acted, never interpolated ones: the first, every stride-th after it, and the
+ * last. The bytes depend on the trajectory alone, whatever else observes the run.
  */
 public final class TrajectoryWriter implements Observer, AutoCloseable {
     /** The file's name. */

@@ -1,20 +1,30 @@
 /**
- * Results as files: numbers, charts, frames, animations. The only package that draws, and it reads what the simulation
- * observers hand it; nothing here changes a trajectory.
+ * Results as files: numbers, charts, frames, animations. The only package that draws, and it reads what simulation and
+ * recorders hand it; nothing here changes a trajectory.
  *
  * <p>An {@link particles.output.OutputFolder} is opened first. Observers of a run take it:
- * {@link particles.output.TrajectoryWriter} streams the states. After the run
+ * {@link particles.output.TrajectoryWriter} streams the states, and a {@link particles.output.FrameObserver} has frames
+ * drawn at regular times by a {@link particles.output.FrameRenderer}, on another thread, for
+ * {@link particles.output.PngFrames} and a {@link particles.output.GifAnimation}. After the run
  * {@link particles.output.ChartWriter} draws the chart data that recorders collected, and
- * {@link particles.output.RunSummaryWriter} writes what the run was. Observers that hold a file open are closed also when a run ends
- * early; they then keep what they have as a whole file:
+ * {@link particles.output.RunSummaryWriter} writes what the run was. Observers that hold files open are closed also
+ * when a run ends early; they then keep what they have, as whole files:
  * <pre>
- *     try (OutputFolder folder = OutputFolder.open(path, TrajectoryWriter.FILE, RunSummaryWriter.FILE);
- *             TrajectoryWriter trajectory = new TrajectoryWriter(folder, 1)) {
+ *     Stage stage = new Stage(CameraFraming.around(system, planes, 16 / 9.0), Look.STANDARD, surfaces, planes,
+ *             "A cloth", "rk4, deltaT = 0.01 s");
+ *     FrameRenderer renderer = new FrameRenderer(stage, 1280, 720, 2);
+ *     try (OutputFolder folder = OutputFolder.open(path, OutputFolder.FRAMES, GifAnimation.FILE,
+ * TrajectoryWriter.FILE);             TrajectoryWriter trajectory = new TrajectoryWriter(folder, 1);
+ *             FrameObserver frames = new FrameObserver(renderer, 25, List.of(
+ *                     new PngFrames(folder, 1280, 720), new GifAnimation(folder, renderer, 640, 25)))) {
  *         simulation.addObserver(trajectory);
+ *         simulation.addObserver(frames);
  *         simulation.run();
  *         RunSummaryWriter.write(folder, summary);
  *     }
  * </pre>
  * Whatever cannot be written ends in an {@link particles.output.OutputException}, whose message is one line for people.
+ * A program that is being stopped calls {@link particles.output.OutputFolder#close} from its shutdown hook: unfinished
+ * files then disappear, complete ones stay.
  */
 package particles.output;

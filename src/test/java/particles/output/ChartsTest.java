@@ -126,7 +126,8 @@ class ChartsTest {
         assertEquals(1.5, chart.getXYPlot().getDomainAxis().getUpperBound());      // the field, and half a cell around it
         OutputFolder folder = OutputFolder.open(top);
         ChartWriter.writePhase(folder, "phase.png", chart(false, series("path", 1, 2, 3)), Optional.of(field));
-        ChartWriter.writeStacked(folder, "energy.png", List.of(chart(false, series("a", 0, 0)), chart(false, series("b", 0))));
+        ChartWriter.writeStacked(folder, "energy.png",
+                List.of(chart(false, series("a", 0, 0)), chart(false, series("b", 0))));
         ChartWriter.write(folder, "log.png", chart(true, series("nothing", -1, -1)));
         assertEquals(1800, ImageIO.read(top.resolve("phase.png").toFile()).getWidth());
         assertTrue(Files.size(top.resolve("energy.png")) > 0);

@@ -1,0 +1,160 @@
+package particles.output;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import particles.Look;
+import particles.Surface;
+import particles.Vector3;
+
+/**
+ * Draws frames of a run, in software and without a screen: surfaces shaded on both sides, springs coloured by their
+ * strain, particles as balls, on planes with a grid and soft shadows under a sky. For one thread at a time.
+ */
+public final class FrameRenderer {
+    private final Stage stage;
+    private final BufferedImage image;
+    private final int[] pixels;
+    private final Projection view;
+    private final Lighting lighting;
+    private final Raster raster;
+    private final Projected projected;
+    private final Shown shown;
+    private final SurfacePainter surfaces;
+    private final RoundShapes shapes;
+    private final ShadowPainter shadows = new ShadowPainter();
+    private final FrameText text;
+    // what the first frame decides
+    private Sizes sizes;
+    private SpringPainter springs;
+    private Backdrop backdrop;
+    /** Once a spring was seen, the scale of strain stays in the picture. */
+    private boolean springsSeen;
+
+    /**
+     * @param stage    what is shown
+     * @param width    of the pictures (pixels)
+     * @param height   of the pictures (pixels)
+     * @param decimals of the time that is written into them
+     * @throws IllegalArgumentException if the size or the camera cannot be
+     */
+    public FrameRenderer(Stage stage, int width, int height, int decimals) {
+        if (width < 16 || height < 16 || (long) width * height > 40_000_000) {
+            throw new IllegalArgumentException("pictures of " + width + " x " + height + " pixels; "
+                    + "from 16 x 16 to 40 million are possible");
+        }
+        this.stage = stage;
+        image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        view = new Projection(stage.camera(), width, height);
+        lighting = new Lighting(view, stage.camera().up());
+        raster = new Raster(width, height);
+        projected = new Projected(view);
+        shown = new Shown(stage.look(), stage.surfaces());
+        surfaces = new SurfacePainter(raster, view, lighting, stage.look());
+        shapes = new RoundShapes(raster, view, lighting);
+        text = new FrameText(stage, height, decimals);
+    }
+
+    /** @return the width of the pictures (pixels) */
+    public int getWidth() {
+        return image.getWidth();
+    }
+
+    /** @return the height of the pictures (pixels) */
+    public int getHeight() {
+        return image.getHeight();
+    }
+
+    /** @return colours that frames may have although the first one has not: of the look and of strain, in light and shade */
+    int[] importantColours() {
+        int[] important = new int[64];
+        int n = 0;
+        Look look = stage.look();
+        for (int base : new int[] {look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour(),
+            Colours.COMPRESSED, Colours.AT_REST, Colours.STRETCHED, Backdrop.GROUND}) {
+            for (int shade = 0; shade < 8; shade++) {
+                important[n++] = Colours.lit(base, 0.46f + 0.09f * shade, 0);
+            }
+        }
+        return important;
+    }
+
+    /** @return the pixels, 0xRRGGBB row by row, valid until the next call */
+    int[] render(FrameState state) {
+        if (backdrop == null) {
+            prepare(state);
+        }
+        projected.take(state);
+        raster.clear();
+        for (Surface surface : stage.surfaces()) {
+            surfaces.paint(surface, state, projected);
+        }
+        for (int s = 0; s < state.springs; s++) {
+            if (shown.spring(state.from[s], state.to[s])) {
+                springsSeen |= springs.paint(state, projected, s);
+            }
+        }
+        for (int i = 0; i < state.particles; i++) {
+            if (projected.visible[i] && shown.particle(i)) {
+                shapes.ball(projected.x[i], projected.y[i], sizes.ball() * projected.scale[i], projected.depth[i],
+                        sizes.ball(), state.fixed[i] ? stage.look().fixedColour() : stage.look().particleColour());
+            }
+        }
+        for (ShadowMap map : backdrop.shadows) {
+            shadows.paint(map, state, shown, sizes, stage.surfaces());
+        }
+        compose();
+        Graphics2D g = image.createGraphics();
+        text.draw(g, getWidth(), getHeight(), state.time, springsSeen);
+        g.dispose();
+        return pixels;
+    }
+
+    private void prepare(FrameState state) {
+        sizes = Sizes.of(state, stage.look(), view.viewHeight);
+        springs = new SpringPainter(shapes, view, stage.look(), sizes);
+        boolean balls = false;
+        for (int i = 0; i < state.particles && !balls; i++) {
+            balls = shown.particle(i);
+        }
+        Vector3 up = stage.camera().up().normalized();
+        backdrop = new Backdrop(view, lighting, stage.planes(), stage.camera().target(),
+                balls ? sizes.ball() : 0.003 * view.viewHeight, up);
+    }
+
+    /** Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies behind. */
+    private void compose() {
+        int width = getWidth();
+        for (int y = 0, p = 0; y < getHeight(); y++) {
+            boolean rowTouched = raster.isRowTouched(y);
+            for (int x = 0; x < width; x++, p++) {
+                if (!rowTouched || !raster.isTouched(x, y)) {
+                    pixels[p] = backdrop.colour(p);
+                    continue;
+                }
+                float behind = backdrop.near(p);
+                int at = Raster.SAMPLES * (y * raster.width + x);
+                int below = at + raster.width;
+                int empty = 0;
+                int redBlue = 0;
+                int green = 0;
+                for (int k = 0; k < 4; k++) {
+                    int sample = k < 2 ? at + k : below + k - 2;
+                    if (raster.near[sample] > behind) {
+                        redBlue += raster.colour[sample] & 0xff00ff;
+                        green += raster.colour[sample] & 0x00ff00;
+                    } else {
+                        empty++;
+                    }
+                }
+                if (empty > 0) {
+                    int rgb = backdrop.colour(p);
+                    redBlue += empty * (rgb & 0xff00ff);
+                    green += empty * (rgb & 0x00ff00);
+                }
+                pixels[p] = redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
+            }
+        }
+    }
+}

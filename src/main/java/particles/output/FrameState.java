@@ -1,0 +1,70 @@
+package particles.output;
+
+import java.util.Arrays;
+import particles.Effect;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.SpringView;
+
+/** What a frame needs to know, copied from a running simulation so that it can be drawn beside it. */
+final class FrameState {
+    /** Which state of the springs it has; the observer counts. */
+    int structure;
+    double time;
+    int particles;
+    /** Three entries a particle. */
+    double[] positions = {};
+    boolean[] fixed = {};
+    int springs;
+    /** Indices of particles. */
+    int[] from = {};
+    int[] to = {};
+    double[] restLength = {};
+
+    /**
+     * Copies the places.
+     *
+     * @param state in the layout of the system's state
+     */
+    void take(double[] state, int count, double time) {
+        this.time = time;
+        particles = count;
+        if (positions.length < 3 * count) {
+            positions = new double[3 * count];
+        }
+        for (int i = 0, x = 0; i < 3 * count; i += 3, x += Particles.STRIDE) {
+            positions[i] = state[x];
+            positions[i + 1] = state[x + 1];
+            positions[i + 2] = state[x + 2];
+        }
+    }
+
+    /** Copies what changes only when rules change it: springs, and which particles are fixed. */
+    void takeStructure(ParticleSystem system) {
+        int count = system.getParticles().count();
+        fixed = Arrays.copyOf(fixed, count);
+        for (int i = 0; i < count; i++) {
+            fixed[i] = system.getParticles().isFixed(i);
+        }
+        int needed = 0;
+        for (Effect effect : system.getEffects()) {
+            needed += effect instanceof SpringView view ? view.springCount() : 0;
+        }
+        if (from.length < needed) {
+            from = new int[needed];
+            to = new int[needed];
+            restLength = new double[needed];
+        }
+        springs = 0;
+        for (Effect effect : system.getEffects()) {
+            if (effect instanceof SpringView view) {
+                for (int s = 0; s < view.springCount(); s++) {
+                    from[springs] = view.from(s);
+                    to[springs] = view.to(s);
+                    restLength[springs] = view.restLength(s);
+                    springs++;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package particles.output;
+
+import java.util.Arrays;
+
+/**
+ * Colour samples with nearness, twice as many as pixels in each direction: the nearest thing wins at each sample, and
+ * the mean of four samples smooths the edges. Triangles are drawn here; balls and tubes in {@link RoundShapes}.
+ */
+final class Raster {
+    /** Samples a pixel in each direction. */
+    static final int SAMPLES = 2;
+
+    final int width;
+    final int height;
+    final int[] colour;
+    final float[] near;
+    // what was drawn on since it was cleared, in samples
+    private int left;
+    private int top;
+    private int right;
+    private int bottom;
+
+    /** @param width in pixels */
+    Raster(int width, int height) {
+        this.width = SAMPLES * width;
+        this.height = SAMPLES * height;
+        colour = new int[this.width * this.height];
+        near = new float[this.width * this.height];
+        Arrays.fill(near, Float.NEGATIVE_INFINITY);
+        forget();
+    }
+
+    void clear() {
+        for (int y = top; y < bottom; y++) {
+            Arrays.fill(near, y * width + left, y * width + right, Float.NEGATIVE_INFINITY);
+        }
+        forget();
+    }
+
+    private void forget() {
+        left = width;
+        top = height;
+        right = 0;
+        bottom = 0;
+    }
+
+    /** Notes that samples from (x0, y0) to before (x1, y1) may be drawn on. */
+    void touch(int x0, int y0, int x1, int y1) {
+        left = Math.min(left, x0);
+        top = Math.min(top, y0);
+        right = Math.max(right, x1);
+        bottom = Math.max(bottom, y1);
+    }
+
+    /** @return whether pixel (x, y) may have been drawn on */
+    boolean isTouched(int x, int y) {
+        return SAMPLES * x + 1 >= left && SAMPLES * x < right && isRowTouched(y);
+    }
+
+    boolean isRowTouched(int y) {
+        return SAMPLES * y + 1 >= top && SAMPLES * y < bottom;
+    }
+
+    /**
+     * A triangle with colours that change evenly between its corners. Corners are given by their numbers.
+     *
+     * @param xs   each corner's place from the left, in samples
+     * @param ys   each corner's place from the top
+     * @param ns   each corner's nearness
+     * @param rgb  each corner's colour
+     */
+    void triangle(int a, int b, int c, double[] xs, double[] ys, double[] ns, int[] rgb) {
+        double ax = xs[a];
+        double ay = ys[a];
+        double bx = xs[b];
+        double by = ys[b];
+        double cx = xs[c];
+        double cy = ys[c];
+        int y0 = (int) Math.ceil(Math.max(0, Math.min(ay, Math.min(by, cy)) - 0.5));
+        int y1 = (int) Math.floor(Math.min(height - 1, Math.max(ay, Math.max(by, cy)) - 0.5));
+        int x0 = (int) Math.ceil(Math.max(0, Math.min(ax, Math.min(bx, cx)) - 0.5));
+        int x1 = (int) Math.floor(Math.min(width - 1, Math.max(ax, Math.max(bx, cx)) - 0.5));
+        double area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+        if (y0 > y1 || x0 > x1 || area == 0 || !Double.isFinite(area)) {
+            return;
+        }
+        touch(x0, y0, x1 + 1, y1 + 1);
+        // weights of corners b and c at a sample, and how they change with x and y
+        double bByX = (cy - ay) / area;
+        double bByY = (ax - cx) / area;
+        double cByX = (ay - by) / area;
+        double cByY = (bx - ax) / area;
+        double nByX = bByX * (ns[b] - ns[a]) + cByX * (ns[c] - ns[a]);
+        int ar = rgb[a] >> 16 & 255;
+        int ag = rgb[a] >> 8 & 255;
+        int ab = rgb[a] & 255;
+        float br = (rgb[b] >> 16 & 255) - ar;
+        float bg = (rgb[b] >> 8 & 255) - ag;
+        float bb = (rgb[b] & 255) - ab;
+        float cr = (rgb[c] >> 16 & 255) - ar;
+        float cg = (rgb[c] >> 8 & 255) - ag;
+        float cb = (rgb[c] & 255) - ab;
+        for (int y = y0; y <= y1; y++) {
+            double py = y + 0.5;
+            // weights at x = 0.5 of this row, then the range of x in which all three are 0 or more
+            double wb = (0.5 - ax) * bByX + (py - ay) * bByY;
+            double wc = (0.5 - ax) * cByX + (py - ay) * cByY;
+            double wa = 1 - wb - wc;
+            double aByX = -bByX - cByX;
+            double from = Math.max(x0, Math.max(lower(wa, aByX), Math.max(lower(wb, bByX), lower(wc, cByX))));
+            double to = Math.min(x1, Math.min(upper(wa, aByX), Math.min(upper(wb, bByX), upper(wc, cByX))));
+            int first = (int) Math.ceil(from);
+            int last = (int) Math.floor(to);
+            int at = y * width + first;
+            double u = wb + first * bByX;
+            double v = wc + first * cByX;
+            float n = (float) (ns[a] + u * (ns[b] - ns[a]) + v * (ns[c] - ns[a]));
+            float step = (float) nByX;
+            for (int x = first; x <= last; x++, at++) {
+                if (n > near[at]) {
+                    near[at] = n;
+                    float fu = (float) Math.max(0, Math.min(1, u));
+                    float fv = (float) Math.max(0, Math.min(1 - fu, v));
+                    colour[at] = (int) (ar + fu * br + fv * cr) << 16 | (int) (ag + fu * bg + fv * cg) << 8
+                            | (int) (ab + fu * bb + fv * cb);
+                }
+                n += step;
+                u += bByX;
+                v += cByX;
+            }
+        }
+    }
+
+    /** Where w + x slope becomes 0 on its way up: neighbouring triangles leave no sample between them. */
+    private static double lower(double w, double slope) {
+        return slope > 0 ? -w / slope - 1e-9 : slope == 0 && w < 0 ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
+    }
+
+    private static double upper(double w, double slope) {
+        return slope < 0 ? -w / slope + 1e-9 : slope == 0 && w < 0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+    }
+}

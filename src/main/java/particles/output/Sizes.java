@@ -1,0 +1,43 @@
+package particles.output;
+
+import particles.Look;
+
+/**
+ * How large balls and springs are drawn, decided once, when the first frame is: a scene that says nothing gets balls
+ * that can be told apart.
+ *
+ * @param ball    the radius of a ball (m)
+ * @param springs whether springs are drawn as coils, as few of them are
+ */
+record Sizes(double ball, boolean coils) {
+    private static final int MOST_COILS = 40;
+    private static final double PART_OF_PICTURE = 0.028;
+    private static final double PART_OF_SPRING = 0.26;
+
+    static Sizes of(FrameState state, Look look, double viewHeight) {
+        double mean = 0;
+        for (int s = 0; s < state.springs; s++) {
+            mean += state.restLength[s] / state.springs;
+        }
+        double ball = PART_OF_PICTURE * viewHeight;
+        if (mean > 0) {
+            ball = Math.min(ball, PART_OF_SPRING * mean);
+        }
+        return new Sizes(look.particleRadius() > 0 ? look.particleRadius() : ball, state.springs <= MOST_COILS);
+    }
+
+    /** @return the radius of a spring drawn as a straight tube (m) */
+    double tube() {
+        return 0.3 * ball;
+    }
+
+    /** @return the radius of a coil (m) */
+    double coil() {
+        return 0.62 * ball;
+    }
+
+    /** @return the radius of its wire (m) */
+    double wire() {
+        return 0.13 * ball;
+    }
+}
