@@ -5,6 +5,7 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.Rule;
 
 /**
  * Has frames drawn at regular simulated times, frame i at i / fps, whatever the steps are: between two steps the motion
@@ -59,7 +60,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     /** Springs may have torn, particles may have come or gone: from now on each copy takes them anew, once. */
     @Override
-    public void changed(ParticleSystem system) {
+    public void changed(ParticleSystem system, Rule rule) {
         structure++;
     }
 
