@@ -295,7 +295,7 @@ public abstract class AdaptiveContract extends DESolverContract {
             ((DenseOutput) solver).getStateAt(i + 0.5, state);
         }
         long bytes = threads.getCurrentThreadAllocatedBytes() - before;
-        // Measured 72 at most; one array a step would be 32,000.
-        assertTrue(bytes < 720, bytes + " bytes in 1000 steps");
+        // Measured 72 at most, and up to 2584 (radau) while the compiler is still at work; one array a step would be 32,000.
+        assertTrue(bytes < 8000, bytes + " bytes in 1000 steps");
     }
 }
