@@ -63,7 +63,7 @@ final class EffectClaims {
         for (double f : force) {
             size = Math.max(size, Math.abs(f));
         }
-        checkRanges(state, time, force);
+        checkRanges(state, time, force, size);
         if (effect.hasForceDerivatives()) {
             checkDerivatives(state, time, size);
         }
@@ -95,13 +95,13 @@ final class EffectClaims {
         }
     }
 
-    private void checkRanges(double[] state, double time, double[] force) {
+    private void checkRanges(double[] state, double time, double[] force, double size) {
         double[] parts = new double[n];
         int middle = effect.size() / 2;
         effect.addForces(state, time, parts, 0, middle);
         effect.addForces(state, time, parts, middle, effect.size());
         for (int k = 0; k < n; k++) {
-            if (parts[k] != force[k]) {
+            if (!(Math.abs(parts[k] - force[k]) <= 1e-14 * size)) {
                 broken.add("ranges: entry " + k + " is " + parts[k] + " in two parts and " + force[k] + " at once");
             }
             if (k % 6 < 3 && force[k] != 0) {
