@@ -142,7 +142,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     }
 
     private void requireFiniteEnd(double[] newState) {
-        int entry = firstNonFinite(newState);
+        int entry = FiniteCheck.firstNonFinite(newState);
         if (entry >= 0) {
             throw notFinite(entry, newState[entry]);
         }
@@ -194,7 +194,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite
      */
     public void requireFinite(double[] dSdt) {
-        int entry = firstNonFinite(dSdt);
+        int entry = FiniteCheck.firstNonFinite(dSdt);
         if (entry >= 0) {
             requireFiniteStart();
             throw failure(entry, "entry " + entry + " of the derivative is " + dSdt[entry] + " at t = " + client.getTime()
@@ -208,7 +208,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite
      */
     public void requireFiniteStart() {
-        int entry = firstNonFinite(stateFound);
+        int entry = FiniteCheck.firstNonFinite(stateFound);
         if (entry >= 0) {
             throw failure(entry, "entry " + entry + " of the state is " + stateFound[entry]
                     + " before the step; whatever set the state has to be mended");
@@ -232,28 +232,6 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         if (client.getTime() != time) {
             client.incTime(time - client.getTime());
         }
-    }
-
-    /**
-     * @param values any numbers
-     * @return the index of the first one that is NaN or infinite, or -1
-     */
-    public static int firstNonFinite(double[] values) {
-        double even = 0;                                // 0 times a finite number is 0, times any other NaN; two sums, since
-        double odd = 0;                                 // each addition waits for the one before
-        int n = values.length;
-        for (int i = 0; i + 1 < n; i += 2) {
-            even += values[i] * 0;
-            odd += values[i + 1] * 0;
-        }
-        if (even + odd + (n % 2 == 1 ? values[n - 1] * 0 : 0) == 0) {
-            return -1;
-        }
-        int i = 0;
-        while (Double.isFinite(values[i])) {
-            i++;
-        }
-        return i;
     }
 
     /** Looks for the cause where the step began: in the state, in the derivative, or else in the size of the step. */
