@@ -40,6 +40,11 @@ abstract class AirDrag implements Effect {
     }
 
     @Override
+    public final boolean isPerParticle() {
+        return true;
+    }
+
+    @Override
     public final boolean dependsOnVelocity() {
         return true;
     }

@@ -56,6 +56,11 @@ abstract class Penalty implements Effect {
     }
 
     @Override
+    public final boolean isPerParticle() {
+        return true;
+    }
+
+    @Override
     public final boolean dependsOnVelocity() {
         return loss > 0;
     }

@@ -64,6 +64,11 @@ public final class PointAttraction implements Effect {
     }
 
     @Override
+    public boolean isPerParticle() {
+        return true;
+    }
+
+    @Override
     public boolean dependsOnVelocity() {
         return false;
     }
