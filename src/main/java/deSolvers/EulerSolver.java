@@ -17,25 +17,23 @@ package deSolvers;
  */
 public final class EulerSolver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
+    private double[] state = {};
     private double[] dSdt = {};
-    private double[] next = {};
 
     @Override
     public void stepState(DEStateSource client, double deltaT) {
         int n = client.getStateSize();
-        if (next.length != n) {
+        if (state.length != n) {
+            state = new double[n];
             dSdt = new double[n];
-            next = new double[n];
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            double[] state = source.getStartState();
-            double[] dSdt = this.dSdt;
-            double[] next = this.next;
-            source.getStateDerivative(state, dSdt);     // at (s, t)
+            source.getState(state);
+            source.getStateDerivative(dSdt);            // at (s, t)
             for (int i = 0; i < n; i++) {
-                next[i] = state[i] + dSdt[i] * deltaT;
+                state[i] += dSdt[i] * deltaT;
             }
-            this.next = source.handOver(next);
+            source.finish(state);
         }
     }
 }

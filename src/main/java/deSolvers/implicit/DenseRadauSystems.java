@@ -1,6 +1,5 @@
 package deSolvers.implicit;
 
-import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.data.ZMatrixRMaj;
@@ -69,7 +68,7 @@ final class DenseRadauSystems implements RadauSystems {
         if (n > 0) {
             realLU.solve(realRight, realSolution);
         }
-        return FiniteCheck.firstNonFinite(x) < 0;
+        return GuardedStep.firstNonFinite(x) < 0;
     }
 
     @Override
@@ -83,6 +82,6 @@ final class DenseRadauSystems implements RadauSystems {
         if (n > 0) {
             complexLU.solve(complexRight, complexSolution);
         }
-        return FiniteCheck.firstNonFinite(x) < 0;
+        return GuardedStep.firstNonFinite(x) < 0;
     }
 }

@@ -1,7 +1,6 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
-import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
@@ -119,7 +118,7 @@ final class ImplicitStage {
         for (int i = 0; i < start.length; i++) {
             euler[i] = start[i] + gamma * euler[i];
         }
-        if (FiniteCheck.firstNonFinite(euler) >= 0) {
+        if (GuardedStep.firstNonFinite(euler) >= 0) {
             source.finish(euler);
         }
     }

@@ -1,6 +1,5 @@
 package deSolvers.implicit;
 
-import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import deSolvers.adaptive.AdaptiveSolver;
 
@@ -105,7 +104,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
             source.setState(right);
             source.setOffset(offset);
             source.getStateDerivative(shifted);
-            ratio = FiniteCheck.firstNonFinite(shifted) < 0 ? estimate(state, shifted, h, newState) : ratio;
+            ratio = GuardedStep.firstNonFinite(shifted) < 0 ? estimate(state, shifted, h, newState) : ratio;
         }
         return ratio;
     }

@@ -4,7 +4,6 @@ import static deSolvers.implicit.RadauTableau.MU;
 import static deSolvers.implicit.RadauTableau.MU_IM;
 import static deSolvers.implicit.RadauTableau.MU_RE;
 
-import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import deSolvers.adaptive.Tolerance;
 
@@ -111,7 +110,7 @@ final class RadauNewton {
             source.setState(trial);
             source.setOffset(offset + RadauTableau.c(k) * h);
             source.getStateDerivative(f[k]);
-            if (FiniteCheck.firstNonFinite(f[k]) >= 0) {
+            if (GuardedStep.firstNonFinite(f[k]) >= 0) {
                 return false;
             }
         }

@@ -10,6 +10,8 @@ import deSolvers.GuardedStep;
 final class ClosingKick {
     /** Relative to the largest velocity; some hundred roundings, always reached where the iteration converges. */
     private static final double TOLERANCE = 1e-13;
+    /** Of the largest position: what a step's end may be moved by where the change of the velocity no longer falls. */
+    private static final double ROUNDING = 0x1p-50;
     private static final int MOST_ITERATIONS = 100;
 
     private double[] before = {};
@@ -32,8 +34,10 @@ final class ClosingKick {
         double change = 0;
         double scale = 0;
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
-            source.getStateDerivative(state, dSdt);     // at (x, v, t) with the latest v
+            source.setState(state);
+            source.getStateDerivative(dSdt);            // at (x, v, t) with the latest v
             source.requireFinite(dSdt);
+            double last = change;
             change = 0;
             scale = 0;
             for (int v = d; v < state.length; v += 2 * d) {
@@ -47,6 +51,9 @@ final class ClosingKick {
             if (change <= TOLERANCE * scale) {
                 return;
             }
+            if (iteration > 0 && change >= last && change * Math.abs(h) <= ROUNDING * largestPosition(state, d)) {
+                return;                                 // near rest, where large forces cancel, rounding is all that is left
+            }
             if (!(change <= Double.MAX_VALUE)) {
                 break;                                  // diverged to infinity
             }
@@ -54,5 +61,15 @@ final class ClosingKick {
         throw source.failure(-1, "the velocity at the end of the step was not found in " + MOST_ITERATIONS
                 + " iterations (last change " + change + " of " + scale + "); drag or spring damping is too stiff for"
                 + " this deltaT: take a smaller one or an implicit solver");
+    }
+
+    private static double largestPosition(double[] state, int d) {
+        double largest = 0;
+        for (int x = 0; x < state.length; x += 2 * d) {
+            for (int c = x; c < x + d; c++) {
+                largest = Math.max(largest, Math.abs(state[c]));
+            }
+        }
+        return largest;
     }
 }

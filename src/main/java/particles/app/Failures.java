@@ -11,6 +11,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import particles.SimulationException;
 import particles.output.OutputException;
+import particles.scene.SceneException;
 
 /** What becomes of an exception: what can be expected to go wrong is a clear line each, anything else a stack trace. */
 final class Failures {
@@ -31,6 +32,10 @@ final class Failures {
         if (thrown instanceof Failure failure) {
             failure.lines().forEach(err::println);
             return failure.exitCode();
+        }
+        if (thrown instanceof SceneException scene) {
+            scene.getLines().forEach(err::println);
+            return ExitCode.BAD_INPUT;
         }
         if (thrown instanceof SimulationException || thrown instanceof DESolverException) {
             err.println(thrown.getMessage());

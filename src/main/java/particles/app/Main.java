@@ -1,23 +1,34 @@
 package particles.app;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.List;
 
 /** Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}. */
 public final class Main {
+    private static final Path SCENES = Path.of("scenes");
+
     private Main() {
     }
 
     /** @param args a command and its options */
     public static void main(String[] args) {
         System.setProperty("java.awt.headless", "true");
-        Program program = new Program(commands(), OptionStyle.current(), new PrintWriter(System.out, true),
-                new PrintWriter(System.err, true));
-        System.exit(program.execute(args).code());
+        StopRequest stop = new StopRequest();
+        stop.listen();
+        Program program = new Program(commands(OptionStyle.current(), stop), OptionStyle.current(),
+                new PrintWriter(System.out, true), new PrintWriter(System.err, true));
+        ExitCode code = program.execute(args);
+        stop.ended();
+        System.exit(code.code());
     }
 
-    /** @return all commands, in the order in which help lists them; build.gradle has a task for each */
-    static List<ProgramCommand> commands() {
-        return List.of(new SolversCommand());
+    /**
+     * @param style how options are typed
+     * @param stop  tells commands when they have to end early
+     * @return all commands, in the order in which help lists them; build.gradle has a task for each
+     */
+    static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
+        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new SolversCommand());
     }
 }

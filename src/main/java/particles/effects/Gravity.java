@@ -51,11 +51,6 @@ public final class Gravity implements Effect {
     }
 
     @Override
-    public boolean isPerParticle() {
-        return true;
-    }
-
-    @Override
     public boolean dependsOnVelocity() {
         return false;
     }

@@ -114,10 +114,9 @@ final class Charts {
     }
 
     private static ValueAxis linearAxis(Range range) {
-        NumberAxis axis = new NumberAxis();
+        NumberAxis axis = new DecimalAxis();
         axis.setAutoRangeIncludesZero(false);
         axis.setAutoRangeStickyZero(false);
-        axis.setStandardTickUnits(new DecimalTicks());
         if (range != null) {
             double size = Math.max(Math.abs(range.getLowerBound()), Math.abs(range.getUpperBound()));
             axis.setAutoRangeMinimumSize(size == 0 ? 1 : Math.max(ROUNDING * size, Double.MIN_NORMAL));

@@ -77,6 +77,6 @@ public class OutputException extends RuntimeException {
         if (line.toLowerCase(Locale.ROOT).contains("no space left")) {
             return "the disk is full";
         }
-        return line;
+        return line.equals("Not a directory") ? "a file is where a folder should be" : line;
     }
 }

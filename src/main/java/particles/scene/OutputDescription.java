@@ -20,10 +20,10 @@ import particles.scene.spec.WholeNumberType;
  * @param animation        whether they are also put together to an animation
  * @param energy           whether energies are plotted
  * @param phase            what the phase-space plot shows, if there is one
- * @param trajectoryStride every how many steps the state is written to the trajectory
+ * @param trajectoryStride every how many steps the state is written to the trajectory, if the scene says so
  */
 public record OutputDescription(double frameRate, int width, int height, boolean animation, boolean energy,
-                                Optional<Phase> phase, int trajectoryStride) {
+                                Optional<Phase> phase, Optional<Integer> trajectoryStride) {
 
     /**
      * A plot of velocity over position.
@@ -57,14 +57,15 @@ public record OutputDescription(double frameRate, int width, int height, boolean
             "Whether energies are plotted to energy.png.");
     static final Key<Values> PHASE = Key.optional("phase", Phase.TYPE,
             "Velocity over position of one particle, plotted to phase.png; none where it is not given.");
-    static final Key<Integer> TRAJECTORY_STRIDE = Key.withDefault("trajectoryStride", new WholeNumberType(1, 1_000_000), 1,
-            "Every how many steps the state is written to trajectory.csv.");
+    static final Key<Integer> TRAJECTORY_STRIDE = Key.optional("trajectoryStride", new WholeNumberType(1, 1_000_000),
+            "Every how many steps the state is written to trajectory.csv; where it is not given, as often as the file stays"
+            + " below about 200,000 lines.");
 
     static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, ENERGY, PHASE,
             TRAJECTORY_STRIDE);
 
     static OutputDescription of(Values values) {
         return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT), values.get(ANIMATION),
-                values.get(ENERGY), values.find(PHASE).map(Phase::of), values.get(TRAJECTORY_STRIDE));
+                values.get(ENERGY), values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
     }
 }

@@ -54,7 +54,7 @@ class ProgramTest {
     private final TryCommand command = new TryCommand();
 
     private ExitCode execute(OptionStyle style, String... args) {
-        List<ProgramCommand> commands = new ArrayList<>(Main.commands());
+        List<ProgramCommand> commands = new ArrayList<>(Main.commands(OptionStyle.SHELL, new StopRequest()));
         commands.add(command);
         return new Program(commands, style, new PrintWriter(out), new PrintWriter(err)).execute(args);
     }
@@ -142,7 +142,7 @@ class ProgramTest {
 
     private static String commands() {
         List<String> names = new ArrayList<>();
-        Main.commands().forEach(known -> names.add(known.getClass().getAnnotation(Command.class).name()));
+        Main.commands(OptionStyle.SHELL, new StopRequest()).forEach(known -> names.add(known.getClass().getAnnotation(Command.class).name()));
         names.add("try");
         return String.join(", ", names);
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,20 +14,57 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import picocli.CommandLine;
 
 /** What README tells people to type is there to be typed. */
 class ReadmeTest {
     private static final Pattern GRADLE = Pattern.compile("\\bgradle ([a-z]\\w*)");
     private static final Pattern TASK = Pattern.compile("(?m)^(?:program '|task |junit5\\()(\\w+)");
 
+    private static final String README = read("README.md");
+
+    private static String read(String file) {
+        try {
+            return Files.readString(Path.of(file));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
     @Test
     void everyGradleCommandIsATask() throws IOException {
         Set<String> tasks = new TreeSet<>(Set.of("tasks", "installDist"));
         tasks.addAll(matches(TASK, Files.readString(Path.of("build.gradle"))));
-        List<String> typed = matches(GRADLE, Files.readString(Path.of("README.md")));
-        assertTrue(typed.contains("test"), "README tells how to test");
+        List<String> typed = matches(GRADLE, README);
+        assertTrue(typed.contains("test") && typed.contains("run"), "README tells how to run and to test");
         typed.removeAll(tasks);
         assertEquals(List.of(), typed);
+    }
+
+    @Test
+    void theScenesAreThoseOfTheFolder() throws IOException {
+        List<String> rows = new ArrayList<>();
+        for (Path file : SceneFiles.list(Path.of("scenes"))) {
+            rows.add("| `" + SceneName.of(file).whole() + "` | " + SceneReader.read(file).title() + " |");
+        }
+        assertEquals(rows, README.lines().filter(line -> line.matches("\\| `\\d.*")).toList());
+    }
+
+    @Test
+    void theOptionsOfRunAreThoseOfTheProgram() {
+        RunCommand run = new RunCommand(Path.of("scenes"), OptionStyle.GRADLE, new StopRequest());
+        List<String> options = new ArrayList<>();
+        new CommandLine(run).getCommandSpec().options().stream().filter(option -> !option.usageHelp())
+                .forEach(option -> options.add(OptionStyle.GRADLE.option(option.longestName())));
+        assertEquals(options, matches(Pattern.compile("(?m)^\\| `(-P\\w+)="), README));
+    }
+
+    @Test
+    void theExitCodesAreThoseOfTheProgram() {
+        List<String> codes = List.of(ExitCode.values()).stream().map(code -> Integer.toString(code.code())).toList();
+        assertEquals(codes, matches(Pattern.compile("(?m)^\\| (\\d) \\|"), README));
     }
 
     private static List<String> matches(Pattern pattern, String text) {

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -132,5 +134,16 @@ class ChartsTest {
         assertEquals(1800, ImageIO.read(top.resolve("phase.png").toFile()).getWidth());
         assertTrue(Files.size(top.resolve("energy.png")) > 0);
         assertFalse(Files.exists(top.resolve(".phase.png.part")));
+    }
+
+    /** From 0 to 8 in steps of 0.2 both ends have one digit, and the labels between them three characters. */
+    @Test
+    void labelsBetweenTheEndsHaveRoom() {
+        DecimalAxis axis = new DecimalAxis();
+        axis.setRange(0, 8);
+        Graphics2D g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        int text = g.getFontMetrics(axis.getTickLabelFont()).stringWidth("0.2");
+        double room = axis.estimateMaximumTickLabelWidth(g, new DecimalTicks().getCeilingTickUnit(0.2));
+        assertTrue(room > text && room < 3 * text, room + " for " + text);
     }
 }

@@ -1,0 +1,81 @@
+package particles.app;
+
+import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import particles.scene.Overrides;
+import particles.scene.SceneFiles;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle run}: a scene becomes frames, an animation, plots and numbers. */
+@Command(name = "run", description = "Runs a scene: frames, an animation, energy and phase-space plots, the trajectory.")
+final class RunCommand extends ProgramCommand {
+    private static final Path RESULTS = Path.of("build", "out");
+
+    @Option(names = "--scene", paramLabel = "NAME", defaultValue = SceneFiles.DEFAULT,
+            description = "The scene: a file, or the name or number of one in scenes (default: ${DEFAULT-VALUE}).")
+    private String scene;
+
+    @Option(names = "--solver", paramLabel = "NAME", description = "Another solver than the scene's.")
+    private String solver;
+
+    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "Another time step than the scene's.")
+    private String deltaT;
+
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "Another duration than the scene's.")
+    private String duration;
+
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results go (default: build/out/NAME).")
+    private String out;
+
+    @Option(names = "--frames", arity = "0..1", fallbackValue = "true", defaultValue = "true", paramLabel = "true|false",
+            description = "Whether pictures are drawn (default: true).")
+    private boolean frames;
+
+    private final Path scenes;
+    private final OptionStyle style;
+    private final StopRequest stop;
+
+    /**
+     * @param scenes the folder in which scenes are looked for
+     * @param style  how options are typed, for messages
+     * @param stop   tells the run when it has to end early
+     */
+    RunCommand(Path scenes, OptionStyle style, StopRequest stop) {
+        this.scenes = scenes;
+        this.style = style;
+        this.stop = stop;
+    }
+
+    @Override
+    void run(PrintWriter lines) {
+        Path file = SceneFiles.find(scenes, scene);
+        Overrides overrides = new Overrides();
+        override(overrides, "solver", solver);
+        override(overrides, "deltaT", deltaT);
+        override(overrides, "duration", duration);
+        new RunJob(file, overrides, folderFor(file), frames, style, stop).run(lines);
+    }
+
+    private void override(Overrides overrides, String name, String value) {
+        if (value != null) {                            // picocli leaves an option null that was not given
+            overrides.with(name, value, style.option(name));
+        }
+    }
+
+    private Path folderFor(Path file) {
+        if (out == null) {
+            String name = SceneName.of(file).whole();
+            return RESULTS.resolve(name.isBlank() || name.startsWith(".") ? "scene" + name : name);
+        }
+        try {
+            if (!out.isBlank()) {
+                return Path.of(out);
+            }
+        } catch (InvalidPathException e) {
+            throw new Failure(ExitCode.BAD_INPUT, style.option("out") + ": '" + out + "' is no folder's name: " + e.getReason());
+        }
+        throw new Failure(ExitCode.BAD_INPUT, style.option("out") + " needs the name of a folder");
+    }
+}

@@ -1,0 +1,59 @@
+package particles.app;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import particles.scene.SceneDescription;
+import particles.scene.SceneException;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import picocli.CommandLine.Command;
+
+/** {@code gradle scenes}: the ladder of scenes, with what each teaches. */
+@Command(name = "scenes", description = "Lists the scenes with what each teaches.")
+final class ScenesCommand extends ProgramCommand {
+    private static final int WIDTH = 110;
+    private static final String INDENT = "    ";
+
+    private final Path folder;
+
+    /** @param folder where the scenes are */
+    ScenesCommand(Path folder) {
+        this.folder = folder;
+    }
+
+    @Override
+    void run(PrintWriter out) {
+        List<Path> files = SceneFiles.list(folder);
+        if (files.isEmpty()) {
+            throw new Failure(ExitCode.BAD_INPUT, "there is no scene in the folder " + folder.toAbsolutePath());
+        }
+        List<String> problems = new ArrayList<>();
+        for (Path file : files) {
+            try {
+                print(file, SceneReader.read(file), out);
+            } catch (SceneException e) {
+                problems.addAll(e.getLines());          // the others are listed all the same
+            }
+        }
+        if (!problems.isEmpty()) {
+            throw new Failure(ExitCode.BAD_INPUT, problems);
+        }
+    }
+
+    private static void print(Path file, SceneDescription scene, PrintWriter out) {
+        SceneName name = SceneName.of(file);
+        String number = name.number().isEmpty() ? INDENT : name.number() + " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
+        out.println(number + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
+        StringBuilder line = new StringBuilder(INDENT);
+        for (String word : scene.teaches().strip().split("\\s+")) {
+            if (line.length() > INDENT.length() && line.length() + word.length() >= WIDTH) {
+                out.println(line.toString().stripTrailing());
+                line.setLength(INDENT.length());
+            }
+            line.append(word).append(' ');
+        }
+        out.println(line.toString().stripTrailing());
+    }
+}

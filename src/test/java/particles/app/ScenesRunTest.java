@@ -1,0 +1,44 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import particles.scene.SceneDescription;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+
+/** Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to err. */
+class ScenesRunTest {
+    private static final Path SCENES = Path.of("scenes");
+    private static final int STEPS = 60;
+
+    static List<Path> scenes() {
+        return SceneFiles.list(SCENES);
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void leavesAllFiles(Path file, @TempDir Path out) {
+        SceneDescription scene = SceneReader.read(file);
+        double duration = Math.min(scene.duration(), STEPS * scene.deltaT());
+        StringWriter lines = new StringWriter();
+        StringWriter errors = new StringWriter();
+        List<ProgramCommand> commands = List.of(new RunCommand(SCENES, OptionStyle.SHELL, new StopRequest()));
+        ExitCode code = new Program(commands, OptionStyle.SHELL, new PrintWriter(lines), new PrintWriter(errors))
+                .execute("run", "--scene=" + SceneName.of(file).number(), "--duration=" + duration, "--out=" + out);
+        assertEquals("", errors.toString());
+        assertEquals(ExitCode.DONE, code);
+        assertTrue(lines.toString().contains(scene.title()), lines.toString());
+        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "phase.png", "trajectory.csv", "run.json")) {
+            assertTrue(Files.isRegularFile(out.resolve(name)), name);
+        }
+    }
+}
