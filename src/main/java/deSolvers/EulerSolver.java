@@ -17,23 +17,25 @@ package deSolvers;
  */
 public final class EulerSolver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
-    private double[] state = {};
     private double[] dSdt = {};
+    private double[] next = {};
 
     @Override
     public void stepState(DEStateSource client, double deltaT) {
         int n = client.getStateSize();
-        if (state.length != n) {
-            state = new double[n];
+        if (next.length != n) {
             dSdt = new double[n];
+            next = new double[n];
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            source.getStateDerivative(dSdt);            // at (s, t)
+            double[] state = source.getStartState();
+            double[] dSdt = this.dSdt;
+            double[] next = this.next;
+            source.getStateDerivative(state, dSdt);     // at (s, t)
             for (int i = 0; i < n; i++) {
-                state[i] += dSdt[i] * deltaT;
+                next[i] = state[i] + dSdt[i] * deltaT;
             }
-            source.finish(state);
+            this.next = source.handOver(next);
         }
     }
 }

@@ -18,12 +18,19 @@ import java.util.Arrays;
  * and no finite factor makes an infinity or a NaN finite again. Only when the check fails is the cause looked for.
  */
 public final class GuardedStep implements DEStateSource, AutoCloseable {
+    /** Below this many doubles copying them is cheaper than exchanging arrays. */
+    private static final int DIRECT_FROM = 64;
+
     private final DESolver solver;
     private DEStateSource client;
-    private double[] stateFound = {};
+    private ArrayStateSource arrays;                    // the client again if it is one, or null
+    private boolean direct;                             // whether the client's own arrays are used in this step
+    private double[] copy = {};
+    private double[] stateFound = {};                   // the copy, or the client's own array where that is used directly
     private double timeFound;
     private double deltaT;
     private boolean open;
+    private boolean moved;
 
     /** @param solver the solver whose steps are guarded, for its name in messages */
     public GuardedStep(DESolver solver) {
@@ -46,16 +53,75 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         if (!Double.isFinite(time)) {
             throw new DESolverException(solver, time, deltaT, -1, "the clock of the source has to be a finite number");
         }
-        int n = client.getStateSize();
-        if (stateFound.length != n) {
-            stateFound = new double[n];
+        if (this.client != client) {
+            this.client = client;
+            arrays = client instanceof ArrayStateSource ? (ArrayStateSource) client : null;
         }
-        client.getState(stateFound);
-        this.client = client;
+        direct = arrays != null && client.getStateSize() >= DIRECT_FROM;
+        if (direct) {
+            stateFound = arrays.getStateArray();
+        } else {
+            copyState();
+        }
         this.timeFound = time;
         this.deltaT = deltaT;
-        this.open = true;
+        moved = false;
+        open = true;
         return this;
+    }
+
+    private void copyState() {
+        int n = client.getStateSize();
+        if (copy.length != n) {
+            copy = new double[n];
+        }
+        client.getState(copy);
+        if (stateFound != copy) {
+            stateFound = copy;
+        }
+    }
+
+    /** @return the state in which the step began; n long, to be read only, valid until the step ends */
+    public double[] getStartState() {
+        return stateFound;
+    }
+
+    /**
+     * Evaluates the derivative at a given state and the client's current time: at the array itself where the client offers
+     * that, by setting the client's state where it does not.
+     *
+     * @param state a state; n long
+     * @param dSdt  receives ds/dt; n long
+     */
+    public void getStateDerivative(double[] state, double[] dSdt) {
+        if (direct) {
+            arrays.getStateDerivative(state, dSdt);
+        } else {
+            if (moved || state != stateFound) {
+                client.setState(state);
+                moved = true;
+            }
+            client.getStateDerivative(dSdt);
+        }
+    }
+
+    /**
+     * Ends the step like {@link #finish}, and hands the array itself over where the client takes it.
+     *
+     * @param newState s(t + deltaT); n long, not to be used any more
+     * @return an array of the same length for the solver to use in its place
+     * @throws DESolverException if an entry is not finite; the client is then as it was found
+     */
+    public double[] handOver(double[] newState) {
+        if (!direct || deltaT == 0) {
+            finish(newState);
+            return newState;
+        }
+        requireFiniteEnd(newState);
+        double[] free = arrays.exchangeState(newState);
+        moveClockTo(timeFound + deltaT);
+        open = false;
+        return free;
     }
 
     /**
@@ -69,13 +135,17 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         if (deltaT == 0) {
             return;                                     // close() puts back what was found
         }
-        int entry = firstNonFinite(newState);
+        requireFiniteEnd(newState);
+        setState(newState);
+        moveClockTo(timeFound + deltaT);
+        open = false;
+    }
+
+    private void requireFiniteEnd(double[] newState) {
+        int entry = FiniteCheck.firstNonFinite(newState);
         if (entry >= 0) {
             throw notFinite(entry, newState[entry]);
         }
-        client.setState(newState);
-        moveClockTo(timeFound + deltaT);
-        open = false;
     }
 
     /** Puts back what {@link #begin} found, unless {@link #finish} ended the step. */
@@ -84,7 +154,9 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         if (open) {
             open = false;
             try {
-                client.setState(stateFound);
+                if (!direct) {
+                    client.setState(stateFound);
+                }
             } finally {
                 moveClockTo(timeFound);
             }
@@ -122,7 +194,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite
      */
     public void requireFinite(double[] dSdt) {
-        int entry = firstNonFinite(dSdt);
+        int entry = FiniteCheck.firstNonFinite(dSdt);
         if (entry >= 0) {
             requireFiniteStart();
             throw failure(entry, "entry " + entry + " of the derivative is " + dSdt[entry] + " at t = " + client.getTime()
@@ -136,7 +208,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite
      */
     public void requireFiniteStart() {
-        int entry = firstNonFinite(stateFound);
+        int entry = FiniteCheck.firstNonFinite(stateFound);
         if (entry >= 0) {
             throw failure(entry, "entry " + entry + " of the state is " + stateFound[entry]
                     + " before the step; whatever set the state has to be mended");
@@ -162,19 +234,6 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         }
     }
 
-    /**
-     * @param values any numbers
-     * @return the index of the first one that is NaN or infinite, or -1
-     */
-    public static int firstNonFinite(double[] values) {
-        for (int i = 0; i < values.length; i++) {
-            if (!Double.isFinite(values[i])) {
-                return i;
-            }
-        }
-        return -1;
-    }
-
     /** Looks for the cause where the step began: in the state, in the derivative, or else in the size of the step. */
     private DESolverException notFinite(int entry, double value) {
         requireFiniteStart();
@@ -198,6 +257,11 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
 
     @Override
     public void setState(double[] state) {
+        if (direct) {
+            copyState();                                // the client's own array is about to change
+            direct = false;
+        }
+        moved = true;
         client.setState(state);
     }
 

@@ -19,34 +19,37 @@ package deSolvers;
  */
 public final class MidpointSolver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
-    private double[] state = {};
-    private double[] deltaS = {};
+    private double[] dSdt = {};
     private double[] mid = {};
     private double[] gMid = {};
+    private double[] next = {};
 
     @Override
     public void stepState(DEStateSource client, double deltaT) {
         int n = client.getStateSize();
-        if (state.length != n) {
-            state = new double[n];
-            deltaS = new double[n];
+        if (next.length != n) {
+            dSdt = new double[n];
             mid = new double[n];
             gMid = new double[n];
+            next = new double[n];
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            source.getStateDerivative(deltaS);          // at (s, t)
+            double[] state = source.getStartState();
+            double[] dSdt = this.dSdt;
+            double[] mid = this.mid;
+            double[] gMid = this.gMid;
+            double[] next = this.next;
+            source.getStateDerivative(state, dSdt);     // at (s, t)
             for (int i = 0; i < n; i++) {
-                deltaS[i] *= deltaT;                    // the Euler step
-                mid[i] = state[i] + deltaS[i] / 2;
+                double deltaS = deltaT * dSdt[i];       // the Euler step
+                mid[i] = state[i] + deltaS / 2;
             }
-            source.setState(mid);
             source.incTime(deltaT / 2);
-            source.getStateDerivative(gMid);            // at (s + deltaS/2, t + deltaT/2)
+            source.getStateDerivative(mid, gMid);       // at (s + deltaS/2, t + deltaT/2)
             for (int i = 0; i < n; i++) {
-                state[i] += deltaT * gMid[i];
+                next[i] = state[i] + deltaT * gMid[i];
             }
-            source.finish(state);
+            this.next = source.handOver(next);
         }
     }
 }

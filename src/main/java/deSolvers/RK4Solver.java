@@ -21,56 +21,53 @@ package deSolvers;
  */
 public final class RK4Solver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
-    private double[] state = {};
+    private double[] dSdt = {};
     private double[] trial = {};
-    private double[] k1 = {};
-    private double[] k2 = {};
-    private double[] k3 = {};
-    private double[] k4 = {};
+    private double[] next = {};
 
     @Override
     public void stepState(DEStateSource client, double deltaT) {
         int n = client.getStateSize();
-        if (state.length != n) {
-            state = new double[n];
+        if (next.length != n) {
+            dSdt = new double[n];
             trial = new double[n];
-            k1 = new double[n];
-            k2 = new double[n];
-            k3 = new double[n];
-            k4 = new double[n];
+            next = new double[n];
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
+            double[] state = source.getStartState();
+            double[] dSdt = this.dSdt;
+            double[] trial = this.trial;
+            double[] next = this.next;
 
-            source.getStateDerivative(k1);              // at (s, t): the Euler step
+            source.getStateDerivative(state, dSdt);     // at (s, t)
             for (int i = 0; i < n; i++) {
-                k1[i] *= deltaT;
-                trial[i] = state[i] + k1[i] / 2;
+                double k1 = deltaT * dSdt[i];           // the Euler step
+                next[i] = state[i] + 1.0 / 6 * k1;
+                trial[i] = state[i] + k1 / 2;
             }
-            source.setState(trial);
             source.incTime(deltaT / 2);
 
-            source.getStateDerivative(k2);              // at (s + k1/2, t + deltaT/2): the midpoint step
+            source.getStateDerivative(trial, dSdt);     // at (s + k1/2, t + deltaT/2)
             for (int i = 0; i < n; i++) {
-                k2[i] *= deltaT;
-                trial[i] = state[i] + k2[i] / 2;
+                double k2 = deltaT * dSdt[i];           // the midpoint step
+                next[i] += 1.0 / 3 * k2;
+                trial[i] = state[i] + k2 / 2;
             }
-            source.setState(trial);
 
-            source.getStateDerivative(k3);              // at (s + k2/2, t + deltaT/2): the refined midpoint step
+            source.getStateDerivative(trial, dSdt);     // at (s + k2/2, t + deltaT/2)
             for (int i = 0; i < n; i++) {
-                k3[i] *= deltaT;
-                trial[i] = state[i] + k3[i];
+                double k3 = deltaT * dSdt[i];           // the refined midpoint step
+                next[i] += 1.0 / 3 * k3;
+                trial[i] = state[i] + k3;
             }
-            source.setState(trial);
             source.incTime(deltaT / 2);
 
-            source.getStateDerivative(k4);              // at (s + k3, t + deltaT): the refined refined step
+            source.getStateDerivative(trial, dSdt);     // at (s + k3, t + deltaT)
             for (int i = 0; i < n; i++) {
-                k4[i] *= deltaT;
-                state[i] += 1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + 1.0 / 3 * k3[i] + 1.0 / 6 * k4[i];
+                double k4 = deltaT * dSdt[i];           // the refined refined step
+                next[i] += 1.0 / 6 * k4;
             }
-            source.finish(state);
+            this.next = source.handOver(next);
         }
     }
 }

@@ -49,6 +49,16 @@ public interface Effect {
      */
     void addForces(double[] state, double time, double[] force, int from, int to);
 
+    /**
+     * Whether the items are the particles themselves and each acts on its own particle only, as gravity and drag do. Such
+     * laws are evaluated for a stretch of particles in turn, while its numbers are in the processor's nearest memory.
+     *
+     * @return true if item i adds to the force on particle i and on no other
+     */
+    default boolean isPerParticle() {
+        return false;
+    }
+
     /** @return whether the force depends on velocities, as drag and damping do */
     boolean dependsOnVelocity();
 

@@ -59,7 +59,7 @@ public final class EnergyLedger implements Observer {
             accounts.add(new Account(reaction.getName(), (s, state, time) -> reaction.isActive()
                     ? reaction.getPower(state, time, effectForces(s, state, time)) : 0));
         }
-        if (system.anchorCount() > 0) {
+        if (system.getMovingAnchors().length > 0) {
             accounts.add(new Account("moving anchors", this::anchorPower));
         }
         energy = system.getEnergy(system.getOwnState(), system.getTime());
@@ -113,8 +113,8 @@ public final class EnergyLedger implements Observer {
             }
         }
         double power = 0;
-        for (int a = 0; a < system.anchorCount(); a++) {
-            int v = STRIDE * system.anchor(a) + 3;
+        for (int anchor : system.getMovingAnchors()) {
+            int v = STRIDE * anchor + 3;
             power -= pull[v] * state[v] + pull[v + 1] * state[v + 1] + pull[v + 2] * state[v + 2];
         }
         return power;

@@ -1,5 +1,6 @@
 package particles;
 
+import deSolvers.ArrayStateSource;
 import deSolvers.JacobianBlocks;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
@@ -16,22 +17,19 @@ import java.util.List;
  *
  * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
  */
-public final class ParticleSystem implements SecondOrderStateSource, JacobianStateSource {
+public final class ParticleSystem implements SecondOrderStateSource, ArrayStateSource, JacobianStateSource {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
-    private final List<Anchor> anchors = new ArrayList<>();
-    private final double[] anchorValues = new double[9];
+    private final ForceSum forces = new ForceSum(particles, effects, reactions);
+    private final Anchors anchors = new Anchors();
     private final ParticleJacobian jacobian = new ParticleJacobian(this);
     private double[] state = {};
     private double time;
     private boolean velocityMatters;
     private long evaluations;
-
-    private record Anchor(int particle, AnchorMotion motion) {
-    }
 
     /**
      * Adds a particle.
@@ -82,8 +80,7 @@ public final class ParticleSystem implements SecondOrderStateSource, JacobianSta
             newIndex[i] = stay++;
         }
         particles.shrinkTo(stay);
-        anchors.removeIf(anchor -> newIndex[anchor.particle()] < 0);
-        anchors.replaceAll(anchor -> new Anchor(newIndex[anchor.particle()], anchor.motion()));
+        anchors.reindex(newIndex);
         for (Effect effect : effects) {
             effect.reindex(newIndex);
         }
@@ -106,24 +103,12 @@ public final class ParticleSystem implements SecondOrderStateSource, JacobianSta
             throw new IllegalArgumentException("particle '" + particles.id(particle)
                     + "' is free; only a fixed one can follow a given motion");
         }
-        anchors.add(new Anchor(particle, motion));
-        motion.at(time, anchorValues);
-        System.arraycopy(anchorValues, 0, state, STRIDE * particle, STRIDE);
+        anchors.add(particle, motion, state, time);
     }
 
-    /** @return whether particle i is fixed to a point that moves */
-    public boolean isMovingAnchor(int i) {
-        return anchors.stream().anyMatch(anchor -> anchor.particle() == i);
-    }
-
-    /** @return how many particles are fixed to points that move */
-    public int anchorCount() {
-        return anchors.size();
-    }
-
-    /** @return the index of the particle that is the a-th moving anchor */
-    public int anchor(int a) {
-        return anchors.get(a).particle();
+    /** @return the indices of the particles that are fixed to points that move */
+    public int[] getMovingAnchors() {
+        return anchors.particles();
     }
 
     /** @param effect a force to act from now on, after those added before */
@@ -205,22 +190,32 @@ public final class ParticleSystem implements SecondOrderStateSource, JacobianSta
 
     @Override
     public void getStateDerivative(double[] dSdt) {
+        getStateDerivative(state, dSdt);
+    }
+
+    @Override
+    public void getStateDerivative(double[] state, double[] dSdt) {
         evaluations++;
-        addUpForces(state, time, dSdt);
-        double[] inverseMasses = particles.inverseMasses();
-        for (int i = 0, x = 0, n = particles.count(); i < n; i++, x += STRIDE) {
-            double inverseMass = inverseMasses[i];
-            dSdt[x] = state[x + 3];
-            dSdt[x + 1] = state[x + 4];
-            dSdt[x + 2] = state[x + 5];
-            dSdt[x + 3] *= inverseMass;
-            dSdt[x + 4] *= inverseMass;
-            dSdt[x + 5] *= inverseMass;
+        forces.derivative(state, time, dSdt);
+        anchors.accelerate(time, dSdt);
+    }
+
+    @Override
+    public double[] getStateArray() {
+        if (state.length != getStateSize()) {
+            state = Arrays.copyOf(state, getStateSize());
         }
-        for (int a = 0; a < anchors.size(); a++) {
-            anchors.get(a).motion().at(time, anchorValues);
-            System.arraycopy(anchorValues, STRIDE, dSdt, STRIDE * anchors.get(a).particle() + 3, 3);
+        return state;
+    }
+
+    @Override
+    public double[] exchangeState(double[] state) {
+        if (state.length != getStateSize()) {
+            throw new IllegalArgumentException("a state of " + state.length + " doubles for a system of " + getStateSize());
         }
+        double[] before = getStateArray();
+        this.state = state;
+        return before;
     }
 
     @Override
@@ -243,17 +238,6 @@ public final class ParticleSystem implements SecondOrderStateSource, JacobianSta
         return particles.inverseMasses()[i];
     }
 
-    /** Clears the array, lets all effects act, then the reactions that hold something. */
-    private void addUpForces(double[] state, double time, double[] force) {
-        addUpEffects(state, time, force);
-        for (int r = 0; r < reactions.size(); r++) {
-            Reaction reaction = reactions.get(r);
-            if (reaction.isActive()) {
-                reaction.addForces(state, time, force);
-            }
-        }
-    }
-
     /**
      * The forces of all effects, without the reactions' answer, for ledgers and checks; not counted as an evaluation.
      *
@@ -262,11 +246,7 @@ public final class ParticleSystem implements SecondOrderStateSource, JacobianSta
      * @param force receives the forces (N) where the velocities stand in the state, 0 in the other entries
      */
     public void addUpEffects(double[] state, double time, double[] force) {
-        Arrays.fill(force, 0, getStateSize(), 0.0);
-        for (int e = 0; e < effects.size(); e++) {
-            Effect effect = effects.get(e);
-            effect.addForces(state, time, force, 0, effect.size());
-        }
+        forces.effects(state, time, force);
     }
 
     /**

@@ -210,6 +210,7 @@ final class BlockLU implements LinearOperator {
             int to = 3 * order[i];
             Arrays.fill(y, to, to + 3, 0);
             Block3.multiplyAdd(inverse, 9 * i, solution, 3 * i, y, to);
+            System.arraycopy(y, to, solution, 3 * i, 3);
         }
     }
 }

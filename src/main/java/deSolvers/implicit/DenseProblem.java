@@ -1,6 +1,7 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
+import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
@@ -85,7 +86,7 @@ final class DenseProblem implements NewtonProblem {
         solution.numRows = residual.length;
         solution.numCols = 1;
         lu.solve(right, solution);
-        return GuardedStep.firstNonFinite(correction) < 0;
+        return FiniteCheck.firstNonFinite(correction) < 0;
     }
 
     @Override

@@ -1,5 +1,6 @@
 package deSolvers.implicit;
 
+import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.data.ZMatrixRMaj;
@@ -68,7 +69,7 @@ final class DenseRadauSystems implements RadauSystems {
         if (n > 0) {
             realLU.solve(realRight, realSolution);
         }
-        return GuardedStep.firstNonFinite(x) < 0;
+        return FiniteCheck.firstNonFinite(x) < 0;
     }
 
     @Override
@@ -82,6 +83,6 @@ final class DenseRadauSystems implements RadauSystems {
         if (n > 0) {
             complexLU.solve(complexRight, complexSolution);
         }
-        return GuardedStep.firstNonFinite(x) < 0;
+        return FiniteCheck.firstNonFinite(x) < 0;
     }
 }

@@ -1,6 +1,7 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
+import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
@@ -118,7 +119,7 @@ final class ImplicitStage {
         for (int i = 0; i < start.length; i++) {
             euler[i] = start[i] + gamma * euler[i];
         }
-        if (GuardedStep.firstNonFinite(euler) >= 0) {
+        if (FiniteCheck.firstNonFinite(euler) >= 0) {
             source.finish(euler);
         }
     }

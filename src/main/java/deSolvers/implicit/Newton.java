@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.GuardedStep;
+import deSolvers.FiniteCheck;
 
 /**
  * Newton's method, damped by Deuflhard's natural monotonicity test: a step is taken only as far as the correction that
@@ -52,7 +52,7 @@ final class Newton {
         if (isZero(residual)) {
             return true;
         }
-        if (GuardedStep.firstNonFinite(residual) >= 0) {
+        if (FiniteCheck.firstNonFinite(residual) >= 0) {
             return false;
         }
         boolean haveCorrection = false;
@@ -79,7 +79,7 @@ final class Newton {
                     System.arraycopy(trial, 0, u, 0, n);
                     return true;
                 }
-                next = GuardedStep.firstNonFinite(residual) < 0 && correct(problem, nextCorrection)
+                next = FiniteCheck.firstNonFinite(residual) < 0 && correct(problem, nextCorrection)
                         ? size(nextCorrection, trial) : Double.POSITIVE_INFINITY;
                 if (next <= (1 - damping / 4) * size) {
                     break;
@@ -122,7 +122,7 @@ final class Newton {
         if (isZero(residual)) {
             return true;
         }
-        if (GuardedStep.firstNonFinite(residual) >= 0) {
+        if (FiniteCheck.firstNonFinite(residual) >= 0) {
             return false;
         }
         problem.linearise(u);

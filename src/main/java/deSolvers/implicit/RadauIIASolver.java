@@ -1,5 +1,6 @@
 package deSolvers.implicit;
 
+import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import deSolvers.adaptive.AdaptiveSolver;
 
@@ -104,7 +105,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
             source.setState(right);
             source.setOffset(offset);
             source.getStateDerivative(shifted);
-            ratio = GuardedStep.firstNonFinite(shifted) < 0 ? estimate(state, shifted, h, newState) : ratio;
+            ratio = FiniteCheck.firstNonFinite(shifted) < 0 ? estimate(state, shifted, h, newState) : ratio;
         }
         return ratio;
     }

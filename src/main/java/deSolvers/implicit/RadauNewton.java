@@ -4,6 +4,7 @@ import static deSolvers.implicit.RadauTableau.MU;
 import static deSolvers.implicit.RadauTableau.MU_IM;
 import static deSolvers.implicit.RadauTableau.MU_RE;
 
+import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import deSolvers.adaptive.Tolerance;
 
@@ -110,7 +111,7 @@ final class RadauNewton {
             source.setState(trial);
             source.setOffset(offset + RadauTableau.c(k) * h);
             source.getStateDerivative(f[k]);
-            if (GuardedStep.firstNonFinite(f[k]) >= 0) {
+            if (FiniteCheck.firstNonFinite(f[k]) >= 0) {
                 return false;
             }
         }

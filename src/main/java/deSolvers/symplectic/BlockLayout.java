@@ -26,11 +26,22 @@ final class BlockLayout {
         return second;
     }
 
-    /** Moves the positions with the state's own velocities: x += h v. */
-    static void drift(double[] state, int d, double h) {
-        for (int x = 0; x < state.length; x += 2 * d) {
-            for (int c = x; c < x + d; c++) {
-                state[c] += h * state[c + d];
+    /**
+     * A kick and then a drift with the new velocities: v' = v + kick a, x' = x + drift v'.
+     *
+     * @param state  (x, v)
+     * @param dSdt   holds a in its velocity entries
+     * @param d      positions in a block
+     * @param kick   how long the acceleration acts (s)
+     * @param drift  how long the new velocity acts (s)
+     * @param result receives (x', v'); may be {@code state}
+     */
+    static void kickDrift(double[] state, double[] dSdt, int d, double kick, double drift, double[] result) {
+        for (int block = 0; block < state.length; block += 2 * d) {
+            for (int x = block, v = block + d; x < block + d; x++, v++) {
+                double velocity = state[v] + kick * dSdt[v];
+                result[v] = velocity;
+                result[x] = state[x] + drift * velocity;
             }
         }
     }

@@ -34,8 +34,7 @@ final class ClosingKick {
         double change = 0;
         double scale = 0;
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
-            source.setState(state);
-            source.getStateDerivative(dSdt);            // at (x, v, t) with the latest v
+            source.getStateDerivative(state, dSdt);     // at (x, v, t) with the latest v
             source.requireFinite(dSdt);
             double last = change;
             change = 0;

@@ -1,7 +1,7 @@
 package deSolvers.symplectic;
 
-import static deSolvers.symplectic.BlockLayout.drift;
 import static deSolvers.symplectic.BlockLayout.kick;
+import static deSolvers.symplectic.BlockLayout.kickDrift;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
@@ -42,32 +42,30 @@ final class KickDriftKick {
             memory.forget();
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            boolean continues = memory.holds(client, source.getStartTime(), state, deltaT);
+            double[] begin = source.getStartState();
+            boolean continues = memory.holds(client, source.getStartTime(), begin, deltaT);
             memory.forget();                            // until this step has ended well
             if (!continues) {
-                source.getStateDerivative(dSdt);        // at (x, v, t)
+                source.getStateDerivative(begin, dSdt); // at (x, v, t)
                 source.requireFinite(dSdt);
             }
             boolean implicit = secondOrder.accelerationDependsOnVelocity();
             double done = 0;
             for (double weight : weights) {
                 double h = weight * deltaT;
-                kick(state, dSdt, d, h / 2);
-                drift(state, d, h);
+                kickDrift(done == 0 ? begin : state, dSdt, d, h / 2, h, state);
                 done += h;
                 source.setOffset(done);
                 if (implicit) {
                     closingKick.solve(source, state, dSdt, d, h / 2);
                 } else {
-                    source.setState(state);
-                    source.getStateDerivative(dSdt);    // at (x(t + h), t + h)
+                    source.getStateDerivative(state, dSdt);  // at (x(t + h), t + h)
                     source.requireFinite(dSdt);
                     kick(state, dSdt, d, h / 2);
                 }
             }
-            source.finish(state);
             memory.keep(client, source.getEndTime(), state, deltaT);
+            state = source.handOver(state);
         }
     }
 

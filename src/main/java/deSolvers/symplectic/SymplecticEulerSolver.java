@@ -1,7 +1,6 @@
 package deSolvers.symplectic;
 
-import static deSolvers.symplectic.BlockLayout.drift;
-import static deSolvers.symplectic.BlockLayout.kick;
+import static deSolvers.symplectic.BlockLayout.kickDrift;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
@@ -27,24 +26,23 @@ import deSolvers.GuardedStep;
  */
 public final class SymplecticEulerSolver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
-    private double[] state = {};
     private double[] dSdt = {};
+    private double[] next = {};
 
     @Override
     public void stepState(DEStateSource client, double deltaT) {
         int d = BlockLayout.secondOrder(this, client).getDimension();
         int n = client.getStateSize();
-        if (state.length != n) {
-            state = new double[n];
+        if (next.length != n) {
             dSdt = new double[n];
+            next = new double[n];
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            source.getStateDerivative(dSdt);            // at (x, v, t)
+            double[] state = source.getStartState();
+            source.getStateDerivative(state, dSdt);     // at (x, v, t)
             source.requireFinite(dSdt);
-            kick(state, dSdt, d, deltaT);
-            drift(state, d, deltaT);                    // with the new velocity
-            source.finish(state);
+            kickDrift(state, dSdt, d, deltaT, deltaT, next);
+            next = source.handOver(next);
         }
     }
 }

@@ -51,6 +51,11 @@ public final class Gravity implements Effect {
     }
 
     @Override
+    public boolean isPerParticle() {
+        return true;
+    }
+
+    @Override
     public boolean dependsOnVelocity() {
         return false;
     }

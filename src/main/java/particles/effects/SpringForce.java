@@ -1,6 +1,5 @@
 package particles.effects;
 
-import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
 import particles.Effect;
@@ -20,21 +19,15 @@ import particles.Vector3;
  * <p>Two particles at the same place give no direction to push in: such a spring exerts no force at that instant. For
  * l = 0 that is the law's own limit; for l &gt; 0 it is the unstable balance of a spring compressed to a point.
  *
+ * <p>Springs are numbered as they were added until forces are first evaluated; then they are sorted by the particle where
+ * they begin. Numbers are valid until springs are added.
+ *
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides "Spring
  * Force" and "Damped Spring Force".
  */
 public final class SpringForce implements Effect, SpringView {
-    /** Between these bounds the square of a length neither overflows nor loses digits. */
-    private static final double SMALLEST_SQUARE = 1e-280;
-    private static final double LARGEST_SQUARE = 1e280;
-
     private final Particles particles;
-    private int count;
-    private int[] from = new int[8];                    // where the particles' entries begin in the state
-    private int[] to = new int[8];
-    private double[] stiffness = new double[8];
-    private double[] restLength = new double[8];
-    private double[] damping = new double[8];
+    private final SpringTable table = new SpringTable();
     private boolean damped;
     private final SpringJacobian derivative = new SpringJacobian();
 
@@ -64,21 +57,8 @@ public final class SpringForce implements Effect, SpringView {
         require("stiffness", stiffness);
         require("rest length", restLength);
         require("damping", damping);
-        if (count == from.length) {
-            int capacity = count + count / 2;
-            from = Arrays.copyOf(from, capacity);
-            to = Arrays.copyOf(to, capacity);
-            this.stiffness = Arrays.copyOf(this.stiffness, capacity);
-            this.restLength = Arrays.copyOf(this.restLength, capacity);
-            this.damping = Arrays.copyOf(this.damping, capacity);
-        }
-        from[count] = Particles.STRIDE * i;
-        to[count] = Particles.STRIDE * j;
-        this.stiffness[count] = stiffness;
-        this.restLength[count] = restLength;
-        this.damping[count] = damping;
+        table.add(i, j, stiffness, restLength, damping);
         damped |= damping > 0;
-        count++;
     }
 
     private static void require(String name, double value) {
@@ -100,7 +80,7 @@ public final class SpringForce implements Effect, SpringView {
 
     @Override
     public int size() {
-        return count;
+        return table.count;
     }
 
     @Override
@@ -109,34 +89,9 @@ public final class SpringForce implements Effect, SpringView {
     }
 
     @Override
-    public void addForces(double[] state, double time, double[] force, int first, int end) {
-        int[] from = this.from;
-        int[] to = this.to;
-        for (int s = first; s < end; s++) {
-            int i = from[s];
-            int j = to[s];
-            double rx = state[j] - state[i];
-            double ry = state[j + 1] - state[i + 1];
-            double rz = state[j + 2] - state[i + 2];
-            double square = rx * rx + ry * ry + rz * rz;
-            if (!(square > SMALLEST_SQUARE && square < LARGEST_SQUARE)) {
-                addExtremeForce(s, state, force);
-                continue;
-            }
-            double inverse = 1 / Math.sqrt(square);
-            double stretching = rx * (state[j + 3] - state[i + 3]) + ry * (state[j + 4] - state[i + 4])
-                    + rz * (state[j + 5] - state[i + 5]);
-            double perLength = stiffness[s] * (1 - restLength[s] * inverse) + damping[s] * stretching * inverse * inverse;
-            double fx = perLength * rx;
-            double fy = perLength * ry;
-            double fz = perLength * rz;
-            force[i + 3] += fx;
-            force[i + 4] += fy;
-            force[i + 5] += fz;
-            force[j + 3] -= fx;
-            force[j + 4] -= fy;
-            force[j + 5] -= fz;
-        }
+    public void addForces(double[] state, double time, double[] force, int from, int to) {
+        table.arrange();
+        SpringKernel.addForces(table, state, force, from, to);
     }
 
     @Override
@@ -146,47 +101,17 @@ public final class SpringForce implements Effect, SpringView {
 
     @Override
     public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        for (int s = 0; s < count; s++) {
-            derivative.add(state, from[s], to[s], stiffness[s], restLength[s], damping[s], derivatives);
-        }
-    }
-
-    /** The same law for lengths whose square would overflow or underflow: the direction is found after scaling. */
-    private void addExtremeForce(int s, double[] state, double[] force) {
-        int i = from[s];
-        int j = to[s];
-        double largest = 0;
-        for (int c = 0; c < 3; c++) {
-            largest = Math.max(largest, Math.abs(state[j + c] - state[i + c]));
-        }
-        if (largest == 0) {
-            return;                                     // no direction, no force
-        }
-        double scaledSquare = 0;
-        for (int c = 0; c < 3; c++) {
-            double scaled = (state[j + c] - state[i + c]) / largest;
-            scaledSquare += scaled * scaled;
-        }
-        double scaledLength = Math.sqrt(scaledSquare);
-        double rate = 0;
-        for (int c = 0; c < 3; c++) {
-            double direction = (state[j + c] - state[i + c]) / largest / scaledLength;
-            rate += direction * (state[j + 3 + c] - state[i + 3 + c]);
-        }
-        double tension = stiffness[s] * (largest * scaledLength - restLength[s]) + damping[s] * rate;
-        for (int c = 0; c < 3; c++) {
-            double direction = (state[j + c] - state[i + c]) / largest / scaledLength;
-            force[i + 3 + c] += tension * direction;
-            force[j + 3 + c] -= tension * direction;
+        for (int s = 0; s < table.count; s++) {
+            derivative.add(state, table.from[s], table.to[s], table.stiffness[s], table.restLength[s], table.damping[s], derivatives);
         }
     }
 
     @Override
     public double getPotentialEnergy(double[] state, double time) {
         double energy = 0;
-        for (int s = 0; s < count; s++) {
-            double stretch = length(state, s) - restLength[s];
-            energy += stiffness[s] * stretch * stretch / 2;
+        for (int s = 0; s < table.count; s++) {
+            double stretch = length(state, s) - table.restLength[s];
+            energy += table.stiffness[s] * stretch * stretch / 2;
         }
         return energy;
     }
@@ -194,16 +119,16 @@ public final class SpringForce implements Effect, SpringView {
     @Override
     public double getDissipatedPower(double[] state, double time) {
         double power = 0;
-        for (int s = 0; damped && s < count; s++) {
-            int i = from[s];
-            int j = to[s];
+        for (int s = 0; damped && s < table.count; s++) {
+            int i = table.from[s];
+            int j = table.to[s];
             double length = length(state, s);
             if (length > 0) {
                 double rate = 0;
                 for (int c = 0; c < 3; c++) {
                     rate += (state[j + c] - state[i + c]) / length * (state[j + 3 + c] - state[i + 3 + c]);
                 }
-                power += damping[s] * rate * rate;
+                power += table.damping[s] * rate * rate;
             }
         }
         return power;
@@ -215,30 +140,20 @@ public final class SpringForce implements Effect, SpringView {
      * @return its present length |r| (m)
      */
     public double length(double[] state, int s) {
-        int i = from[s];
-        int j = to[s];
+        int i = table.from[s];
+        int j = table.to[s];
         double rx = state[j] - state[i];
         double ry = state[j + 1] - state[i + 1];
         double rz = state[j + 2] - state[i + 2];
         double square = rx * rx + ry * ry + rz * rz;
-        return square > SMALLEST_SQUARE && square < LARGEST_SQUARE ? Math.sqrt(square)
+        return square > SpringKernel.SMALLEST_SQUARE && square < SpringKernel.LARGEST_SQUARE ? Math.sqrt(square)
                 : new Vector3(rx, ry, rz).length();
     }
 
     /** {@inheritDoc} Springs go with either of their ends. */
     @Override
     public void reindex(int[] newIndex) {
-        int stay = 0;
-        for (int s = 0; s < count; s++) {
-            int i = newIndex[from(s)];
-            int j = newIndex[to(s)];
-            if (i >= 0 && j >= 0) {
-                from[stay] = Particles.STRIDE * i;
-                to[stay] = Particles.STRIDE * j;
-                move(s, stay++);
-            }
-        }
-        count = stay;
+        table.reindex(newIndex);
     }
 
     /**
@@ -247,50 +162,36 @@ public final class SpringForce implements Effect, SpringView {
      * @param gone by index, true for springs to be taken out; as many as there are springs
      */
     public void removeSprings(boolean[] gone) {
-        int stay = 0;
-        for (int s = 0; s < count; s++) {
-            if (!gone[s]) {
-                from[stay] = from[s];
-                to[stay] = to[s];
-                move(s, stay++);
-            }
-        }
-        count = stay;
-    }
-
-    private void move(int s, int stay) {
-        stiffness[stay] = stiffness[s];
-        restLength[stay] = restLength[s];
-        damping[stay] = damping[s];
+        table.remove(gone);
     }
 
     @Override
     public int springCount() {
-        return count;
+        return table.count;
     }
 
     @Override
     public int from(int s) {
-        return from[s] / Particles.STRIDE;
+        return table.from[s] / Particles.STRIDE;
     }
 
     @Override
     public int to(int s) {
-        return to[s] / Particles.STRIDE;
+        return table.to[s] / Particles.STRIDE;
     }
 
     @Override
     public double restLength(int s) {
-        return restLength[s];
+        return table.restLength[s];
     }
 
     @Override
     public double stiffness(int s) {
-        return stiffness[s];
+        return table.stiffness[s];
     }
 
     @Override
     public double damping(int s) {
-        return damping[s];
+        return table.damping[s];
     }
 }

@@ -24,4 +24,21 @@ public interface Wind {
     default boolean isUniform() {
         return false;
     }
+
+    /** @return whether {@link #getGradient} is known */
+    default boolean hasGradient() {
+        return isUniform();
+    }
+
+    /**
+     * How the air's velocity changes from place to place, where a particle is. A uniform wind's does not.
+     *
+     * @param state    the particles' state, to be read only
+     * @param time     t (s)
+     * @param i        the particle
+     * @param gradient receives 9 doubles by rows: entry 3 a + b is the derivative of component a by coordinate b (1/s)
+     */
+    default void getGradient(double[] state, double time, int i, double[] gradient) {
+        Arrays.fill(gradient, 0);
+    }
 }

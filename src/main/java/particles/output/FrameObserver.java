@@ -4,6 +4,7 @@ import java.util.List;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.Particles;
 import particles.Rule;
 

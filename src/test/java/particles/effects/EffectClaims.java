@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Random;
 import particles.Effect;
 import particles.Effect.Trait;
+import particles.ForceDerivatives;
 import particles.ParticleSystem;
 
 /**
@@ -62,7 +63,10 @@ final class EffectClaims {
         for (double f : force) {
             size = Math.max(size, Math.abs(f));
         }
-        checkRanges(state, time, force);
+        checkRanges(state, time, force, size);
+        if (effect.hasForceDerivatives()) {
+            checkDerivatives(state, time, size);
+        }
         checkPower(state, time, force, size);
         if (effect.getTraits().contains(Trait.CONSERVATIVE)) {
             checkGradient(state, time, force, size);
@@ -91,13 +95,13 @@ final class EffectClaims {
         }
     }
 
-    private void checkRanges(double[] state, double time, double[] force) {
+    private void checkRanges(double[] state, double time, double[] force, double size) {
         double[] parts = new double[n];
         int middle = effect.size() / 2;
         effect.addForces(state, time, parts, 0, middle);
         effect.addForces(state, time, parts, middle, effect.size());
         for (int k = 0; k < n; k++) {
-            if (parts[k] != force[k]) {
+            if (!(Math.abs(parts[k] - force[k]) <= 1e-14 * size)) {
                 broken.add("ranges: entry " + k + " is " + parts[k] + " in two parts and " + force[k] + " at once");
             }
             if (k % 6 < 3 && force[k] != 0) {
@@ -130,7 +134,8 @@ final class EffectClaims {
         if (driven != 0 && !effect.getTraits().contains(Trait.DRIVING)) {
             broken.add("driven power " + driven);
         }
-        if (!(Math.abs(power + stored + dissipated - driven) <= BOUND * size * speed * n)) {
+        double scale = Math.max(size * speed * n, Math.abs(stored));
+        if (!(Math.abs(power + stored + dissipated - driven) <= BOUND * scale)) {
             broken.add("power " + power + " is not -" + stored + " - " + dissipated + " + " + driven);
         }
     }
@@ -145,6 +150,54 @@ final class EffectClaims {
                 double slope = (ahead - effect.getPotentialEnergy(moved, time)) / (2 * STEP);
                 if (!(Math.abs(force[6 * i + 3 + c] + slope) <= BOUND * size)) {
                     broken.add("gradient: force " + force[6 * i + 3 + c] + " where the potential's slope is " + slope);
+                }
+            }
+        }
+    }
+
+    /** Every entry of the force's derivative by positions and velocities; differences of positions and velocities of 1e-5. */
+    private void checkDerivatives(double[] state, double time, double size) {
+        double[][] exact = new double[n][n];
+        effect.addForceDerivatives(state, time, new ForceDerivatives() {
+            @Override
+            public void add(int i, int j, double[] dFdX, double[] dFdV) {
+                put(i, j, dFdX, dFdV, 1);
+            }
+
+            @Override
+            public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
+                put(i, i, dFdX, dFdV, 1);
+                put(i, j, dFdX, dFdV, -1);
+                put(j, j, dFdX, dFdV, 1);
+                put(j, i, dFdX, dFdV, -1);
+            }
+
+            private void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
+                for (int e = 0; e < 9; e++) {
+                    exact[6 * i + 3 + e / 3][6 * j + e % 3] += sign * dFdX[e];
+                    exact[6 * i + 3 + e / 3][6 * j + 3 + e % 3] += sign * dFdV[e];
+                }
+            }
+
+            @Override
+            public void transformRow(int i, double[] matrix) {
+                broken.add("derivative: only a reaction answers the forces of others");
+            }
+        });
+        for (int column = 0; column < n; column++) {
+            if (system.getParticles().isFixed(column / 6)) {
+                continue;                               // it never moves, and |v| v has a kink of second order at rest
+            }
+            double[] moved = state.clone();
+            moved[column] = state[column] + STEP;
+            double[] ahead = force(moved, time);
+            moved[column] = state[column] - STEP;
+            double[] behind = force(moved, time);
+            for (int row = 0; row < n; row++) {
+                double slope = (ahead[row] - behind[row]) / (2 * STEP);
+                if (!(Math.abs(exact[row][column] - slope) <= BOUND * Math.max(size, Math.abs(slope)))) {
+                    broken.add("derivative: entry " + row + ", " + column + " is " + exact[row][column]
+                            + " where differences give " + slope);
                 }
             }
         }

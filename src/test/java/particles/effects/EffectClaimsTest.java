@@ -12,13 +12,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.Effect;
+import particles.ForceDerivatives;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.Plane;
+import particles.Sphere;
 import particles.Vector3;
 
 /** Every effect keeps what it claims, and effects with a planted error do not. */
 class EffectClaimsTest {
     private static final GustyWind WIND = new GustyWind(new Vector3(2, 0, 1), new Vector3(1, 0.5, 0), 1.7);
+
+    private static final TurbulentWind TURBULENCE = new TurbulentWind(new Vector3(2, 0, 1), 1.5, 2, 42);
 
     /** Six particles about a unit apart, of different masses, one of them fixed. */
     private static ParticleSystem system() {
@@ -38,6 +43,26 @@ class EffectClaimsTest {
             }
         }
         return springs;
+    }
+
+    private static List<String> kinds(List<String> broken) {
+        return broken.stream().map(line -> line.substring(0, line.indexOf(' '))).distinct().sorted().toList();
+    }
+
+    /** Every check by itself: an effect that is wrong in one way only is found by the check for that way. */
+    @Test
+    void aWrongDerivativeIsFoundByNothingElse() {
+        assertEquals(List.of("derivative:"), kinds(broken(p -> new Altered(springs(p, 0.8), 1, 1) {
+            @Override
+            public boolean hasForceDerivatives() {
+                return true;
+            }
+
+            @Override
+            public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+                springs(p, 0.8 * (1 + 1e-3)).addForceDerivatives(state, time, derivatives);
+            }
+        })));
     }
 
     private static List<String> broken(Function<Particles, Effect> maker) {
@@ -63,6 +88,39 @@ class EffectClaimsTest {
     }
 
     @Test
+    void quadraticDragKeepsItsClaimsInStillAirAndInWind() {
+        assertEquals(List.of(), broken(p -> new QuadraticDrag(p, 0.4, Wind.STILL)));
+        assertEquals(List.of(), broken(p -> new QuadraticDrag(p, 0.4, WIND)));
+    }
+
+    @Test
+    void bothDragsKeepTheirClaimsInTurbulence() {
+        assertEquals(List.of(), broken(p -> new LinearDrag(p, 0.4, TURBULENCE)));
+        assertEquals(List.of(), broken(p -> new QuadraticDrag(p, 0.4, TURBULENCE)));
+    }
+
+    @Test
+    void attractionKeepsItsClaims() {
+        assertEquals(List.of(), broken(p -> new PointAttraction(p, new Vector3(0.5, -2, 0.4), 3, 0)));
+        assertEquals(List.of(), broken(p -> new PointAttraction(p, new Vector3(1, 0, 1), 3, 0.3)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.8})
+    void cohesionKeepsItsClaims(double damping) {
+        assertEquals(List.of(), broken(p -> new Cohesion(p, 1.9, 1.1, 2, damping)));
+    }
+
+    /** With a plane through the middle of the particles, some are inside it in every state. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.8, 5})
+    void penaltiesKeepTheirClaims(double loss) {
+        assertEquals(List.of(), broken(p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30, loss)));
+        assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 1.2, false), 30, loss)));
+        assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 0.8, true), 30, loss)));
+    }
+
+    @Test
     void plantedErrorsAreFound() {
         assertFalse(broken(p -> new Altered(springs(p, 0), 1, -1)).isEmpty(), "springs that push when stretched");
         assertFalse(broken(p -> new Altered(springs(p, 0.8), 1, 0.5)).isEmpty(), "half of the force");
@@ -70,10 +128,24 @@ class EffectClaimsTest {
         assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, Wind.STILL), 1, -1)).isEmpty(), "drag that drives");
         assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, WIND), 1, 1.01)).isEmpty(), "a percent too much drag");
         assertFalse(broken(p -> new Altered(springs(p, 0), 0, 1)).isEmpty(), "a partner that is forgotten");
+        assertFalse(broken(p -> new Altered(new PointAttraction(p, Vector3.ZERO, 3, 0.5), 1, -1)).isEmpty(), "repulsion");
+        assertFalse(broken(p -> new Altered(new Cohesion(p, 1.9, 1.1, 2, 0.5), 1, 1.01)).isEmpty(), "a percent on one side");
+        assertFalse(broken(p -> new Altered(new QuadraticDrag(p, 0.4, TURBULENCE), 1, 1.01)).isEmpty(), "a percent too much");
+        assertFalse(broken(p -> new Altered(new PenaltyPlane(p, Plane.ground(0.5), 30, 0.8), 1, -1)).isEmpty(), "a plane that sucks");
     }
 
     /** An effect with its forces multiplied: on the first particle by one factor, on the others by another. */
-    private record Altered(Effect effect, double first, double others) implements Effect {
+    private static class Altered implements Effect {
+        private final Effect effect;
+        private final double first;
+        private final double others;
+
+        Altered(Effect effect, double first, double others) {
+            this.effect = effect;
+            this.first = first;
+            this.others = others;
+        }
+
         @Override
         public String getName() {
             return effect.getName();
@@ -96,6 +168,10 @@ class EffectClaimsTest {
 
         @Override
         public void addForces(double[] state, double time, double[] force, int from, int to) {
+            if (first == 1 && others == 1) {
+                effect.addForces(state, time, force, from, to);
+                return;
+            }
             double[] right = new double[force.length];
             effect.addForces(state, time, right, from, to);
             for (int k = 0; k < force.length; k++) {

@@ -1,0 +1,84 @@
+package particles;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** Adds up what effects and reactions do. */
+final class ForceSum {
+    private static final int STRIDE = Particles.STRIDE;
+    /** Particles at a time: state and force of so many, 48 kB together, stay in the processor's nearest memory. */
+    private static final int STRETCH = 512;
+
+    private final Particles particles;
+    private final List<Effect> effects;
+    private final List<Reaction> reactions;
+
+    ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
+        this.particles = particles;
+        this.effects = effects;
+        this.reactions = reactions;
+    }
+
+    /** The derivative (v, F/m) of a state. */
+    void derivative(double[] state, double time, double[] dSdt) {
+        int n = particles.count();
+        for (int from = 0; from < n; from += STRETCH) {
+            int to = Math.min(n, from + STRETCH);
+            for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
+                dSdt[x] = state[x + 3];
+                dSdt[x + 1] = state[x + 4];
+                dSdt[x + 2] = state[x + 5];
+                dSdt[x + 3] = 0;
+                dSdt[x + 4] = 0;
+                dSdt[x + 5] = 0;
+            }
+            addPerParticle(state, time, dSdt, from, to);
+        }
+        addOthers(state, time, dSdt);
+        addReactions(state, time, dSdt);
+        double[] inverseMasses = particles.inverseMasses();
+        for (int i = 0, v = 3; i < n; i++, v += STRIDE) {
+            double inverseMass = inverseMasses[i];
+            dSdt[v] *= inverseMass;
+            dSdt[v + 1] *= inverseMass;
+            dSdt[v + 2] *= inverseMass;
+        }
+    }
+
+    /** The forces of all effects; 0 where positions stand. */
+    void effects(double[] state, double time, double[] force) {
+        int n = particles.count();
+        Arrays.fill(force, 0, STRIDE * n, 0.0);
+        for (int from = 0; from < n; from += STRETCH) {
+            addPerParticle(state, time, force, from, Math.min(n, from + STRETCH));
+        }
+        addOthers(state, time, force);
+    }
+
+    private void addPerParticle(double[] state, double time, double[] force, int from, int to) {
+        for (int e = 0; e < effects.size(); e++) {
+            Effect effect = effects.get(e);
+            if (effect.isPerParticle()) {
+                effect.addForces(state, time, force, from, to);
+            }
+        }
+    }
+
+    private void addOthers(double[] state, double time, double[] force) {
+        for (int e = 0; e < effects.size(); e++) {
+            Effect effect = effects.get(e);
+            if (!effect.isPerParticle()) {
+                effect.addForces(state, time, force, 0, effect.size());
+            }
+        }
+    }
+
+    void addReactions(double[] state, double time, double[] force) {
+        for (int r = 0; r < reactions.size(); r++) {
+            Reaction reaction = reactions.get(r);
+            if (reaction.isActive()) {
+                reaction.addForces(state, time, force);
+            }
+        }
+    }
+}

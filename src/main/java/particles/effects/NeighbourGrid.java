@@ -1,0 +1,91 @@
+package particles.effects;
+
+import java.util.Arrays;
+import particles.Particles;
+
+/**
+ * Finds particles near a given one: space is divided into cubes as wide as the range, so that all within range are in the
+ * particle's own cube or the 26 around it. Cubes are kept in a hash table, so that particles may be anywhere; the
+ * particles of a cube stand in the order of their indices. Work and memory are proportional to the number of particles as
+ * long as no cube gets more crowded.
+ *
+ * <p>Source: M. Teschner et al., "Optimized spatial hashing for collision detection of deformable objects", VMV 2003.
+ */
+public final class NeighbourGrid {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private long[] cubes = {};                          // three coordinates a particle
+    private int[] bucketStart = {1};                    // where the particles of a bucket begin in sorted
+    private int[] sorted = {};
+
+    /**
+     * Sorts particles into cubes.
+     *
+     * @param state their state, of which the positions are looked at
+     * @param count how many there are
+     * @param range up to which distance particles are to be found (m), positive
+     */
+    public void build(double[] state, int count, double range) {
+        if (sorted.length < count) {
+            cubes = new long[3 * count + count];
+            sorted = new int[count + count / 3];
+        }
+        int buckets = Integer.highestOneBit(Math.max(1, count)) * 2;
+        if (bucketStart.length != buckets + 1) {
+            bucketStart = new int[buckets + 1];
+        }
+        Arrays.fill(bucketStart, 0);
+        for (int i = 0; i < count; i++) {
+            for (int c = 0; c < 3; c++) {
+                cubes[3 * i + c] = floor(state[STRIDE * i + c] / range);
+            }
+            bucketStart[bucket(cubes[3 * i], cubes[3 * i + 1], cubes[3 * i + 2])]++;
+        }
+        int end = 0;
+        for (int b = 0; b <= buckets; b++) {            // to ends, which sorting from the last particle turns into beginnings
+            end += bucketStart[b];
+            bucketStart[b] = end;
+        }
+        for (int i = count - 1; i >= 0; i--) {
+            sorted[--bucketStart[bucket(cubes[3 * i], cubes[3 * i + 1], cubes[3 * i + 2])]] = i;
+        }
+    }
+
+    private static long floor(double quotient) {
+        long whole = (long) quotient;
+        return quotient < whole ? whole - 1 : whole;
+    }
+
+    private int bucket(long x, long y, long z) {
+        long hash = x * 73856093L ^ y * 19349663L ^ z * 83492791L;
+        hash ^= hash >>> 32;
+        hash ^= hash >>> 16;
+        return (int) hash & bucketStart.length - 2;
+    }
+
+    /**
+     * The particles that may be within range of particle i and come after it, each once and always in the same order. All
+     * that are within range are among them; the caller looks at the distance.
+     *
+     * @param i     a particle
+     * @param found receives their indices; as long as there are particles
+     * @return how many they are
+     */
+    public int findLater(int i, int[] found) {
+        int count = 0;
+        for (long x = cubes[3 * i] - 1; x <= cubes[3 * i] + 1; x++) {
+            for (long y = cubes[3 * i + 1] - 1; y <= cubes[3 * i + 1] + 1; y++) {
+                for (long z = cubes[3 * i + 2] - 1; z <= cubes[3 * i + 2] + 1; z++) {
+                    int bucket = bucket(x, y, z);
+                    for (int s = bucketStart[bucket]; s < bucketStart[bucket + 1]; s++) {
+                        int j = sorted[s];
+                        if (j > i && cubes[3 * j] == x && cubes[3 * j + 1] == y && cubes[3 * j + 2] == z) {
+                            found[count++] = j;
+                        }
+                    }
+                }
+            }
+        }
+        return count;
+    }
+}

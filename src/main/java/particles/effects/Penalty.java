@@ -1,0 +1,131 @@
+package particles.effects;
+
+import java.util.EnumSet;
+import java.util.Set;
+import particles.Effect;
+import particles.ForceDerivatives;
+import particles.Particles;
+
+/**
+ * What penalty forces have in common: a particle that is inside a solid by the depth d is pushed out along the surface's
+ * normal N,
+ * <pre>
+ *   F = k d max(0, 1 - b v_n) N        for d &gt; 0
+ * </pre>
+ * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. Instead of stopping
+ * particles at the surface it is only stiff: the deeper, the harder; what is not allowed is penalised.
+ *
+ * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact" (1975).
+ */
+abstract class Penalty implements Effect {
+    static final int STRIDE = Particles.STRIDE;
+
+    final Particles particles;
+    final double stiffness;
+    final double loss;
+
+    Penalty(Particles particles, double stiffness, double loss) {
+        if (!(stiffness >= 0 && stiffness <= Double.MAX_VALUE && loss >= 0 && loss <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a penalty's stiffness and loss have to be 0 or more and finite, not " + stiffness
+                    + ", " + loss);
+        }
+        this.particles = particles;
+        this.stiffness = stiffness;
+        this.loss = loss;
+    }
+
+    /** Writes the normal where particle i is; returns the depth, negative outside. */
+    abstract double depth(double[] state, int i, double[] normal);
+
+    /** How fast the normal turns with the place: dN/dx = this times (1 - N N^T); 0 for a plane (1/m). */
+    abstract double curvature(double[] state, int i);
+
+    /** The push along the normal (N) for d > 0. */
+    final double push(double depth, double normalSpeed) {
+        return stiffness * depth * Math.max(0, 1 - loss * normalSpeed);
+    }
+
+    @Override
+    public final Set<Trait> getTraits() {
+        return EnumSet.of(loss > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
+    }
+
+    @Override
+    public final int size() {
+        return particles.count();
+    }
+
+    @Override
+    public final boolean isPerParticle() {
+        return true;
+    }
+
+    @Override
+    public final boolean dependsOnVelocity() {
+        return loss > 0;
+    }
+
+    @Override
+    public final double getPotentialEnergy(double[] state, double time) {
+        double[] normal = new double[3];
+        double energy = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            double depth = particles.isFixed(i) ? 0 : Math.max(0, depth(state, i, normal));
+            energy += stiffness * depth * depth / 2;
+        }
+        return energy;
+    }
+
+    /** {@inheritDoc} The difference between what is given up by the potential and what arrives. */
+    @Override
+    public final double getDissipatedPower(double[] state, double time) {
+        double[] normal = new double[3];
+        double power = 0;
+        for (int i = 0; loss > 0 && i < particles.count(); i++) {
+            double depth = particles.isFixed(i) ? 0 : depth(state, i, normal);
+            if (depth > 0) {
+                double speed = normalSpeed(state, i, normal);
+                power += speed * (stiffness * depth - push(depth, speed));
+            }
+        }
+        return power;
+    }
+
+    private static double normalSpeed(double[] state, int i, double[] normal) {
+        int v = STRIDE * i + 3;
+        return normal[0] * state[v] + normal[1] * state[v + 1] + normal[2] * state[v + 2];
+    }
+
+    @Override
+    public final boolean hasForceDerivatives() {
+        return true;
+    }
+
+    @Override
+    public final void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+        double[] normal = new double[3];
+        double[] turning = new double[3];
+        double[] dFdX = new double[9];
+        double[] dFdV = new double[9];
+        for (int i = 0; i < particles.count(); i++) {
+            double depth = depth(state, i, normal);
+            if (!(depth > 0)) {
+                continue;
+            }
+            double speed = normalSpeed(state, i, normal);
+            double push = push(depth, speed);
+            double bySpeed = push > 0 ? -stiffness * depth * loss : 0;
+            double curvature = curvature(state, i);
+            for (int c = 0; c < 3; c++) {               // the derivative of the push by the place: -dpush/dd N + ...
+                turning[c] = -push / depth * normal[c]
+                        + bySpeed * curvature * (state[STRIDE * i + 3 + c] - speed * normal[c]);
+            }
+            for (int e = 0; e < 9; e++) {
+                dFdX[e] = normal[e / 3] * turning[e % 3]
+                        + push * curvature * ((e % 4 == 0 ? 1 : 0) - normal[e / 3] * normal[e % 3]);
+                dFdV[e] = bySpeed * normal[e / 3] * normal[e % 3];
+            }
+            derivatives.add(i, i, dFdX, dFdV);
+        }
+    }
+}

@@ -1,0 +1,58 @@
+package particles.effects;
+
+import particles.Particles;
+import particles.Plane;
+
+/**
+ * A plane that pushes back particles that are below it: the slides' "penalty force". {@link Penalty} says how. With a push
+ * proportional to the depth and no loss a particle of mass m is inside for pi sqrt(m/k) and leaves as fast as it came.
+ */
+public final class PenaltyPlane extends Penalty {
+    private final Plane plane;
+
+    /**
+     * @param particles on whom it acts
+     * @param plane     where it is
+     * @param stiffness k, the push for each metre of depth (N/m), 0 or more
+     * @param loss      b, by what part the push is larger for each m/s of speed inwards (s/m), 0 or more; 0 loses no energy
+     * @throws IllegalArgumentException if a number is out of its range
+     */
+    public PenaltyPlane(Particles particles, Plane plane, double stiffness, double loss) {
+        super(particles, stiffness, loss);
+        this.plane = plane;
+    }
+
+    @Override
+    public String getName() {
+        return "penaltyPlane";
+    }
+
+    @Override
+    public void addForces(double[] state, double time, double[] force, int from, int to) {
+        double nx = plane.normal().x();
+        double ny = plane.normal().y();
+        double nz = plane.normal().z();
+        for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
+            double depth = -plane.distance(state[x], state[x + 1], state[x + 2]);
+            if (depth > 0) {
+                double push = push(depth, nx * state[x + 3] + ny * state[x + 4] + nz * state[x + 5]);
+                force[x + 3] += push * nx;
+                force[x + 4] += push * ny;
+                force[x + 5] += push * nz;
+            }
+        }
+    }
+
+    @Override
+    double depth(double[] state, int i, double[] normal) {
+        normal[0] = plane.normal().x();
+        normal[1] = plane.normal().y();
+        normal[2] = plane.normal().z();
+        return -plane.distance(state[STRIDE * i], state[STRIDE * i + 1], state[STRIDE * i + 2]);
+    }
+
+    @Override
+    double curvature(double[] state, int i) {
+        return 0;
+    }
+}

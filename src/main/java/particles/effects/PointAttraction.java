@@ -1,0 +1,129 @@
+package particles.effects;
+
+import java.util.EnumSet;
+import java.util.Set;
+import particles.Effect;
+import particles.ForceDerivatives;
+import particles.Particles;
+import particles.Vector3;
+
+/**
+ * Attraction by a fixed point, as of planets by the sun: with r the way from the point to the particle,
+ * <pre>
+ *   F = -m mu r / (|r|^2 + s^2)^(3/2)
+ * </pre>
+ * mu is G times the mass at the point. Without softening (s = 0) orbits are Kepler's ellipses, and there is no finite force
+ * at the point itself. With s &gt; 0 the force falls to 0 within about s of the point, which lets particles pass through it
+ * with reasonable steps, and ellipses turn slowly.
+ *
+ * <p>Potential energy -m mu / sqrt(|r|&sup2; + s&sup2;). Source of the softening: H. Plummer (1911), S. Aarseth (1963).
+ */
+public final class PointAttraction implements Effect {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private final Particles particles;
+    private final double cx;
+    private final double cy;
+    private final double cz;
+    private final double strength;
+    private final double softeningSquare;
+
+    /**
+     * @param particles on whom it acts
+     * @param centre    the point (m)
+     * @param strength  mu (m&sup3;/s&sup2;); negative pushes away
+     * @param softening s (m), 0 or more
+     * @throws IllegalArgumentException if a number is not finite or the softening negative
+     */
+    public PointAttraction(Particles particles, Vector3 centre, double strength, double softening) {
+        if (!centre.isFinite() || !Double.isFinite(strength) || !(softening >= 0) || !(softening <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("an attraction needs a finite centre and strength and a softening of 0 or more,"
+                    + " not " + centre + ", " + strength + ", " + softening);
+        }
+        this.particles = particles;
+        cx = centre.x();
+        cy = centre.y();
+        cz = centre.z();
+        this.strength = strength;
+        softeningSquare = softening * softening;
+    }
+
+    @Override
+    public String getName() {
+        return "attraction";
+    }
+
+    @Override
+    public Set<Trait> getTraits() {
+        return EnumSet.of(Trait.CONSERVATIVE);
+    }
+
+    @Override
+    public int size() {
+        return particles.count();
+    }
+
+    @Override
+    public boolean isPerParticle() {
+        return true;
+    }
+
+    @Override
+    public boolean dependsOnVelocity() {
+        return false;
+    }
+
+    @Override
+    public void addForces(double[] state, double time, double[] force, int from, int to) {
+        double[] masses = particles.masses();
+        for (int i = from, x = STRIDE * from; i < to; i++, x += STRIDE) {
+            double rx = state[x] - cx;
+            double ry = state[x + 1] - cy;
+            double rz = state[x + 2] - cz;
+            double square = rx * rx + ry * ry + rz * rz + softeningSquare;
+            double pull = masses[i] * strength / (square * Math.sqrt(square));
+            force[x + 3] -= pull * rx;
+            force[x + 4] -= pull * ry;
+            force[x + 5] -= pull * rz;
+        }
+    }
+
+    @Override
+    public boolean hasForceDerivatives() {
+        return true;
+    }
+
+    /** {@inheritDoc} dF/dx = -m mu (1 - 3 r r<sup>T</sup>/q&sup2;)/q&sup3; with q&sup2; = |r|&sup2; + s&sup2;. */
+    @Override
+    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+        double[] r = new double[3];
+        double[] dFdX = new double[9];
+        double[] dFdV = new double[9];
+        for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
+            r[0] = state[x] - cx;
+            r[1] = state[x + 1] - cy;
+            r[2] = state[x + 2] - cz;
+            double square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2] + softeningSquare;
+            double pull = particles.mass(i) * strength / (square * Math.sqrt(square));
+            for (int e = 0; e < 9; e++) {
+                dFdX[e] = pull * (3 * r[e / 3] * r[e % 3] / square - (e % 4 == 0 ? 1 : 0));
+            }
+            derivatives.add(i, i, dFdX, dFdV);
+        }
+    }
+
+    /** {@inheritDoc} Fixed particles, which nothing can move, are left out. */
+    @Override
+    public double getPotentialEnergy(double[] state, double time) {
+        double energy = 0;
+        for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
+            if (!particles.isFixed(i)) {
+                double rx = state[x] - cx;
+                double ry = state[x + 1] - cy;
+                double rz = state[x + 2] - cz;
+                energy -= particles.mass(i) * strength / Math.sqrt(rx * rx + ry * ry + rz * rz + softeningSquare);
+            }
+        }
+        return energy;
+    }
+}

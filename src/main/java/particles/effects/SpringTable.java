@@ -1,0 +1,120 @@
+package particles.effects;
+
+import java.util.Arrays;
+import particles.Particles;
+
+/**
+ * The numbers of all springs in flat arrays, and how they are kept: added, taken out, followed when particles go, and put
+ * into the order in which their forces are evaluated fastest.
+ */
+final class SpringTable {
+    int count;
+    int[] from = new int[8];                            // where the particles' entries begin in the state
+    int[] to = new int[8];
+    double[] stiffness = new double[8];
+    double[] restLength = new double[8];
+    double[] damping = new double[8];
+    private boolean arranged = true;
+
+    void add(int i, int j, double stiffness, double restLength, double damping) {
+        if (count == from.length) {
+            setCapacity(count + count / 2);
+        }
+        from[count] = Particles.STRIDE * i;
+        to[count] = Particles.STRIDE * j;
+        this.stiffness[count] = stiffness;
+        this.restLength[count] = restLength;
+        this.damping[count] = damping;
+        arranged &= count == 0 || from[count - 1] <= from[count];
+        count++;
+    }
+
+    private void setCapacity(int capacity) {
+        from = Arrays.copyOf(from, capacity);
+        to = Arrays.copyOf(to, capacity);
+        stiffness = Arrays.copyOf(stiffness, capacity);
+        restLength = Arrays.copyOf(restLength, capacity);
+        damping = Arrays.copyOf(damping, capacity);
+    }
+
+    /** Springs go with either of their ends. */
+    void reindex(int[] newIndex) {
+        int stay = 0;
+        for (int s = 0; s < count; s++) {
+            int i = newIndex[from[s] / Particles.STRIDE];
+            int j = newIndex[to[s] / Particles.STRIDE];
+            if (i >= 0 && j >= 0) {
+                move(s, stay);
+                from[stay] = Particles.STRIDE * i;
+                to[stay] = Particles.STRIDE * j;
+                stay++;
+            }
+        }
+        count = stay;
+    }
+
+    void remove(boolean[] gone) {
+        int stay = 0;
+        for (int s = 0; s < count; s++) {
+            if (!gone[s]) {
+                move(s, stay++);
+            }
+        }
+        count = stay;
+    }
+
+    private void move(int s, int stay) {
+        from[stay] = from[s];
+        to[stay] = to[s];
+        stiffness[stay] = stiffness[s];
+        restLength[stay] = restLength[s];
+        damping[stay] = damping[s];
+    }
+
+    /**
+     * Sorts the springs by the particle where they begin, those of one particle in the order in which they were added: so
+     * that its position, velocity and force stay in registers for all of its springs. A counting sort, linear in their number.
+     */
+    void arrange() {
+        if (arranged) {
+            return;
+        }
+        arranged = true;
+        int last = 0;
+        for (int s = 0; s < count; s++) {
+            last = Math.max(last, from[s] / Particles.STRIDE);
+        }
+        int[] place = new int[last + 2];
+        for (int s = 0; s < count; s++) {
+            place[from[s] / Particles.STRIDE + 1]++;
+        }
+        for (int i = 0; i <= last; i++) {
+            place[i + 1] += place[i];
+        }
+        int[] order = new int[count];
+        for (int s = 0; s < count; s++) {
+            order[place[from[s] / Particles.STRIDE]++] = s;
+        }
+        from = permuted(from, order);
+        to = permuted(to, order);
+        stiffness = permuted(stiffness, order);
+        restLength = permuted(restLength, order);
+        damping = permuted(damping, order);
+    }
+
+    private static int[] permuted(int[] values, int[] order) {
+        int[] result = new int[order.length];
+        for (int s = 0; s < order.length; s++) {
+            result[s] = values[order[s]];
+        }
+        return result;
+    }
+
+    private static double[] permuted(double[] values, int[] order) {
+        double[] result = new double[order.length];
+        for (int s = 0; s < order.length; s++) {
+            result[s] = values[order[s]];
+        }
+        return result;
+    }
+}

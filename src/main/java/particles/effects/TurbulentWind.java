@@ -1,0 +1,110 @@
+package particles.effects;
+
+import java.util.Arrays;
+import particles.Particles;
+import particles.SeededRandom;
+import particles.Vector3;
+
+/**
+ * Turbulent air: a steady wind that carries eddies of many sizes along, smooth in space and time,
+ * <pre>
+ *   u(x, t) = mean + sum of a_k e_k cos(k . (x - mean t) - w_k t + phase_k),     e_k perpendicular to k
+ * </pre>
+ * Each wave is free of divergence, so air is nowhere made or lost. Wave lengths go in a geometric sequence from twice the
+ * size of the largest eddies to an eighth of that; amplitudes go with |k|<sup>-1/3</sup>, as Kolmogorov's spectrum has it for
+ * waves in a geometric sequence, and an eddy lives about as long as it takes to turn once. The field follows from the seed
+ * alone, and is the same on every machine.
+ *
+ * <p>Source: R. Kraichnan, "Diffusion by a random velocity field", Physics of Fluids 13 (1970).
+ */
+public final class TurbulentWind implements Wind {
+    private static final int STRIDE = Particles.STRIDE;
+    private static final int WAVES = 24;
+    private static final double SMALLEST = 1.0 / 8;
+
+    private final Vector3 mean;
+    private final double[] k = new double[3 * WAVES];
+    private final double[] amplitude = new double[3 * WAVES];   // a_k e_k
+    private final double[] frequency = new double[WAVES];       // w_k + k . mean
+    private final double[] phase = new double[WAVES];
+
+    /**
+     * @param mean     the steady part (m/s)
+     * @param strength the root mean square of the varying part's speed (m/s), 0 or more
+     * @param eddySize of the largest eddies (m), positive: half a wave length
+     * @param seed     which of all such fields
+     * @throws IllegalArgumentException if a number is out of its range
+     */
+    public TurbulentWind(Vector3 mean, double strength, double eddySize, long seed) {
+        if (!mean.isFinite() || !(strength >= 0) || !(strength <= Double.MAX_VALUE) || !(eddySize > 0)
+                || !(eddySize <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("turbulence needs a finite mean, a strength of 0 or more and a positive size of"
+                    + " eddies, not " + mean + ", " + strength + ", " + eddySize);
+        }
+        this.mean = mean;
+        SeededRandom random = new SeededRandom(seed);
+        double squares = 0;
+        for (int w = 0; w < WAVES; w++) {
+            squares += StrictMath.pow(numberOf(w, eddySize), -2.0 / 3) / 2;
+        }
+        for (int w = 0; w < WAVES; w++) {
+            double number = numberOf(w, eddySize);
+            double a = strength / Math.sqrt(squares) * StrictMath.pow(number, -1.0 / 3);
+            Vector3 direction = random.nextDirection(new Vector3(0, 1, 0), Math.PI);
+            Vector3 along = random.nextDirection(new Vector3(0, 1, 0), Math.PI);
+            Vector3 across = along.minus(direction.times(along.dot(direction))).normalized();
+            put(k, w, direction.times(number));
+            put(amplitude, w, across.times(a));
+            frequency[w] = a * number + direction.times(number).dot(mean);
+            phase[w] = 2 * Math.PI * random.nextDouble();
+        }
+    }
+
+    private static double numberOf(int wave, double eddySize) {
+        return Math.PI / eddySize * StrictMath.pow(1 / SMALLEST, wave / (WAVES - 1.0));
+    }
+
+    private static void put(double[] array, int wave, Vector3 vector) {
+        array[3 * wave] = vector.x();
+        array[3 * wave + 1] = vector.y();
+        array[3 * wave + 2] = vector.z();
+    }
+
+    @Override
+    public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
+        for (int i = from; i < to; i++) {
+            double x = state[STRIDE * i];
+            double y = state[STRIDE * i + 1];
+            double z = state[STRIDE * i + 2];
+            double ux = mean.x();
+            double uy = mean.y();
+            double uz = mean.z();
+            for (int w = 0, a = 0; w < WAVES; w++, a += 3) {
+                double wave = StrictMath.cos(k[a] * x + k[a + 1] * y + k[a + 2] * z - frequency[w] * time + phase[w]);
+                ux += amplitude[a] * wave;
+                uy += amplitude[a + 1] * wave;
+                uz += amplitude[a + 2] * wave;
+            }
+            wind[3 * i] = ux;
+            wind[3 * i + 1] = uy;
+            wind[3 * i + 2] = uz;
+        }
+    }
+
+    @Override
+    public boolean hasGradient() {
+        return true;
+    }
+
+    @Override
+    public void getGradient(double[] state, double time, int i, double[] gradient) {
+        Arrays.fill(gradient, 0);
+        for (int w = 0, a = 0; w < WAVES; w++, a += 3) {
+            double slope = -StrictMath.sin(k[a] * state[STRIDE * i] + k[a + 1] * state[STRIDE * i + 1]
+                    + k[a + 2] * state[STRIDE * i + 2] - frequency[w] * time + phase[w]);
+            for (int e = 0; e < 9; e++) {
+                gradient[e] += slope * amplitude[a + e / 3] * k[a + e % 3];
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+package particles;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.DEStateSource;
+import deSolvers.SecondOrderStateSource;
+import deSolvers.catalog.SolverCatalog;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.effects.Gravity;
+import particles.effects.LinearDrag;
+import particles.effects.SpringForce;
+import particles.effects.Wind;
+
+/** A system steps with the same bits whether solvers use its arrays or only the plain interface. */
+class ArrayStateSourceTest {
+
+    private static ParticleSystem net() {
+        ParticleSystem system = new ParticleSystem();
+        Random random = new Random(6);
+        for (int i = 0; i < 36; i++) {
+            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 6 + 0.1 * random.nextDouble(), i / 6, 0),
+                    i == 0 ? Vector3.ZERO : new Vector3(0, 0, random.nextDouble()), i == 0);
+        }
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int s = 0; s < 160; s++) {
+            int i = random.nextInt(36);
+            springs.addSpring(i, (i + 1 + random.nextInt(35)) % 36, 20, 1, 0.1);
+        }
+        system.addEffect(springs);
+        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        system.addEffect(new LinearDrag(system.getParticles(), 0.1, Wind.STILL));
+        return system;
+    }
+
+    /** The system without its arrays. */
+    private record Plain(ParticleSystem system) implements SecondOrderStateSource {
+        @Override
+        public int getDimension() {
+            return 3;
+        }
+
+        @Override
+        public int getStateSize() {
+            return system.getStateSize();
+        }
+
+        @Override
+        public void getState(double[] state) {
+            system.getState(state);
+        }
+
+        @Override
+        public void setState(double[] state) {
+            system.setState(state);
+        }
+
+        @Override
+        public void getStateDerivative(double[] dSdt) {
+            system.getStateDerivative(dSdt);
+        }
+
+        @Override
+        public double getTime() {
+            return system.getTime();
+        }
+
+        @Override
+        public void incTime(double deltaT) {
+            system.incTime(deltaT);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4", "dormand-prince", "step-doubling",
+        "bulirsch-stoer", "adams"})
+    void sameBitsWithAndWithoutArrays(String name) {
+        ParticleSystem fast = net();
+        ParticleSystem slow = net();
+        DESolver fastSolver = SolverCatalog.create(name);
+        DESolver slowSolver = SolverCatalog.create(name);
+        DEStateSource plain = new Plain(slow);
+        for (int step = 0; step < 25; step++) {
+            fastSolver.stepState(fast, 0.01);
+            slowSolver.stepState(plain, 0.01);
+        }
+        assertArrayEquals(slow.getStateArray(), fast.getStateArray());
+        assertEquals(slow.getEvaluations(), fast.getEvaluations());
+    }
+
+    /** A step that fails leaves the array that it found, and the solver's own arrays are not the system's. */
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4", "dormand-prince", "adams"})
+    void aFailingStepLeavesTheStateAlone(String name) {
+        ParticleSystem system = net();
+        DESolver solver = SolverCatalog.create(name);
+        solver.stepState(system, 0.01);
+        solver.stepState(system, 0.01);
+        double[] before = new double[system.getStateSize()];
+        system.getState(before);
+        double time = system.getTime();
+        assertThrows(DESolverException.class, () -> solver.stepState(system, 1e308));
+        assertArrayEquals(before, system.getStateArray());
+        assertEquals(time, system.getTime());
+        double[] own = system.getStateArray();
+        solver.stepState(system, 0.01);
+        if (system.getStateArray() != own) {
+            own[7] = Double.NaN;                        // it is the solver's now, and nothing to the system
+        }
+        double[] after = system.getStateArray().clone();
+        ParticleSystem again = net();
+        DESolver other = SolverCatalog.create(name);
+        other.stepState(again, 0.01);
+        other.stepState(again, 0.01);
+        other.reset();
+        other.stepState(again, 0.01);
+        assertArrayEquals(again.getStateArray(), after, 1e-12);
+    }
+
+    @Test
+    void exchangedArraysChangeHands() {
+        ParticleSystem system = net();
+        double[] before = system.getStateArray();
+        double[] other = before.clone();
+        other[3] = 17;
+        assertEquals(before, system.exchangeState(other));
+        assertEquals(17, system.getStateArray()[3]);
+        assertNotSame(before, system.getStateArray());
+        assertThrows(IllegalArgumentException.class, () -> system.exchangeState(new double[5]));
+    }
+}

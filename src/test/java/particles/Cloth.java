@@ -1,0 +1,84 @@
+package particles;
+
+import deSolvers.DEStateSource;
+import particles.effects.Gravity;
+import particles.effects.SpringForce;
+
+/** Square cloths of 10 g particles for tests, and a view of any system without what it knows of its derivatives. */
+public final class Cloth {
+    /** How each particle is joined: to its neighbours, across the squares, and to the next but one against bending. */
+    private static final int[][] JOINTS = {{0, 1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}};
+
+    private Cloth() {
+    }
+
+    /**
+     * A cloth that hangs from two corners, slightly crumpled, its particles 5 cm apart.
+     *
+     * @param n         particles along an edge; about 6 n^2 springs
+     * @param stiffness of every spring (N/m)
+     * @param damping   of every spring (N s/m)
+     */
+    public static ParticleSystem hanging(int n, double stiffness, double damping) {
+        double spacing = 0.05;
+        ParticleSystem system = new ParticleSystem();
+        for (int row = 0; row < n; row++) {
+            for (int column = 0; column < n; column++) {
+                boolean corner = row == 0 && (column == 0 || column == n - 1);
+                Vector3 place = new Vector3(spacing * column, -spacing * row, 0.01 * ((7 * row + 13 * column) % 5));
+                system.addParticle(row + "," + column, 0.01, place, Vector3.ZERO, corner);
+            }
+        }
+        system.addEffect(new Gravity(system.getParticles(), Systems.GRAVITY));
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int row = 0; row < n; row++) {
+            for (int column = 0; column < n; column++) {
+                for (int[] joint : JOINTS) {
+                    int r = row + joint[0];
+                    int c = column + joint[1];
+                    if (r < n && c >= 0 && c < n) {
+                        double length = spacing * Math.sqrt(joint[0] * joint[0] + joint[1] * joint[1]);
+                        springs.addSpring(row * n + column, r * n + c, stiffness, length, damping);
+                    }
+                }
+            }
+        }
+        system.addEffect(springs);
+        return system;
+    }
+
+    /** @return the same source, but with nothing beyond the simple interface */
+    public static DEStateSource plain(ParticleSystem system) {
+        return new DEStateSource() {
+            @Override
+            public int getStateSize() {
+                return system.getStateSize();
+            }
+
+            @Override
+            public void getState(double[] state) {
+                system.getState(state);
+            }
+
+            @Override
+            public void setState(double[] state) {
+                system.setState(state);
+            }
+
+            @Override
+            public void getStateDerivative(double[] dSdt) {
+                system.getStateDerivative(dSdt);
+            }
+
+            @Override
+            public double getTime() {
+                return system.getTime();
+            }
+
+            @Override
+            public void incTime(double deltaT) {
+                system.incTime(deltaT);
+            }
+        };
+    }
+}
