@@ -111,6 +111,15 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return anchors.particles();
     }
 
+    /**
+     * @param time          t (s)
+     * @param accelerations receives the accelerations of the moving anchors (m/s&sup2;), where their velocities stand in the
+     *                      state; nothing else is touched
+     */
+    public void putAnchorAccelerations(double time, double[] accelerations) {
+        anchors.accelerate(time, accelerations);
+    }
+
     /** @param effect a force to act from now on, after those added before */
     public void addEffect(Effect effect) {
         effects.add(effect);

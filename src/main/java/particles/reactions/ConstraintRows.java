@@ -1,0 +1,201 @@
+package particles.reactions;
+
+import java.util.Arrays;
+import particles.Particles;
+
+/**
+ * The rows C_r(x) = 0 of rods and wires at one state, in flat arrays: values C, rates C' = J v, bends J' v (the second
+ * derivative of C along the velocity), and the gradients that make up J. A row is about one particle or two.
+ *
+ * <p>For a rod C = (|d|&sup2; - l&sup2;) / (2 l) with d = x_to - x_from: like |d| - l to first order, and smooth at d = 0.
+ */
+final class ConstraintRows {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private int rods;
+    private int beads;
+    private int[] from = new int[4];                    // by rod
+    private int[] to = new int[4];
+    private double[] length = new double[4];
+    private int[] bead = new int[4];                    // by bead: its particle
+    private Curve[] curve = new Curve[4];
+
+    double[] value = {};                                // by row: rods first, then two of each bead
+    double[] rate = {};
+    double[] bend = {};
+    double[] gradient = {};                             // 6 a row: by the first particle's place, by the second's
+    private final double[] values = new double[Curve.ROWS];
+    private final double[] gradients = new double[3 * Curve.ROWS];
+    private final double[] bends = new double[Curve.ROWS];
+
+    void addRod(int from, int to, double length) {
+        if (rods == this.from.length) {
+            this.from = Arrays.copyOf(this.from, 2 * rods);
+            this.to = Arrays.copyOf(this.to, 2 * rods);
+            this.length = Arrays.copyOf(this.length, 2 * rods);
+        }
+        this.from[rods] = from;
+        this.to[rods] = to;
+        this.length[rods++] = length;
+        fit();
+    }
+
+    void addBead(int particle, Curve along) {
+        if (beads == bead.length) {
+            bead = Arrays.copyOf(bead, 2 * beads);
+            curve = Arrays.copyOf(curve, 2 * beads);
+        }
+        bead[beads] = particle;
+        curve[beads++] = along;
+        fit();
+    }
+
+    private void fit() {
+        value = new double[count()];
+        rate = new double[count()];
+        bend = new double[count()];
+        gradient = new double[6 * count()];
+    }
+
+    /** Follows particles that were taken out; what they held is gone with them. */
+    void reindex(int[] newIndex) {
+        int kept = 0;
+        for (int r = 0; r < rods; r++) {
+            if (newIndex[from[r]] >= 0 && newIndex[to[r]] >= 0) {
+                from[kept] = newIndex[from[r]];
+                to[kept] = newIndex[to[r]];
+                length[kept++] = length[r];
+            }
+        }
+        rods = kept;
+        kept = 0;
+        for (int b = 0; b < beads; b++) {
+            if (newIndex[bead[b]] >= 0) {
+                bead[kept] = newIndex[bead[b]];
+                curve[kept++] = curve[b];
+            }
+        }
+        beads = kept;
+        fit();
+    }
+
+    int count() {
+        return rods + Curve.ROWS * beads;
+    }
+
+    int rods() {
+        return rods;
+    }
+
+    int beads() {
+        return beads;
+    }
+
+    /** The particle of a row's first three gradient entries. */
+    int first(int row) {
+        return row < rods ? from[row] : bead[(row - rods) / Curve.ROWS];
+    }
+
+    /** The particle of its other three, or -1 if it is about one particle only. */
+    int second(int row) {
+        return row < rods ? to[row] : -1;
+    }
+
+    /** What an error of 1 is relative to (m): a rod's length, and 1 m for a wire. */
+    double scale(int row) {
+        return row < rods ? length[row] : 1;
+    }
+
+    double length(int rod) {
+        return length[rod];
+    }
+
+    void evaluate(double[] state) {
+        for (int r = 0; r < rods; r++) {
+            evaluateRod(r, state, STRIDE * from[r], STRIDE * to[r]);
+        }
+        for (int b = 0, row = rods; b < beads; b++, row += Curve.ROWS) {
+            int x = STRIDE * bead[b];
+            curve[b].evaluate(state, x, values, gradients, bends);
+            for (int k = 0; k < Curve.ROWS; k++) {
+                value[row + k] = values[k];
+                bend[row + k] = bends[k];
+                System.arraycopy(gradients, 3 * k, gradient, 6 * (row + k), 3);
+                rate[row + k] = gradients[3 * k] * state[x + 3] + gradients[3 * k + 1] * state[x + 4]
+                        + gradients[3 * k + 2] * state[x + 5];
+            }
+        }
+    }
+
+    private void evaluateRod(int r, double[] state, int a, int b) {
+        double dx = state[b] - state[a];
+        double dy = state[b + 1] - state[a + 1];
+        double dz = state[b + 2] - state[a + 2];
+        double u = state[b + 3] - state[a + 3];
+        double v = state[b + 4] - state[a + 4];
+        double w = state[b + 5] - state[a + 5];
+        double l = length[r];
+        value[r] = (dx * dx + dy * dy + dz * dz - l * l) / (2 * l);
+        rate[r] = (dx * u + dy * v + dz * w) / l;
+        bend[r] = (u * u + v * v + w * w) / l;
+        int g = 6 * r;
+        gradient[g + 3] = dx / l;
+        gradient[g + 4] = dy / l;
+        gradient[g + 5] = dz / l;
+        gradient[g] = -gradient[g + 3];
+        gradient[g + 1] = -gradient[g + 4];
+        gradient[g + 2] = -gradient[g + 5];
+    }
+
+    /** The sum of a row's gradients times a vector of every particle, which stand at {@code place} + 6 i. */
+    double times(int row, double[] vectors, int place) {
+        int g = 6 * row;
+        int i = STRIDE * first(row) + place;
+        double sum = gradient[g] * vectors[i] + gradient[g + 1] * vectors[i + 1] + gradient[g + 2] * vectors[i + 2];
+        if (row < rods) {
+            int j = STRIDE * to[row] + place;
+            sum += gradient[g + 3] * vectors[j] + gradient[g + 4] * vectors[j + 1] + gradient[g + 5] * vectors[j + 2];
+        }
+        return sum;
+    }
+
+    /** The rate of a row as far as free particles have a part in it: that of moving anchors is left out. */
+    double rateOfFree(int row, double[] state, double[] inverseMasses) {
+        double sum = 0;
+        for (int k = 0, g = 6 * row; k < (row < rods ? 2 : 1); k++, g += 3) {
+            int i = k == 0 ? first(row) : second(row);
+            int v = STRIDE * i + 3;
+            if (inverseMasses[i] != 0) {
+                sum += gradient[g] * state[v] + gradient[g + 1] * state[v + 1] + gradient[g + 2] * state[v + 2];
+            }
+        }
+        return sum;
+    }
+
+    /** Adds a row's force on its particles, lambda times the gradients. */
+    void addForce(int row, double lambda, double[] force) {
+        addTo(force, STRIDE * first(row) + 3, lambda, 6 * row);
+        if (row < rods) {
+            addTo(force, STRIDE * to[row] + 3, lambda, 6 * row + 3);
+        }
+    }
+
+    /**
+     * Moves a row's particles along its gradients.
+     *
+     * @param mobility by particle, 1/m, 0 for what does not move
+     * @param place    0 to move positions, 3 to change velocities
+     */
+    void move(int row, double amount, double[] mobility, double[] state, int place) {
+        addTo(state, STRIDE * first(row) + place, amount * mobility[first(row)], 6 * row);
+        if (row < rods) {
+            addTo(state, STRIDE * to[row] + place, amount * mobility[to[row]], 6 * row + 3);
+        }
+    }
+
+    private void addTo(double[] vectors, int i, double amount, int g) {
+        vectors[i] += amount * gradient[g];
+        vectors[i + 1] += amount * gradient[g + 1];
+        vectors[i + 2] += amount * gradient[g + 2];
+    }
+}

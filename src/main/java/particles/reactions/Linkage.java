@@ -1,0 +1,117 @@
+package particles.reactions;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Rods and beads that hang together: solves A lambda = b with A = J W J<sup>T</sup>, W the inverse masses. A has an entry
+ * wherever two rows share a movable particle, so that a chain's is tridiagonal and its solution takes time in proportion to
+ * its length.
+ *
+ * <p>Where the rows are dependent, as in a triangle with a rod too many, there are many solutions with the same motion; then
+ * it is the smallest, by the sum of squares: what equally and hardly elastic rods would carry.
+ */
+final class Linkage {
+    /** Below this part of a diagonal entry a pivot is rounding: rows within an angle of 3e-6 of being dependent. */
+    private static final double SINGULAR = 1e-11;
+
+    private final ConstraintRows rows;
+    private final int[] members;                        // the rows, in the matrix's order
+    private final int[] pairs;                          // five ints each: see findPairs
+    private final EnvelopeCholesky cholesky;
+    private final double[] work;
+    private final MinimumNorm minimumNorm = new MinimumNorm();
+    private boolean regular;
+
+    Linkage(ConstraintRows rows, int[] members) {
+        this.rows = rows;
+        this.members = members;
+        work = new double[members.length];
+        List<int[]> found = new ArrayList<>();
+        int[] firstColumn = new int[members.length];
+        for (int r = 0; r < members.length; r++) {
+            firstColumn[r] = r;
+            for (int c = r; c >= 0; c--) {
+                if (findPairs(r, c, found)) {
+                    firstColumn[r] = c;
+                }
+            }
+        }
+        pairs = found.stream().flatMapToInt(Arrays::stream).toArray();
+        cholesky = new EnvelopeCholesky(firstColumn);
+    }
+
+    /** Notes every particle that both rows are about: row, column, where its gradients stand in both, the particle. */
+    private boolean findPairs(int r, int c, List<int[]> found) {
+        int before = found.size();
+        int a = members[r];
+        int b = members[c];
+        int[] mine = {rows.first(a), rows.second(a)};
+        int[] theirs = {rows.first(b), rows.second(b)};
+        for (int k = 0; k < 2; k++) {
+            for (int l = 0; l < 2; l++) {
+                if (mine[k] >= 0 && mine[k] == theirs[l]) {
+                    found.add(new int[] {r, c, 6 * a + 3 * k, 6 * b + 3 * l, mine[k]});
+                }
+            }
+        }
+        return found.size() > before;
+    }
+
+    int[] members() {
+        return members;
+    }
+
+    /** Takes up the present gradients. @param mobility by particle, 1/m, 0 for what does not move */
+    void factorise(double[] mobility) {
+        assemble(mobility);
+        regular = cholesky.factorise(SINGULAR);
+        if (!regular) {
+            assemble(mobility);
+            int n = members.length;
+            minimumNorm.begin(n);
+            for (int r = 0; r < n; r++) {
+                for (int c = 0; c <= r; c++) {
+                    minimumNorm.set(r, c, cholesky.get(r, c));
+                    minimumNorm.set(c, r, cholesky.get(r, c));
+                }
+            }
+            minimumNorm.factorise();
+        }
+    }
+
+    private void assemble(double[] mobility) {
+        cholesky.clear();
+        double[] gradient = rows.gradient;
+        for (int p = 0; p < pairs.length; p += 5) {
+            int g = pairs[p + 2];
+            int h = pairs[p + 3];
+            cholesky.add(pairs[p], pairs[p + 1], mobility[pairs[p + 4]] * (gradient[g] * gradient[h]
+                    + gradient[g + 1] * gradient[h + 1] + gradient[g + 2] * gradient[h + 2]));
+        }
+    }
+
+    /**
+     * Solves.
+     *
+     * @param right  b, by row of all there are
+     * @param result receives lambda, by row of all there are
+     * @return by how much the rows contradict each other: what is left of the largest |b| where there is no solution, else 0
+     */
+    double solve(double[] right, double[] result) {
+        for (int r = 0; r < members.length; r++) {
+            work[r] = right[members[r]];
+        }
+        double left = 0;
+        if (regular) {
+            cholesky.solve(work);
+        } else {
+            left = minimumNorm.solve(work);
+        }
+        for (int r = 0; r < members.length; r++) {
+            result[members[r]] = work[r];
+        }
+        return left;
+    }
+}
