@@ -47,9 +47,8 @@ final class ChartStyle {
         return COLOURS.get(k % COLOURS.size());
     }
 
-    /** @return the same, letting through what lies below */
-    static Color paleColour(int k) {
-        Color colour = colour(k);
+    /** @return the same colour, letting through what lies below */
+    static Color pale(Color colour) {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 90);
     }
 

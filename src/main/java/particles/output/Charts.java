@@ -128,15 +128,18 @@ final class Charts {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
         renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
         renderer.setUseOutlinePaint(true);
+        boolean ofSolvers = data.series().stream().anyMatch(series -> SolverLook.of(series.name()).isPresent());
         for (int k = 0; k < data.series().size(); k++) {
             Mark mark = data.series().get(k).mark();
             boolean dense = mark == Mark.LINE && k > 0 && isDense(data.series().get(k).y());
+            SolverLook look = SolverLook.of(data.series().get(k).name()).orElse(new SolverLook(
+                    ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(k), ChartStyle.stroke(k), ChartStyle.shape(k)));
             renderer.setSeriesLinesVisible(k, mark != Mark.POINTS);
             renderer.setSeriesShapesVisible(k, mark != Mark.LINE);
-            renderer.setSeriesPaint(k, dense ? ChartStyle.paleColour(k) : ChartStyle.colour(k));
-            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : ChartStyle.stroke(k));
-            renderer.setSeriesShape(k, ChartStyle.shape(k));
-            renderer.setSeriesFillPaint(k, ChartStyle.colour(k));
+            renderer.setSeriesPaint(k, dense ? ChartStyle.pale(look.colour()) : look.colour());
+            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : look.stroke());
+            renderer.setSeriesShape(k, look.shape());
+            renderer.setSeriesFillPaint(k, look.colour());
             renderer.setSeriesOutlinePaint(k, Color.WHITE);
             renderer.setSeriesOutlineStroke(k, new BasicStroke(0.6f));
         }
