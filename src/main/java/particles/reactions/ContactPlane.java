@@ -1,17 +1,17 @@
 package particles.reactions;
 
-import particles.Plane;
+import particles.Obstacle;
 
 /**
- * A plane that particles bounce off, rest on and slide along.
+ * A plane, or the surface of a sphere, that particles bounce off, rest on and slide along.
  *
  * @param name        its name in messages
- * @param plane       where it is; particles belong on the normal's side
+ * @param obstacle    where it is
  * @param restitution r: the normal component of the velocity is multiplied by -r at an impact; 0 ... 1
  * @param friction    how it rubs particles that rest on it
  * @param restSpeed   a particle that would leave the plane slower than this stays in contact (m/s), 0 or more
  */
-public record ContactPlane(String name, Plane plane, double restitution, Friction friction, double restSpeed) {
+public record ContactPlane(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed) {
     /** @throws IllegalArgumentException if a number is out of its range */
     public ContactPlane {
         if (!(restitution >= 0 && restitution <= 1)) {

@@ -5,8 +5,8 @@ import particles.Vector3;
 
 /**
  * The pushes of several planes on one particle that is pressed by a force F: numbers lambda_p such that every push is
- * lambda_p &ge; 0, no plane is pressed into any more, N_p . (F + sum of lambda_q N_q) &ge; 0, and a plane that is not pressed
- * does not push. In space three planes are always enough to hold a particle, so that the sets of one, two and three planes
+ * lambda_p &ge; 0, no plane is pressed into any more, N_p . (F + sum of lambda_q N_q) &ge; b_p, and a plane that is not
+ * pressed does not push. b_p is 0 for a plane; what a particle needs to follow a curved surface is not. In space three planes are always enough to hold a particle, so that the sets of one, two and three planes
  * are tried in turn; each is a small linear system.
  */
 final class NormalForces {
@@ -15,7 +15,7 @@ final class NormalForces {
     /** Planes whose normals are so nearly dependent are covered by a smaller set. */
     private static final double SINGULAR = 1e-12;
 
-    private final double[] needed;                      // -N_p . F
+    private final double[] needed;                      // b_p - N_p . F
     private final double[] trial;
     private final int[] chosen = new int[3];
 
@@ -28,12 +28,13 @@ final class NormalForces {
      * @param count   how many planes touch the particle
      * @param normals their unit normals; the first count are valid
      * @param force   F, a vector
+     * @param bound   the b_p (N)
      * @param push    receives the lambdas (N)
      */
-    void solve(int count, Vector3[] normals, double[] force, double[] push) {
+    void solve(int count, Vector3[] normals, double[] force, double[] bound, double[] push) {
         double scale = 0;
         for (int p = 0; p < count; p++) {
-            needed[p] = -(normals[p].x() * force[0] + normals[p].y() * force[1] + normals[p].z() * force[2]);
+            needed[p] = bound[p] - (normals[p].x() * force[0] + normals[p].y() * force[1] + normals[p].z() * force[2]);
             scale = Math.max(scale, Math.abs(needed[p]));
         }
         if (count == 1) {

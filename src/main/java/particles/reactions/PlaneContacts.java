@@ -2,6 +2,7 @@ package particles.reactions;
 
 import java.util.List;
 import particles.ForceDerivatives;
+import particles.Obstacle;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
@@ -11,7 +12,8 @@ import particles.reactions.ContactModes.Mode;
 /**
  * The contact force on particles that rest on planes, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
  * the plane pushes back just as hard as it is pressed, lambda = -(N . F), and rubs with lambda times the friction law.
- * Several planes on one particle share the load ({@link NormalForces}).
+ * Several planes on one particle share the load ({@link NormalForces}). The surface of a sphere pushes by m v_t&sup2;/R less
+ * where it curves away from the particle, and more where it curves towards it: (N . a) is what the circle needs, not 0.
  *
  * <p>Whether a particle touches a plane, and whether it slides or sticks there, does not change within a step:
  * {@code particles.rules.PlaneCollisions} decides it between steps. So the force is a smooth function of the state
@@ -25,6 +27,7 @@ public final class PlaneContacts implements Reaction {
     private final List<ContactPlane> planes;
     private final NormalForces normalForces;
     private final ContactModes modes;
+    private final boolean flat;
     private boolean holdsOn;
     private boolean sticking;                           // of the particle that respond() looked at last
     private final Sliding sliding = new Sliding();
@@ -33,6 +36,7 @@ public final class PlaneContacts implements Reaction {
     private final ContactPlane[] touched;               // work arrays for one particle
     private final Vector3[] normals;
     private final double[] push;
+    private final double[] bound;                       // what keeps a particle on a curved surface: -m curvature v_t^2
     private final double[] pressing = new double[3];
     private final double[] friction = new double[3];
     private final double[] left = new double[3];
@@ -49,6 +53,8 @@ public final class PlaneContacts implements Reaction {
         touched = new ContactPlane[planes.size()];
         normals = new Vector3[planes.size()];
         push = new double[planes.size()];
+        bound = new double[planes.size()];
+        flat = this.planes.stream().allMatch(plane -> plane.obstacle().isFlat());
         derivative = new ContactDerivative(planes.size());
     }
 
@@ -102,9 +108,10 @@ public final class PlaneContacts implements Reaction {
         return planes.stream().anyMatch(plane -> plane.friction().law() != Friction.Law.NONE);
     }
 
+    /** {@inheritDoc} They are known for planes; a curved surface's normal changes with the place. */
     @Override
     public boolean hasForceDerivatives() {
-        return true;
+        return flat;
     }
 
     @Override
@@ -202,7 +209,8 @@ public final class PlaneContacts implements Reaction {
             if (touched[p] == planes.get(plane)) {
                 double[] left = unheld(count);
                 Vector3 normal = normals[p];
-                return push[p] != 0 ? push[p] : -(normal.x() * left[0] + normal.y() * left[1] + normal.z() * left[2]);
+                return push[p] != 0 ? push[p]
+                        : bound[p] - (normal.x() * left[0] + normal.y() * left[1] + normal.z() * left[2]);
             }
         }
         return 0;
@@ -219,6 +227,29 @@ public final class PlaneContacts implements Reaction {
         return left;
     }
 
+    /**
+     * Takes away what of a particle's velocity points into surfaces that it touches: the smallest pushes along their normals
+     * after which none is entered any more. One after the other would not do where the push of one drives into the next.
+     *
+     * @param particle its index
+     * @param state    the state, in which its velocity is changed
+     */
+    public void stopEntering(int particle, double[] state) {
+        int count = 0;
+        int v = STRIDE * particle + 3;
+        for (int p = 0; p < planes.size(); p++) {
+            if (modes.get(p, particle) != Mode.FREE) {
+                look(planes.get(p).obstacle(), particle, state, count);
+                bound[count++] = 0;
+            }
+        }
+        if (count > 0) {
+            System.arraycopy(state, v, pressing, 0, 3);
+            normalForces.solve(count, normals, pressing, bound, push);
+            System.arraycopy(unheld(count), 0, state, v, 3);
+        }
+    }
+
     /** Finds push and friction for one particle; returns how many planes it touches, 0 if there is nothing to answer. */
     private int respond(int i, double[] state, double[] force) {
         if (particles.isFixed(i)) {
@@ -230,7 +261,7 @@ public final class PlaneContacts implements Reaction {
             Mode mode = modes.get(p, i);
             if (mode != Mode.FREE) {
                 touched[count] = planes.get(p);
-                normals[count++] = planes.get(p).plane().normal();
+                look(planes.get(p).obstacle(), i, state, count++);
                 sticking &= mode == Mode.STICKING;
             }
         }
@@ -238,9 +269,9 @@ public final class PlaneContacts implements Reaction {
             return 0;
         }
         System.arraycopy(force, STRIDE * i + 3, pressing, 0, 3);
-        normalForces.solve(count, normals, pressing, push);
+        normalForces.solve(count, normals, pressing, bound, push);
         if (holdsOn && count == 1 && push[0] == 0) {
-            push[0] = -normals[0].dot(new Vector3(pressing[0], pressing[1], pressing[2]));
+            push[0] = bound[0] - normals[0].dot(new Vector3(pressing[0], pressing[1], pressing[2]));
         }
         friction[0] = 0;
         friction[1] = 0;
@@ -253,6 +284,20 @@ public final class PlaneContacts implements Reaction {
             }
         }
         return count;
+    }
+
+    /** The normal and the bound of one obstacle, where particle i is. */
+    private void look(Obstacle obstacle, int i, double[] state, int count) {
+        int x = STRIDE * i;
+        Vector3 normal = obstacle.normal(state[x], state[x + 1], state[x + 2]);
+        normals[count] = normal;
+        bound[count] = 0;
+        if (!obstacle.isFlat()) {
+            double along = normal.x() * state[x + 3] + normal.y() * state[x + 4] + normal.z() * state[x + 5];
+            double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
+            bound[count] = -particles.mass(i) * obstacle.curvature(state[x], state[x + 1], state[x + 2])
+                    * (square - along * along);
+        }
     }
 
     /** Static friction cancels the force along the planes. Whether it can is asked between steps: see holdMargin. */

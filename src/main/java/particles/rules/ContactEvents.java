@@ -1,6 +1,7 @@
 package particles.rules;
 
 import static particles.rules.ContactGeometry.moveAlong;
+import static particles.rules.ContactGeometry.putOn;
 import static particles.rules.ContactGeometry.velocity;
 
 import java.util.Optional;
@@ -72,7 +73,7 @@ final class ContactEvents {
         for (int p = 0; p < contacts.getPlanes().size(); p++) {
             int plane = p;
             if (modes.get(p, i) != Mode.FREE && contacts.pressure(p, i, state, force) < 0) {
-                return Optional.of(new Change(end, s -> pressure(s, plane, i), s -> modes.set(plane, i, Mode.FREE)));
+                return Optional.of(new Change(end, s -> pressure(s, plane, i), s -> letGo(s, plane, i)));
             }
         }
         if (modes.isSticking(i)) {
@@ -86,6 +87,14 @@ final class ContactEvents {
                 : s -> velocity(s.getOwnState(), i).dot(before);
         return before.equals(Vector3.ZERO) || !rubs(i) || moving.applyAsDouble(system) >= 0 ? Optional.empty()
                 : Optional.of(new Change(end, moving, s -> stop(s, i)));
+    }
+
+    /** The speed across a curved surface that is left here is the solver's error, and would be taken for an impact. */
+    private void letGo(ParticleSystem system, int p, int i) {
+        if (!contacts.getPlanes().get(p).obstacle().isFlat()) {
+            putOn(contacts.getPlanes().get(p), system.getOwnState(), i);
+        }
+        modes.set(p, i, Mode.FREE);
     }
 
     private boolean rubs(int i) {

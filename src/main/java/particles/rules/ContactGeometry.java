@@ -21,11 +21,32 @@ final class ContactGeometry {
 
     static double distance(ContactPlane plane, double[] state, int i) {
         int x = STRIDE * i;
-        return plane.plane().distance(state[x], state[x + 1], state[x + 2]);
+        return plane.obstacle().distance(state[x], state[x + 1], state[x + 2]);
+    }
+
+    static Vector3 normal(ContactPlane plane, double[] state, int i) {
+        int x = STRIDE * i;
+        return plane.obstacle().normal(state[x], state[x + 1], state[x + 2]);
+    }
+
+    /** The four B&eacute;zier points of the cubic between two states, where particle i is. */
+    static void bezier(double[] begin, double[] end, double h, int i, double[] points) {
+        for (int c = 0, x = STRIDE * i; c < 3; c++, x++) {
+            points[c] = begin[x];
+            points[3 + c] = begin[x] + h * begin[x + 3] / 3;
+            points[6 + c] = end[x] - h * end[x + 3] / 3;
+            points[9 + c] = end[x];
+        }
+    }
+
+    /** Puts a particle onto a surface that it touches and takes away its speed across it. */
+    static void putOn(ContactPlane plane, double[] state, int i) {
+        moveAlong(normal(plane, state, i), state, STRIDE * i, -distance(plane, state, i));
+        stopAlong(normal(plane, state, i), state, i);
     }
 
     static double normalSpeed(ContactPlane plane, double[] state, int i) {
-        Vector3 normal = plane.plane().normal();
+        Vector3 normal = normal(plane, state, i);
         int v = STRIDE * i + 3;
         return normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2];
     }

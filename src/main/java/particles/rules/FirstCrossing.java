@@ -1,45 +1,57 @@
 package particles.rules;
 
 /**
- * The first place where a cubic becomes negative, by subdivision of its B&eacute;zier form: a piece whose four coefficients
- * are not negative is nowhere negative, so that nothing is missed, however short the dip. (Method: T. Sederberg, T. Nishita
- * 1990, B&eacute;zier clipping, with halving in place of clipping.)
+ * The first place where a polynomial becomes negative, by subdivision of its B&eacute;zier form: a piece whose coefficients
+ * are all not negative is nowhere negative, so that nothing is missed, however short the dip. (Method: T. Sederberg,
+ * T. Nishita 1990, B&eacute;zier clipping, with halving in place of clipping.)
  */
 final class FirstCrossing {
+    /** Enough for the square of a cubic. */
+    static final int MOST_COEFFICIENTS = 7;
     private static final int DEEPEST = 45;
 
-    private FirstCrossing() {
-    }
+    /** The right halves that are still to be looked at, by depth; the piece in hand is at its own depth. */
+    private final double[][] pieces = new double[DEEPEST + 2][MOST_COEFFICIENTS];
 
     /**
-     * @param b0 B&eacute;zier coefficients: the value at 0
-     * @param b1 the value at 0 plus a third of the slope there
-     * @param b2 the value at 1 minus a third of the slope there
-     * @param b3 the value at 1
-     * @return the u in 0 ... 1 where the cubic first becomes negative, within 2^-45; NaN if it never does
+     * @param coefficients B&eacute;zier coefficients; for a cubic the value at 0, that plus a third of the slope there, the value
+     *                     at 1 minus a third of the slope there, and that
+     * @param count        how many there are
+     * @return the u in 0 ... 1 where the polynomial first becomes negative, within 2^-45; NaN if it never does
      */
-    static double of(double b0, double b1, double b2, double b3) {
-        return search(b0, b1, b2, b3, 0, 1, 0);
+    double of(double[] coefficients, int count) {
+        System.arraycopy(coefficients, 0, pieces[0], 0, count);
+        return search(count, 0, 1, 0);
     }
 
-    private static double search(double b0, double b1, double b2, double b3, double from, double to, int depth) {
-        if (b0 >= 0 && b1 >= 0 && b2 >= 0 && b3 >= 0) {
+    private double search(int count, double from, double to, int depth) {
+        double[] b = pieces[depth];
+        boolean outside = true;
+        for (int k = 0; k < count; k++) {
+            outside &= b[k] >= 0;
+        }
+        if (outside) {
             return Double.NaN;
         }
-        if (b0 < 0) {
+        if (b[0] < 0) {
             return from;
         }
         if (depth == DEEPEST) {
-            return b3 < 0 ? from : Double.NaN;
+            return b[count - 1] < 0 ? from : Double.NaN;
         }
-        double b01 = (b0 + b1) / 2;
-        double b12 = (b1 + b2) / 2;
-        double b23 = (b2 + b3) / 2;
-        double b012 = (b01 + b12) / 2;
-        double b123 = (b12 + b23) / 2;
-        double middle = (b012 + b123) / 2;
         double half = (from + to) / 2;
-        double left = search(b0, b01, b012, middle, from, half, depth + 1);
-        return Double.isNaN(left) ? search(middle, b123, b23, b3, half, to, depth + 1) : left;
+        double[] left = pieces[depth + 1];
+        for (int level = 0; level < count; level++) {   // de Casteljau: what is left in b is the right half
+            left[level] = b[0];
+            for (int k = 0; k < count - 1 - level; k++) {
+                b[k] = (b[k] + b[k + 1]) / 2;
+            }
+        }
+        double first = search(count, from, half, depth + 1);
+        if (!Double.isNaN(first)) {
+            return first;
+        }
+        System.arraycopy(b, 0, pieces[depth + 1], 0, count);
+        return search(count, half, to, depth + 1);
     }
 }

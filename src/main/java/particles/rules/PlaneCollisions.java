@@ -1,8 +1,11 @@
 package particles.rules;
 
+import static particles.rules.ContactGeometry.bezier;
 import static particles.rules.ContactGeometry.distance;
 import static particles.rules.ContactGeometry.moveAlong;
+import static particles.rules.ContactGeometry.normal;
 import static particles.rules.ContactGeometry.normalSpeed;
+import static particles.rules.ContactGeometry.putOn;
 import static particles.rules.ContactGeometry.slack;
 import static particles.rules.ContactGeometry.stopAlong;
 import static particles.rules.ContactGeometry.velocity;
@@ -17,7 +20,7 @@ import particles.reactions.ContactPlane;
 import particles.reactions.PlaneContacts;
 
 /**
- * Particles bounce off planes, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' = v_t. "Should
+ * Particles bounce off planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' = v_t. "Should
  * back-off simulation until it's just on the plane. But usually don't bother!" - this rule does not bother: a particle found
  * below the plane after a step is put onto it.
  *
@@ -34,6 +37,9 @@ public final class PlaneCollisions implements Rule {
     private double[] before = {};
     private double[] force = {};
     private boolean forceKnown;
+    private final FirstCrossing crossing = new FirstCrossing();
+    private final double[] points = new double[12];
+    private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
 
     /** @param contacts the planes, and what touches them */
     public PlaneCollisions(PlaneContacts contacts) {
@@ -56,7 +62,7 @@ public final class PlaneCollisions implements Rule {
             for (int i = 0; i < system.getParticles().count(); i++) {
                 if (!system.getParticles().isFixed(i) && Math.abs(distance(plane, state, i)) <= slack(state, i)
                         && Math.abs(normalSpeed(plane, state, i)) <= plane.restSpeed()) {
-                    stopAlong(plane.plane().normal(), state, i);
+                    stopAlong(normal(plane, state, i), state, i);
                     touch(p, i);
                 }
             }
@@ -87,7 +93,8 @@ public final class PlaneCollisions implements Rule {
                 continue;
             }
             for (int p = 0; p < contacts.getPlanes().size(); p++) {
-                changed |= modes.get(p, i) == Mode.FREE ? collide(p, i, state) : keepInContact(p, i, state);
+                changed |= modes.get(p, i) == Mode.FREE ? collide(p, i, state, deltaT)
+                        : keepInContact(system, p, i, state);
             }
             changed |= slideOrStick(system, i, state);
         }
@@ -95,18 +102,21 @@ public final class PlaneCollisions implements Rule {
     }
 
     /** A particle that was free: an impact if it is below the plane now. */
-    private boolean collide(int p, int i, double[] state) {
+    private boolean collide(int p, int i, double[] state, double deltaT) {
         ContactPlane plane = contacts.getPlanes().get(p);
+        if (!plane.obstacle().isFlat()) {
+            stopFlight(plane, i, state, deltaT);
+        }
         double depth = distance(plane, state, i);
         if (depth >= 0) {
             return false;
         }
-        Vector3 normal = plane.plane().normal();
+        Vector3 normal = normal(plane, state, i);
         moveAlong(normal, state, STRIDE * i, -depth);
         double approach = normalSpeed(plane, state, i);
         if (approach < 0) {
             double leaving = -plane.restitution() * approach;
-            double gained = Math.abs(approach - normalSpeed(plane, before, i));
+            double gained = Math.abs(approach - normal.dot(velocity(before, i)));
             if (leaving <= Math.max(plane.restSpeed(), gained)) {
                 stopAlong(normal, state, i);
                 touch(p, i);
@@ -118,17 +128,26 @@ public final class PlaneCollisions implements Rule {
     }
 
     /** A particle that was in contact: it may leave, be pressed in by another plane, begin or cease to slide. */
-    private boolean keepInContact(int p, int i, double[] state) {
+    private boolean keepInContact(ParticleSystem system, int p, int i, double[] state) {
         ContactPlane plane = contacts.getPlanes().get(p);
+        if (!plane.obstacle().isFlat()) {
+            addUpForces(system, state);
+            if (contacts.pressure(p, i, state, force) < 0) {
+                modes.set(p, i, Mode.FREE);
+                return true;
+            }
+            putOn(plane, state, i);                     // the solver's error, which would let it drift off
+            return false;
+        }
         double depth = distance(plane, state, i);
         if (depth > slack(state, i)) {
             modes.set(p, i, Mode.FREE);
             return true;
         }
         if (depth < -slack(state, i)) {
-            moveAlong(plane.plane().normal(), state, STRIDE * i, -depth);
+            moveAlong(normal(plane, state, i), state, STRIDE * i, -depth);
             if (normalSpeed(plane, state, i) < 0) {
-                stopAlong(plane.plane().normal(), state, i);
+                stopAlong(normal(plane, state, i), state, i);
             }
             return true;
         }
@@ -164,6 +183,28 @@ public final class PlaneCollisions implements Rule {
 
     /** The effects' forces are only added up in steps in which a particle may stop. */
     private boolean canHold(ParticleSystem system, int i, double[] state) {
+        addUpForces(system, state);
+        return contacts.holdMargin(i, state, force) >= 0;
+    }
+
+    /** Takes a particle that flew through a ball within the step back to where it went in, so that it is found there. */
+    private void stopFlight(ContactPlane plane, int i, double[] state, double deltaT) {
+        bezier(before, state, deltaT, i, points);
+        int count = plane.obstacle().separation(points, coefficients);
+        if (Math.abs(distance(plane, before, i)) <= slack(before, i)) {
+            return;
+        }
+        double u = crossing.of(coefficients, count);
+        if (!Double.isNaN(u)) {
+            for (int c = 0; c < 3; c++) {
+                state[STRIDE * i + c] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
+                        + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
+            }
+            moveAlong(normal(plane, state, i), state, STRIDE * i, -distance(plane, state, i) - slack(state, i));
+        }
+    }
+
+    private void addUpForces(ParticleSystem system, double[] state) {
         if (!forceKnown) {
             if (force.length != system.getStateSize()) {
                 force = new double[system.getStateSize()];
@@ -171,6 +212,5 @@ public final class PlaneCollisions implements Rule {
             system.addUpEffects(state, system.getTime(), force);
             forceKnown = true;
         }
-        return contacts.holdMargin(i, state, force) >= 0;
     }
 }

@@ -1,33 +1,44 @@
 package particles.rules;
 
+import static particles.rules.ContactGeometry.bezier;
 import static particles.rules.ContactGeometry.distance;
 import static particles.rules.ContactGeometry.moveAlong;
+import static particles.rules.ContactGeometry.normal;
 import static particles.rules.ContactGeometry.normalSpeed;
+import static particles.rules.ContactGeometry.putOn;
 import static particles.rules.ContactGeometry.slack;
 import static particles.rules.ContactGeometry.stopAlong;
+import static particles.rules.ContactGeometry.velocity;
 
 import java.util.Optional;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.Vector3;
 import particles.reactions.ContactModes;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactPlane;
 import particles.reactions.PlaneContacts;
 
 /**
- * Particles bounce off planes exactly when they meet them: "should back-off simulation until it's just on the plane", done.
+ * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on the plane", done.
  * At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than the plane's rest speed while it is
  * pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at their times too. Nothing is
  * ever lifted, so that no energy is added and the solver keeps its order from impact to impact.
  */
 public final class PlaneImpacts implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
+    /** Relative to what is compared: what is less is the rounding of a few operations. */
+    private static final double ROUNDING = 1e-13;
+    private static final int MOST_SWEEPS = 100;
 
     private final PlaneContacts contacts;
     private final ContactModes modes;
     private final ContactEvents contactEvents;
+    private final FirstCrossing crossing = new FirstCrossing();
+    private final double[] points = new double[12];
+    private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
 
     /** @param contacts the planes, and what touches them */
     public PlaneImpacts(PlaneContacts contacts) {
@@ -63,9 +74,22 @@ public final class PlaneImpacts implements EventRule {
         contacts.beginStep(system);
     }
 
-    /** All that this rule does happens at events. */
+    /**
+     * All that this rule does happens at events. Only the solver's error is taken away that would let particles drift off a
+     * curved surface: no change of the laws, and no energy to be booked.
+     */
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
+        double[] state = system.getOwnState();
+        for (int p = 0; p < contacts.getPlanes().size() && modes.isAnyTouching(); p++) {
+            ContactPlane plane = contacts.getPlanes().get(p);
+            for (int i = 0; i < system.getParticles().count() && !plane.obstacle().isFlat(); i++) {
+                if (modes.get(p, i) != Mode.FREE) {
+                    putOn(plane, state, i);
+                    contacts.stopEntering(i, state);
+                }
+            }
+        }
         return false;
     }
 
@@ -89,22 +113,28 @@ public final class PlaneImpacts implements EventRule {
     }
 
     /** When particle i first goes below the plane, by the cubic between the motion's ends; infinite if it does not. */
-    private static double meeting(ContactPlane plane, int i, Motion motion) {
+    private double meeting(ContactPlane plane, int i, Motion motion) {
         double h = motion.getEndTime() - motion.getStartTime();
         double[] begin = motion.getStartState();
-        double[] end = motion.getEndState();
-        double d0 = distance(plane, begin, i);
-        double d1 = distance(plane, end, i);
-        double rise = h * normalSpeed(plane, begin, i) / 3;
-        double fall = h * normalSpeed(plane, end, i) / 3;
-        if (Math.abs(d0) <= slack(begin, i)) {
-            if (rise < 0) {
+        bezier(begin, motion.getEndState(), h, i, points);
+        int count = plane.obstacle().separation(points, coefficients);
+        if (Math.abs(distance(plane, begin, i)) <= slack(begin, i)) {
+            if (normalSpeed(plane, begin, i) < -roundingOf(begin, i)) {
                 return motion.getStartTime();
             }
-            d0 = 0;                                     // it just left: rounding is no second impact
+            double least = -ROUNDING * (1 + points[0] * points[0] + points[1] * points[1] + points[2] * points[2]);
+            coefficients[0] = 0;                        // it just left: rounding is no second impact
+            for (int k = 1; k < count; k++) {
+                coefficients[k] = coefficients[k] >= least ? Math.max(0, coefficients[k]) : coefficients[k];
+            }
         }
-        double u = FirstCrossing.of(d0, d0 + rise, d1 - fall, d1);
+        double u = crossing.of(coefficients, count);
         return Double.isNaN(u) ? Double.POSITIVE_INFINITY : motion.getStartTime() + u * h;
+    }
+
+    /** A speed that cannot be told from 0 beside the particle's own (m/s). */
+    private static double roundingOf(double[] state, int i) {
+        return ROUNDING * velocity(state, i).length();
     }
 
     private final class Impact implements Event {
@@ -132,26 +162,37 @@ public final class PlaneImpacts implements EventRule {
         public void act(ParticleSystem system) {
             ContactPlane plane = contacts.getPlanes().get(p);
             double[] state = system.getOwnState();
-            moveAlong(plane.plane().normal(), state, STRIDE * i, -distance(plane, state, i));
+            Vector3 normal = normal(plane, state, i);
+            moveAlong(normal, state, STRIDE * i, -distance(plane, state, i));
+            double rounding = roundingOf(state, i);
             double approach = normalSpeed(plane, state, i);
             double leaving = -plane.restitution() * approach;
-            moveAlong(plane.plane().normal(), state, STRIDE * i + 3, Math.max(0, leaving) - approach);
+            moveAlong(normal, state, STRIDE * i + 3, Math.max(0, leaving) - approach);
             if (leaving <= plane.restSpeed()) {
                 rest(system, p, i);
             }
-            stayOutOfOthers(state);
+            stayOutOfAll(rounding, state);
             contacts.beginStep(system);
         }
 
-        /** A push by one plane must not drive the particle into another one on which it rests. */
-        private void stayOutOfOthers(double[] state) {
+        /** A push by one plane must not drive the particle into another one on which it rests, but may lift it off. */
+        private void stayOutOfAll(double rounding, double[] state) {
+            contacts.stopEntering(i, state);
             for (int q = 0; q < contacts.getPlanes().size(); q++) {
                 ContactPlane other = contacts.getPlanes().get(q);
-                if (modes.get(q, i) != Mode.FREE && normalSpeed(other, state, i) != 0) {
-                    if (normalSpeed(other, state, i) < 0) {
-                        stopAlong(other.plane().normal(), state, i);
-                    } else if (q != p) {
-                        modes.set(q, i, Mode.FREE);
+                if (q != p && modes.get(q, i) != Mode.FREE
+                        && normalSpeed(other, state, i) > Math.max(other.restSpeed(), rounding)) {
+                    modes.set(q, i, Mode.FREE);
+                }
+            }
+            double fastest = Double.POSITIVE_INFINITY;
+            for (int sweep = 0; sweep < MOST_SWEEPS && fastest > 0; sweep++) {
+                fastest = 0;                            // what is left is too slow to leave: none in the end, along all of them
+                for (int q = 0; q < contacts.getPlanes().size(); q++) {
+                    if (modes.get(q, i) != Mode.FREE) {
+                        ContactPlane other = contacts.getPlanes().get(q);
+                        fastest = Math.max(fastest, Math.abs(normalSpeed(other, state, i)) - rounding);
+                        stopAlong(normal(other, state, i), state, i);
                     }
                 }
             }
@@ -161,7 +202,7 @@ public final class PlaneImpacts implements EventRule {
     /** Lets a particle stay on a plane if it is pressed on; then it may stick as well. */
     private void rest(ParticleSystem system, int p, int i) {
         double[] state = system.getOwnState();
-        stopAlong(contacts.getPlanes().get(p).plane().normal(), state, i);
+        stopAlong(normal(contacts.getPlanes().get(p), state, i), state, i);
         modes.set(p, i, Mode.SLIDING);
         modes.setWhereTouching(i, Mode.SLIDING);
         if (contactEvents.pressure(system, p, i) > 0) {

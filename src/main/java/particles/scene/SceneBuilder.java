@@ -72,7 +72,8 @@ public final class SceneBuilder {
                 simulation.addRule(new PlaneCollisions(contacts));
             }
         }
-        List<Plane> planes = assembly.planes().stream().map(ContactPlane::plane).toList();
+        List<Plane> planes = assembly.planes().stream().map(ContactPlane::obstacle).filter(Plane.class::isInstance)
+                .map(Plane.class::cast).toList();
         Optional<Scene.Phase> phase = scene.output().phase()
                 .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis()));
         return new Scene(scene, simulation, system, solver, springs, surfaces, planes, scene.camera(), scene.look(),

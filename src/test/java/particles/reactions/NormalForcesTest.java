@@ -23,7 +23,7 @@ class NormalForcesTest {
         }
         double[] force = {random.nextGaussian(), random.nextGaussian() - 2, random.nextGaussian()};
         double[] push = new double[count];
-        new NormalForces(count).solve(count, normals, force, push);
+        new NormalForces(count).solve(count, normals, force, new double[count], push);
         Vector3 total = new Vector3(force[0], force[1], force[2]);
         double scale = total.length();
         for (int p = 0; p < count; p++) {
@@ -42,10 +42,10 @@ class NormalForcesTest {
     void aGrooveSharesTheLoad() {
         Vector3[] groove = {new Vector3(1, 1, 0).normalized(), new Vector3(-1, 1, 0).normalized()};
         double[] push = new double[2];
-        new NormalForces(2).solve(2, groove, new double[] {0, -10, 0}, push);
+        new NormalForces(2).solve(2, groove, new double[] {0, -10, 0}, new double[2], push);
         assertEquals(10 / Math.sqrt(2), push[0], 1e-13);
         assertEquals(10 / Math.sqrt(2), push[1], 1e-13);
-        new NormalForces(2).solve(2, groove, new double[] {0, 10, 0}, push);
+        new NormalForces(2).solve(2, groove, new double[] {0, 10, 0}, new double[2], push);
         assertEquals(0, push[0] + push[1], "nothing pushes what is pulled out");
     }
 }

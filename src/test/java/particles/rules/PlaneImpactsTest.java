@@ -252,4 +252,18 @@ class PlaneImpactsTest {
         assertEquals(Mode.FREE, ground.getModes().get(0, 0));
         assertTrue(entry(lifted, 1) > 0.1);
     }
+
+    /** Down one side of a sharp groove into the other: the pushes of both together bring it to rest, and neither is entered. */
+    @Test
+    void restInASharpGroove() {
+        ParticleSystem system = oneParticle(new Vector3(0.3, 2, 0), Vector3.ZERO);
+        PlaneContacts contacts = contacts(system,
+                new ContactPlane("right", new Plane(Vector3.ZERO, new Vector3(-2, 1, 0)), 0.4, Friction.NONE, 1e-6),
+                new ContactPlane("left", new Plane(Vector3.ZERO, new Vector3(2, 1, 0.3)), 0.4, Friction.NONE, 1e-6));
+        simulation(system, contacts, RK4Solver::new, 0.01, 6).run();
+        assertEquals(0, new Plane(Vector3.ZERO, new Vector3(-2, 1, 0)).distance(entry(system, 0), entry(system, 1),
+                entry(system, 2)), 1e-9);
+        assertEquals(0, new Plane(Vector3.ZERO, new Vector3(2, 1, 0.3)).distance(entry(system, 0), entry(system, 1),
+                entry(system, 2)), 1e-9);
+    }
 }
