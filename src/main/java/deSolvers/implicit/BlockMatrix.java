@@ -26,6 +26,9 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
     private int[] first = {};
     private int[] second = {};
     private boolean symmetric;
+    private boolean definite;
+    private final RestoringPart clamp = new RestoringPart();
+    private final double[] clamped = new double[9];
     private double stiffening;
 
     BlockMatrix(ImplicitWork.Counter work) {
@@ -39,8 +42,11 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
      * @param state   that state
      * @param gamma   g (s)
      * @param masses  of the particles, 0 for held ones
+     * @param definite whether to leave out what could make A indefinite: the part of each pair's K that pushes outwards, as
+     *                across a compressed spring, and what is not symmetric
      */
-    void collect(JacobianStateSource source, double[] state, double gamma, double[] masses) {
+    void collect(JacobianStateSource source, double[] state, double gamma, double[] masses, boolean definite) {
+        this.definite = definite;
         this.gamma = gamma;
         this.state = state;
         work.jacobians++;
@@ -80,16 +86,23 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
     @Override
     public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
         int p = next(i, j);
-        if (p >= 0) {
-            addTo(pattern.diagonal[i], dFdX, dFdV, -1);
-            addTo(pattern.diagonal[j], dFdX, dFdV, -1);
-            addTo(pattern.slot[p], dFdX, dFdV, 1);
-            addTo(pattern.mirrorSlot[p], dFdX, dFdV, 1);
-            addForceScale(i, dFdX, i);
-            addForceScale(i, dFdX, j);
-            addForceScale(j, dFdX, i);
-            addForceScale(j, dFdX, j);
+        if (p >= 0 && definite) {
+            clamp.restoring(dFdX, clamped);
+            addPairBlocks(p, i, j, clamped, dFdV);
+        } else if (p >= 0) {
+            addPairBlocks(p, i, j, dFdX, dFdV);
         }
+    }
+
+    private void addPairBlocks(int p, int i, int j, double[] dFdX, double[] dFdV) {
+        addTo(pattern.diagonal[i], dFdX, dFdV, -1);
+        addTo(pattern.diagonal[j], dFdX, dFdV, -1);
+        addTo(pattern.slot[p], dFdX, dFdV, 1);
+        addTo(pattern.mirrorSlot[p], dFdX, dFdV, 1);
+        addForceScale(i, dFdX, i);
+        addForceScale(i, dFdX, j);
+        addForceScale(j, dFdX, i);
+        addForceScale(j, dFdX, j);
     }
 
     @Override

@@ -55,7 +55,8 @@ final class ImplicitStage {
         boolean solved = linearised ? newton.solveLinearised(problem, unknowns) : newton.solve(problem, unknowns);
         if (!solved) {
             failIfNotFinite(source, start, gamma, stage);
-            if (linearised || !follow(source, client, start, gamma, byVelocity)) {
+            setToStart(start, byVelocity);
+            if (linearised || !newton.descend(problem, unknowns) && !follow(source, client, start, gamma, byVelocity)) {
                 throw source.failure(-1, newton.describeFailure() + "; deltaT is probably too large for what the forces do"
                         + " within it");
             }

@@ -17,6 +17,8 @@ final class Newton {
     private static final double GOOD_CONTRACTION = 0.01;
     private static final int MOST_ITERATIONS = 50;
     private static final double SMALLEST_DAMPING = 1.0 / 256;
+    private static final int MOST_DESCENTS = 200;
+    private static final int MOST_HALVINGS = 40;
     /** Entries smaller than this part of the largest are judged as if they were as large as that. */
     private static final double SMALL_ENTRY = 1e-3;
 
@@ -30,6 +32,7 @@ final class Newton {
     private double[] trial = {};
     private double[] first = {};
     private double[] floor = {};
+    private double[] reached = {};
     private double lastSize;
     private int iterations;
 
@@ -107,6 +110,67 @@ final class Newton {
                 size = next;
                 lastSize = size;
             }
+        }
+        return false;
+    }
+
+    /**
+     * Looks for the solution where Newton's method found no way: a mechanical system's equation says that an energy is least
+     * there. Corrections by a definite matrix go down in that energy, whose slope along them is the residual's product with
+     * the correction; they are taken as far as the slope does not turn up again by much. Newton's method itself takes over as
+     * soon as it converges, so that the solution is the exact one.
+     *
+     * @return whether it converged; false also where the problem has no definite matrix
+     */
+    boolean descend(NewtonProblem problem, double[] u) {
+        int all = 0;
+        double goal = 1e-1;
+        problem.evaluate(u, residual);
+        for (int i = 0; i < MOST_DESCENTS; i++) {
+            all++;
+            work.newtonIterations++;
+            if (!problem.lineariseDefinite(u) || !correct(problem, correction)) {
+                return false;
+            }
+            double size = size(correction, u);
+            if (size < goal) {
+                System.arraycopy(u, 0, reached, 0, u.length);
+                if (solve(problem, u)) {
+                    return true;
+                }
+                System.arraycopy(reached, 0, u, 0, u.length);
+                problem.evaluate(u, residual);
+                problem.lineariseDefinite(u);
+                if (!correct(problem, correction)) {
+                    return false;
+                }
+                goal = size / 10;
+            }
+            if (!goDown(problem, u)) {
+                iterations = all;
+                return false;
+            }
+        }
+        iterations = all;
+        return false;
+    }
+
+    /** Takes the correction, or the part of it up to where the slope is about flat. Leaves the residual of the new u. */
+    private boolean goDown(NewtonProblem problem, double[] u) {
+        double slope = Gmres.dot(residual, correction);
+        double part = 1;
+        for (int attempt = 0; attempt < MOST_HALVINGS && slope > 0; attempt++) {
+            for (int i = 0; i < u.length; i++) {
+                trial[i] = u[i] + part * correction[i];
+            }
+            problem.evaluate(trial, residual);
+            double there = Gmres.dot(residual, correction);
+            if (there >= -0.5 * slope) {
+                System.arraycopy(trial, 0, u, 0, u.length);
+                return true;
+            }
+            double secant = there < 0 ? slope / (slope - there) : 0;
+            part *= Math.max(0.1, Math.min(0.5, secant));
         }
         return false;
     }
@@ -209,6 +273,7 @@ final class Newton {
             trial = new double[n];
             first = new double[n];
             floor = new double[n];
+            reached = new double[n];
         }
     }
 }

@@ -16,6 +16,15 @@ interface NewtonProblem {
     void linearise(double[] u);
 
     /**
+     * Sets up, in place of -dr/du, a positive definite matrix near it.
+     *
+     * @return false if the problem has none
+     */
+    default boolean lineariseDefinite(double[] u) {
+        return false;
+    }
+
+    /**
      * Solves (-dr/du) correction = residual with the matrix of the last {@link #linearise}.
      *
      * @return false if the matrix is singular or the linear solver did not converge

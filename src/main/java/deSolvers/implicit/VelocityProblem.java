@@ -36,6 +36,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     private double[] direction = {};
     private double[] product = {};
     private boolean exactBlocks;
+    private boolean clamped;
     private boolean factorised;
     private boolean regular;
 
@@ -108,9 +109,20 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
 
     @Override
     public void linearise(double[] v) {
+        collect(v, false);
+    }
+
+    @Override
+    public boolean lineariseDefinite(double[] v) {
+        collect(v, true);
+        return regular;
+    }
+
+    private void collect(double[] v, boolean definite) {
+        clamped = definite;
         stage(v, base);
         source.setState(base);
-        matrix.collect(client, base, gamma, masses);
+        matrix.collect(client, base, gamma, masses, definite);
         factorised = false;
         if (masses.length <= SMALL || matrix.condition() > FACTORISE_ABOVE) {
             factorise();
@@ -127,9 +139,9 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         if (!exactBlocks) {
             source.setState(base);                      // where the products are asked for
         }
-        LinearOperator operator = exactBlocks ? matrix : this;
+        LinearOperator operator = exactBlocks || clamped ? matrix : this;
         if (!factorised && regular) {
-            if (exactBlocks && matrix.isSymmetric() && conjugateGradients(residual, correction)) {
+            if ((exactBlocks || clamped) && matrix.isSymmetric() && conjugateGradients(residual, correction)) {
                 return true;
             }
             if (gmres.solve(operator, blockJacobi, residual, correction, linearTolerance, MOST_GMRES_ITERATIONS)) {

@@ -13,10 +13,11 @@
  *     gradients solve it while it is positive definite and not too ill-conditioned; otherwise GMRES, or a sparse
  *     factorisation in approximate-minimum-degree order (AMDJ).</li>
  * </ul>
- * The derivative of a compressed spring's force is indefinite across the spring. It is used as it is, not clamped: a
- * clamped matrix would only make Newton's iteration slower to the same solution. Where the exact matrix loses
- * definiteness, the method changes from conjugate gradients to GMRES; where Newton's iteration, damped by Deuflhard's
- * monotonicity test, still finds no way, the solution is followed from g = 0 to its full value.
+ * The derivative of a compressed spring's force is indefinite across the spring. It is used as it is, not clamped, since
+ * with the exact matrix Newton's iteration converges fastest; where it loses definiteness, the method changes from conjugate
+ * gradients to GMRES. Where Newton's iteration, damped by Deuflhard's monotonicity test, finds no way, a matrix without
+ * the outward pushing parts leads down in energy until it does; and where even that fails, the solution is followed from
+ * g = 0 to its full value. All three end with the exact matrix, at a solution of the nonlinear equation.
  *
  * <p>Reference: E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996;
  * P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004; D. Baraff, A. Witkin, <i>Large Steps in Cloth
