@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.jfree.chart.JFreeChart;
@@ -63,12 +64,18 @@ public final class ChartWriter {
     }
 
     private static void write(OutputFolder folder, String name, JFreeChart chart, int height) {
-        BufferedImage image = new BufferedImage(SCALE * WIDTH, SCALE * height, BufferedImage.TYPE_INT_RGB);
+        chart.setTextAntiAlias(true);
+        write(folder, name, WIDTH, height, g -> chart.draw(g, new Rectangle2D.Double(0, 0, WIDTH, height)));
+    }
+
+    /** @param drawing draws on a page of this size */
+    static void write(OutputFolder folder, String name, int width, int height, Consumer<Graphics2D> drawing) {
+        BufferedImage image = new BufferedImage(SCALE * width, SCALE * height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.scale(SCALE, SCALE);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        chart.setTextAntiAlias(true);
-        chart.draw(g, new Rectangle2D.Double(0, 0, WIDTH, height));
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        drawing.accept(g);
         g.dispose();
         try (OutputFile file = folder.create(name)) {
             // in memory: ImageIO's own streams would put a cache into the system's temporary folder

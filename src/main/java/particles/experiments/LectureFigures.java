@@ -1,0 +1,172 @@
+package particles.experiments;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import particles.ChartData;
+import particles.ChartData.Mark;
+import particles.ChartData.Series;
+import particles.DataTable;
+import particles.VectorField;
+import particles.experiments.problems.Oscillator;
+
+/**
+ * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state space,
+ * over its vector field, with what theory says of amplitude and phase.
+ *
+ * <p>Source: COMPSCI 715 (2003), slides "Example IVP", "The Euler Method", "Mid-point Method", "RK4 Results".
+ */
+public final class LectureFigures {
+    private static final int ARROWS = 17;
+    private static final int CIRCLE = 361;
+
+    /** The slides' captions. Of Euler's step they say only what comes of it; 3 periods are 160.6 of these steps. */
+    private static final List<Figure> ON_SLIDES = List.of(
+            new Figure("euler", 0.11737, 161), new Figure("midpoint", 1, 11), new Figure("midpoint", 0.5, 100),
+            new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100), new Figure("rk4", 0.4, 1250));
+
+    /**
+     * Which run.
+     *
+     * @param solver its name in the catalogue
+     * @param deltaT the time step (s)
+     * @param steps  how many
+     */
+    public record Figure(String solver, double deltaT, int steps) {
+    }
+
+    /**
+     * A run, measured against theory.
+     *
+     * @param figure      which run
+     * @param amplitude   the last state's distance from the origin over the first's
+     * @param phaseError  by how much it has turned further than the exact solution (rad); negative where it lags
+     * @param theory      the same two numbers from R(ih), where it is known
+     * @param evaluations of the derivative
+     * @param x           positions after each step, with the start
+     * @param v           velocities
+     */
+    public record Result(Figure figure, double amplitude, double phaseError, Optional<Theory> theory, long evaluations, double[] x,
+                         double[] v) {
+    }
+
+    /**
+     * What R(ih) says.
+     *
+     * @param amplitude  |R|<sup>N</sup>
+     * @param phaseError N (arg R - h) (rad)
+     */
+    public record Theory(double amplitude, double phaseError) {
+    }
+
+    private LectureFigures() {
+    }
+
+    /** @return the figures of the slides, in their order */
+    public static List<Figure> onSlides() {
+        return ON_SLIDES;
+    }
+
+    /**
+     * @param figure a run
+     * @return what comes of it
+     */
+    public static Result run(Figure figure) {
+        Oscillator oscillator = new Oscillator();
+        DESolver solver = SolverCatalog.create(figure.solver());
+        double[] x = new double[figure.steps() + 1];
+        double[] v = new double[figure.steps() + 1];
+        double[] state = {1, 0};
+        double turned = 0;
+        x[0] = 1;
+        for (int n = 1; n <= figure.steps(); n++) {
+            solver.stepState(oscillator, figure.deltaT());
+            oscillator.getState(state);
+            x[n] = state[0];
+            v[n] = state[1];
+            // clockwise; each step turns by less than half a circle, so that whole turns are not lost
+            turned -= StrictMath.atan2(v[n] * x[n - 1] - x[n] * v[n - 1], x[n] * x[n - 1] + v[n] * v[n - 1]);
+        }
+        Optional<Theory> theory = StabilityPolynomial.of(figure.solver(), figure.deltaT())
+                .map(r -> new Theory(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
+        return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]), turned - figure.steps() * figure.deltaT(),
+                theory, oscillator.getEvaluations(), x, v);
+    }
+
+    /**
+     * @param result a run
+     * @param title  of the chart
+     * @return its path, the exact one, and the start
+     */
+    public static ChartData chart(Result result, String title) {
+        int n = result.figure().steps();
+        Mark mark = n <= 200 ? Mark.LINE_AND_POINTS : Mark.LINE;
+        return new ChartData(title, "position x (m)", "velocity v (m/s)", false, false, List.of(
+                new Series("numerical path", mark, result.x(), result.v()), exact(),
+                new Series("start", Mark.POINTS, new double[] {1}, new double[] {0})));
+    }
+
+    /** @return the exact solution alone, which is what the vector field says */
+    public static ChartData exactChart() {
+        return new ChartData("Vectors show the vector field (v, \u2212x); each solution is an ellipse", "position x (m)",
+                "velocity v (m/s)", false, false, List.of(exact(),
+                        new Series("start", Mark.POINTS, new double[] {1}, new double[] {0})));
+    }
+
+    private static Series exact() {
+        double[] x = new double[CIRCLE];
+        double[] v = new double[CIRCLE];
+        for (int k = 0; k < CIRCLE; k++) {
+            double t = 2 * Math.PI * k / (CIRCLE - 1);
+            x[k] = StrictMath.cos(t);
+            v[k] = -StrictMath.sin(t);
+        }
+        return new Series("exact", Mark.LINE, x, v);
+    }
+
+    /**
+     * @param reach how far out it is needed
+     * @return the field (v, -x) on a square grid around the origin
+     */
+    public static VectorField field(double reach) {
+        int n = ARROWS * ARROWS;
+        VectorField field = new VectorField(new double[n], new double[n], new double[n], new double[n]);
+        for (int k = 0; k < n; k++) {
+            field.x()[k] = reach * (2.0 * (k % ARROWS) / (ARROWS - 1) - 1);
+            field.v()[k] = reach * (2.0 * (k / ARROWS) / (ARROWS - 1) - 1);
+            field.dx()[k] = field.v()[k];
+            field.dv()[k] = -field.x()[k];
+        }
+        return field;
+    }
+
+    /** @return how far out the path goes, with a margin */
+    public static double reach(Result result) {
+        double x = Arrays.stream(result.x()).map(Math::abs).max().orElse(1);
+        double v = Arrays.stream(result.v()).map(Math::abs).max().orElse(1);
+        return 1.1 * Math.max(1, Math.max(x, v));
+    }
+
+    /**
+     * @param results runs
+     * @return measured beside what theory says
+     */
+    public static DataTable table(List<Result> results) {
+        List<List<Object>> rows = new ArrayList<>();
+        for (Result result : results) {
+            double amplitude = result.theory().map(Theory::amplitude).orElse(Double.NaN);
+            double phase = result.theory().map(Theory::phaseError).orElse(Double.NaN);
+            rows.add(List.of(result.figure().solver(), result.figure().deltaT(), result.figure().steps(), result.evaluations(),
+                    result.amplitude(), amplitude, result.amplitude() * result.amplitude(), amplitude * amplitude,
+                    result.phaseError(), phase));
+        }
+        List<DataTable.Column> columns = List.of(DataTable.column("solver"), new DataTable.Column("deltaT (s)", 6),
+                DataTable.column("steps"), DataTable.column("evaluations"), new DataTable.Column("amplitude", 7),
+                new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8), new DataTable.Column("|R|^2N", 8),
+                new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
+        return new DataTable("figures", "Amplitude, energy and phase after the last step: measured, and from R(ih)", columns, rows);
+    }
+}
