@@ -12,8 +12,51 @@ final class SpringKernel {
     private SpringKernel() {
     }
 
-    /** Adds the forces of the springs first ... end - 1, keeping what belongs to their first particle in registers. */
+    /** Adds the forces of the springs first ... end - 1. */
     static void addForces(SpringTable table, double[] state, double[] force, int first, int end) {
+        if (table.isGrouped()) {
+            addGrouped(table, state, force, first, end);
+        } else {
+            addSingly(table, state, force, first, end);
+        }
+    }
+
+    /** Spring by spring: best where a particle owns one or two, as in a chain. */
+    private static void addSingly(SpringTable table, double[] state, double[] force, int first, int end) {
+        int[] from = table.from;
+        int[] to = table.to;
+        double[] stiffness = table.stiffness;
+        double[] restLength = table.restLength;
+        double[] damping = table.damping;
+        for (int s = first; s < end; s++) {
+            int i = from[s];
+            int j = to[s];
+            double rx = state[j] - state[i];
+            double ry = state[j + 1] - state[i + 1];
+            double rz = state[j + 2] - state[i + 2];
+            double square = rx * rx + ry * ry + rz * rz;
+            if (!(square > SMALLEST_SQUARE && square < LARGEST_SQUARE)) {
+                addExtremeForce(table, s, state, force);
+                continue;
+            }
+            double inverse = 1 / Math.sqrt(square);
+            double stretching = rx * (state[j + 3] - state[i + 3]) + ry * (state[j + 4] - state[i + 4])
+                    + rz * (state[j + 5] - state[i + 5]);
+            double perLength = stiffness[s] * (1 - restLength[s] * inverse) + damping[s] * stretching * inverse * inverse;
+            double fx = perLength * rx;
+            double fy = perLength * ry;
+            double fz = perLength * rz;
+            force[i + 3] += fx;
+            force[i + 4] += fy;
+            force[i + 5] += fz;
+            force[j + 3] -= fx;
+            force[j + 4] -= fy;
+            force[j + 5] -= fz;
+        }
+    }
+
+    /** Particle by particle, keeping what belongs to the first one in registers for all of its springs: best in cloth. */
+    private static void addGrouped(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
         double[] stiffness = table.stiffness;

@@ -15,6 +15,7 @@ final class SpringTable {
     double[] restLength = new double[8];
     double[] damping = new double[8];
     private boolean arranged = true;
+    private int owners;                                 // particles at which springs begin, counted when arranged
 
     void add(int i, int j, double stiffness, double restLength, double damping) {
         if (count == from.length) {
@@ -27,6 +28,7 @@ final class SpringTable {
         this.damping[count] = damping;
         arranged &= count == 0 || from[count - 1] <= from[count];
         count++;
+        owners = 0;
     }
 
     private void setCapacity(int capacity) {
@@ -51,6 +53,7 @@ final class SpringTable {
             }
         }
         count = stay;
+        owners = 0;
     }
 
     void remove(boolean[] gone) {
@@ -61,6 +64,7 @@ final class SpringTable {
             }
         }
         count = stay;
+        owners = 0;
     }
 
     private void move(int s, int stay) {
@@ -76,10 +80,25 @@ final class SpringTable {
      * that its position, velocity and force stay in registers for all of its springs. A counting sort, linear in their number.
      */
     void arrange() {
-        if (arranged) {
+        if (arranged && (owners > 0 || count == 0)) {
             return;
         }
+        if (!arranged) {
+            sort();
+        }
         arranged = true;
+        owners = 0;
+        for (int s = 0; s < count; s++) {
+            owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
+        }
+    }
+
+    /** @return whether a particle owns enough springs, two or more on average, to take them together */
+    boolean isGrouped() {
+        return count >= 2L * owners;
+    }
+
+    private void sort() {
         int last = 0;
         for (int s = 0; s < count; s++) {
             last = Math.max(last, from[s] / Particles.STRIDE);
