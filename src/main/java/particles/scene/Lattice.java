@@ -6,6 +6,7 @@ import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import particles.Vector3;
 
 /**
@@ -45,6 +46,21 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
             n = n * counts.get(d) + indices[d];
         }
         return n;
+    }
+
+    /** @return the numbers of the 2, 4 or 8 particles at the corners */
+    List<Integer> corners() {
+        return IntStream.range(0, 1 << counts.size()).mapToObj(code -> number(IntStream.range(0, counts.size())
+                .map(d -> (code >> d & 1) * (counts.get(d) - 1)).toArray())).toList();
+    }
+
+    /** @return by how much the number grows with each index */
+    int[] strides() {
+        int[] strides = new int[counts.size()];
+        for (int d = strides.length - 1, stride = 1; d >= 0; stride *= counts.get(d--)) {
+            strides[d] = stride;
+        }
+        return strides;
     }
 
     /** @return the name of particle n */

@@ -100,7 +100,7 @@ public final class SceneBuilder {
                         lattice.position(to).minus(lattice.position(from)).length(), damping));
             }
             if (shape.surface()) {
-                surfaces.add(shape.toSurface(first));
+                surfaces.add(LatticeSurface.of(lattice, first));
             }
         }
         return surfaces;

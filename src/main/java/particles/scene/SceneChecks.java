@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import particles.Camera;
-import particles.Plane;
 import particles.Vector3;
 import particles.scene.spec.Chosen;
 import particles.scene.spec.Key;
@@ -18,7 +17,7 @@ import particles.scene.spec.Wording;
 
 /** What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go. */
 final class SceneChecks {
-    private static final long MOST_SPRINGS = 10_000_000;
+    private static final int MOST_CANDIDATES = 1000;
 
     private final Values scene;
     private final Problems problems;
@@ -40,10 +39,13 @@ final class SceneChecks {
         checkParticles();
         checkShapes();
         index = new ParticleIndex(particles, shapes);
-        checkNumbers();
+        SizeCheck.check(scene, particles, shapes, problems);
+        if (particles.isEmpty() && shapes.isEmpty() && problems.count() == 0) {
+            problems.add(scene.place(), "the scene has no particle; name some under 'particles' or 'shapes'");
+        }
         checkSprings();
         checkEffects();
-        checkPlanes();
+        OutsideCheck.check(scene.find(SceneFormat.RULES).orElse(List.of()), particles, shapes, problems);
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
         checkPhase();
@@ -89,12 +91,16 @@ final class SceneChecks {
     }
 
     private void checkShapes() {
+        long count = particles.size();
         for (Chosen<ShapeKind> chosen : scene.find(SceneFormat.SHAPES).orElse(List.of())) {
             Key<String> id = chosen.kind().id();
             chosen.values().find(id).ifPresent(name -> take(name, chosen.values().place(id)));
-            Optional<ShapeDescription> shape = chosen.values().isSound() ? ShapeDescription.of(chosen, problems)
-                    : Optional.empty();
-            shape.ifPresent(shapes::add);
+            Optional<ShapeDescription> shape = chosen.values().isSound() && count <= ShapeDescription.MOST_PARTICLES
+                    ? ShapeDescription.of(chosen, problems) : Optional.empty();
+            if (shape.isPresent()) {
+                shapes.add(shape.get());
+                count += shape.get().lattice().size();
+            }
             if (shape.isEmpty()) {
                 chosen.values().find(id).ifPresent(broken::add);
             }
@@ -105,24 +111,6 @@ final class SceneChecks {
         Place first = ids.putIfAbsent(id, place);
         if (first != null) {
             problems.add(place, "the id " + Wording.quote(id) + " is taken, at line " + first.line() + "; give another");
-        }
-    }
-
-    private void checkNumbers() {
-        long count = particles.size();
-        long springCount = scene.find(SceneFormat.SPRINGS).orElse(List.of()).size();
-        for (ShapeDescription shape : shapes) {
-            count += shape.lattice().size();
-            springCount += shape.springCount();
-            if (count > ShapeDescription.MOST_PARTICLES || springCount > MOST_SPRINGS) {
-                problems.add(shape.place(), "with this shape there are " + count + " particles and " + springCount
-                        + " springs; a scene"
-                        + " may have at most " + ShapeDescription.MOST_PARTICLES + " and " + MOST_SPRINGS);
-                return;
-            }
-        }
-        if (count == 0 && broken.isEmpty() && problems.count() == 0) {
-            problems.add(scene.place(), "the scene has no particle; name some under 'particles' or 'shapes'");
         }
     }
 
@@ -160,11 +148,16 @@ final class SceneChecks {
         if (!areAllIdsKnown()) {
             return false;
         }
+        if (problems.isFull()) {
+            problems.add(place, "unknown particle");
+            return false;
+        }
         Optional<ShapeDescription> named = shapes.stream().filter(s -> s.lattice().id().equals(shape)).findFirst();
         List<String> known = ids.keySet().stream().sorted().toList();
         problems.add(place, "unknown particle " + Wording.quote(id) + named.map(s -> "; known in this shape: "
                 + s.lattice().range())
-                .orElseGet(() -> Wording.hint(shape, known) + " known: " + Wording.some(known)));
+                .orElseGet(() -> (known.size() > MOST_CANDIDATES ? ";" : Wording.hint(shape, known)) + " known: "
+                        + Wording.some(known)));
         return false;
     }
 
@@ -190,47 +183,6 @@ final class SceneChecks {
                             + "', which the scene does not name; add '- "
                     + need.name() + ": ...' to 'effects'"));
         }
-    }
-
-    private void checkPlanes() {
-        for (Chosen<RuleKind> rule : scene.find(SceneFormat.RULES).orElse(List.of())) {
-            Optional<Plane> plane = rule.values().isSound() ? rule.kind().plane(rule.values()) : Optional.empty();
-            if (plane.isEmpty()) {
-                continue;
-            }
-            for (ParticleDescription particle : particles) {
-                double distance = distance(plane.get(), particle.position());
-                if (distance < 0 && !particle.fixed()) {
-                    problems.add(particle.place(), below(particle.id(), rule, distance));
-                }
-            }
-            for (ShapeDescription shape : shapes) {
-                int lowest = -1;
-                double least = 0;
-                for (int n = 0; n < shape.lattice().size(); n++) {
-                    double distance = shape.fixed().get(n) ? 0 : distance(plane.get(), shape.lattice().position(n));
-                    if (distance < least) {
-                        lowest = n;
-                        least = distance;
-                    }
-                }
-                if (lowest >= 0) {
-                    problems.add(shape.place(), below(shape.lattice().idOf(lowest), rule, least));
-                }
-            }
-        }
-    }
-
-    private static String below(String id, Chosen<RuleKind> rule, double distance) {
-        return Wording.quote(id) + " begins " + Wording.number(-distance) + " m inside the '" + rule.kind().name()
-                + "' of line "
-                + rule.place().line() + "; it has to begin outside";
-    }
-
-    /** Places that are on the plane but for rounding are on it. */
-    private static double distance(Plane plane, Vector3 at) {
-        double distance = plane.distance(at.x(), at.y(), at.z());
-        return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;
     }
 
     private void checkPhase() {

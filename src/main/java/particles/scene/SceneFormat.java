@@ -36,7 +36,8 @@ public final class SceneFormat {
     static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
             ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),
             "What happens between steps; what is not named does not happen.");
-    static final Key<String> IMPACT = Key.withDefault("impact", NameType.of("kind of impact", List.of("clamp", "exact")), "clamp",
+    static final Key<String> IMPACT = Key.withDefault("impact", NameType.of("kind of impact", List.of("clamp", "exact")),
+            "clamp",
             "clamp: who is below a plane after a step is put onto it; exact: the step is divided at the impact.");
     static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
             "From where the scene is seen; where it is not given, so that everything fits into the picture.");

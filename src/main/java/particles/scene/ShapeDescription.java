@@ -3,10 +3,10 @@ package particles.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import particles.Surface;
 import particles.Vector3;
 import particles.scene.SpringFamily.Sort;
 import particles.scene.spec.Chosen;
@@ -49,7 +49,7 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         }
         BitSet fixed = new BitSet();
         int before = problems.count();
-        for (String part : values.get(kind.fixed())) {
+        for (String part : new LinkedHashSet<>(values.get(kind.fixed()))) {
             addPart(part, lattice, kind, fixed, values.place(kind.fixed()), problems);
         }
         if (problems.count() > before) {
@@ -98,47 +98,5 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
     /** @return how many springs it has */
     long springCount() {
         return springs.stream().mapToLong(family -> family.count(lattice)).sum();
-    }
-
-    /**
-     * @param first the index of its first particle
-     * @return the surface that it spans: a cloth, or the six sides of a block
-     */
-    Surface toSurface(int first) {
-        List<Integer> triangles = new ArrayList<>();
-        int[] last = lattice.counts().stream().mapToInt(count -> count - 1).toArray();
-        if (last.length == 2) {
-            addSheet(triangles, first, new int[2], 1, 0);           // rows run down: seen from the front, across x down
-        } else {
-            for (int d = 0; d < 3; d++) {
-                addSheet(triangles, first, new int[3], (d + 2) % 3, (d + 1) % 3);
-                int[] far = new int[3];
-                far[d] = last[d];
-                addSheet(triangles, first, far, (d + 1) % 3, (d + 2) % 3);
-            }
-        }
-        return new Surface(triangles.stream().mapToInt(Integer::intValue).toArray());
-    }
-
-    /** The sheet through a corner in directions u and v, with its front where u x v points. */
-    private void addSheet(List<Integer> triangles, int first, int[] corner, int u, int v) {
-        for (int i = 0; i + 1 < lattice.counts().get(u); i++) {
-            for (int j = 0; j + 1 < lattice.counts().get(v); j++) {
-                int a = at(corner, u, i, v, j);
-                int b = at(corner, u, i + 1, v, j);
-                int c = at(corner, u, i + 1, v, j + 1);
-                int d = at(corner, u, i, v, j + 1);
-                for (int n : new int[] {a, b, c, a, c, d}) {
-                    triangles.add(first + n);
-                }
-            }
-        }
-    }
-
-    private int at(int[] corner, int u, int i, int v, int j) {
-        int[] indices = corner.clone();
-        indices[u] = i;
-        indices[v] = j;
-        return lattice.number(indices);
     }
 }

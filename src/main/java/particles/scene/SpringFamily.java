@@ -88,17 +88,22 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
 
     /** Tells of every spring, by the lattice's own numbers. */
     void forEach(Lattice lattice, Sink sink) {
-        List<int[]> offsets = sort.offsets(lattice.counts().size());
-        for (int n = 0; n < lattice.size(); n++) {
-            int[] at = lattice.indices(n);
-            for (int[] offset : offsets) {
-                int[] other = new int[at.length];
-                for (int d = 0; d < at.length; d++) {
-                    other[d] = at[d] + offset[d];
+        int[] counts = lattice.counts().stream().mapToInt(Integer::intValue).toArray();
+        int[] strides = lattice.strides();
+        int size = (int) lattice.size();
+        for (int[] offset : sort.offsets(counts.length)) {
+            int step = 0;
+            for (int d = 0; d < counts.length; d++) {
+                step += offset[d] * strides[d];
+            }
+            for (int n = 0; n < size; n++) {
+                boolean inside = true;
+                for (int d = 0; d < counts.length; d++) {
+                    int partner = n / strides[d] % counts[d] + offset[d];
+                    inside &= partner >= 0 && partner < counts[d];
                 }
-                int partner = lattice.number(other);
-                if (partner >= 0) {
-                    sink.spring(n, partner, stiffness, damping);
+                if (inside) {
+                    sink.spring(n, n + step, stiffness, damping);
                 }
             }
         }

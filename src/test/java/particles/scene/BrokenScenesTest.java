@@ -24,8 +24,8 @@ class BrokenScenesTest {
               - {id: bob, position: [0, 1, 0]}
             """;
 
-    private static final String KEYS = "title, teaches, solver, deltaT, duration, particles, shapes, springs, effects, rules, "
-            + "impact, camera, look, output, blowUpFactor";
+    private static final String KEYS = "title, teaches, solver, deltaT, duration, particles, shapes, springs, effects, "
+            + "rules, impact, camera, look, output, blowUpFactor";
 
     private static Arguments added(String text, String... lines) {
         return Arguments.of(HEAD + text, List.of(lines));
@@ -164,7 +164,8 @@ class BrokenScenesTest {
                                 + String.join(", ", SolverCatalog.names().stream()
                                         .filter(name -> SolverCatalog.info(name).adaptive()).toList())),
                 whole(HEAD.replace("rk4", "{name: dormand-prince, tolerance: 2}"),
-                        "x.yaml:3:32: unknown key 'tolerance'; known in the solver: name, relativeTolerance, absoluteTolerance"),
+                        "x.yaml:3:32: unknown key 'tolerance'; known in the solver: name, relativeTolerance, "
+                                + "absoluteTolerance"),
                 added("impact: exactly\n",
                         "x.yaml:8:9: unknown kind of impact 'exactly'; known: clamp, exact"),
                 whole("",

@@ -46,7 +46,7 @@ class ScenesTest {
         assertEquals("# yaml-language-server: $schema=scene.schema.json", Files.readAllLines(file).get(0));
     }
 
-    /** The largest share of its limits that a scene uses is 0.41, by the cloth; stretching makes springs stiffer than here. */
+    /** The largest share of a solver's limit is 0.41, the cloth's; where springs stretch they are a little stiffer. */
     @ParameterizedTest
     @MethodSource("scenes")
     void stepsAreShortEnoughForItsSprings(Path file) {

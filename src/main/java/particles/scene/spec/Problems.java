@@ -26,6 +26,11 @@ public final class Problems {
         }
     }
 
+    /** @return whether further problems are only counted, so that finding the words for them can be spared */
+    public boolean isFull() {
+        return problems.size() >= LIMIT;
+    }
+
     /** @return how many problems there are */
     public int count() {
         return count;

@@ -16,8 +16,10 @@ import org.snakeyaml.engine.v2.scanner.StreamReader;
 
 /** From a file to its text: of bounded size, in UTF-8 and of printable characters, or else a line that says why not. */
 public final class SourceText {
-    /** A scene of 20,000 particles one by one is a quarter of this. */
-    static final int LARGEST = 4 << 20;
+    /** A scene of 10,000 particles one by one is a third of this. */
+    static final int LARGEST = 2 << 20;
+    /** The parser's time grows with the square of a word's length. */
+    static final int LONGEST_WORD = 100_000;
     /** UTF-16's byte order mark, in one order or the other. */
     private static final byte LOW = (byte) 0xfe;
     private static final byte HIGH = (byte) 0xff;
@@ -78,8 +80,16 @@ public final class SourceText {
             return Optional.empty();
         }
         text = text.startsWith("\uFEFF") ? text.substring(1) : text;
+        int word = 0;
         for (int i = 0; i < text.length(); i += Character.charCount(text.codePointAt(i))) {
             int c = text.codePointAt(i);
+            word = c == ' ' || c == '\t' || c == '\n' || c == '\r' ? 0 : word + 1;
+            if (word > LONGEST_WORD) {
+                in.problems().add(end(text.substring(0, i), in), "more than " + LONGEST_WORD
+                        + " characters without a space between"
+                        + " them; break the line");
+                return Optional.empty();
+            }
             if (!StreamReader.isPrintable(c)) {
                 in.problems().add(end(text.substring(0, i), in), "a character here is not printable: "
                         + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c)));

@@ -21,7 +21,7 @@ import org.snakeyaml.engine.v2.schema.CoreSchema;
  */
 public final class YamlText {
     private static final int DEEPEST = 20;
-    private static final int MOST_VALUES = 500_000;
+    private static final int MOST_VALUES = 200_000;
 
     private YamlText() {
     }

@@ -1,0 +1,117 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.EulerSolver;
+import deSolvers.RK4Solver;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import particles.Camera;
+import particles.Effect;
+import particles.Look;
+import particles.Vector3;
+
+class SceneBuilderTest {
+    private static final String HEAD = "title: T\nteaches: t\nsolver: rk4\ndeltaT: 0.01\nduration: 2\n";
+    private static final String BOB = "particles:\n  - {id: bob, position: [0, 3, 0], mass: 2}\n";
+    private static final String TWO = BOB + "  - {id: tom, position: [0, 0, 0], mass: 5, fixed: true}\n";
+
+    private static Scene build(String text, Overrides overrides) {
+        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)), overrides);
+    }
+
+    private static Scene build(String text) {
+        return build(text, new Overrides());
+    }
+
+    @Test
+    void whatIsNotNamedIsNotBuilt() {
+        Scene bare = build(TWO);
+        assertEquals(List.of(), bare.system().getEffects());
+        assertEquals(List.of(), bare.system().getReactions());
+        assertEquals(0, bare.springs().springCount());
+        Scene full = build(TWO + "effects:\n  - drag: {coefficient: 1}\n  - wind: {mean: [1, 0, 0]}\n  - gravity\n"
+                + "rules: [ground]\nsprings:\n  - {from: bob, to: tom, stiffness: 7}\n");
+        assertEquals(List.of("springs", "gravity", "drag"),
+                full.system().getEffects().stream().map(Effect::getName).toList());
+        assertEquals(1, full.system().getReactions().size());
+        assertEquals(3, full.springs().restLength(0), "the initial distance");
+        assertEquals(1, full.planes().size());
+    }
+
+    @Test
+    void windActsThroughDragWhateverTheOrder() {
+        Scene scene = build(BOB + "effects:\n  - drag: {coefficient: 3}\n  - wind: {mean: [4, 0, 0]}\n");
+        double[] force = new double[6];
+        scene.system().addUpEffects(scene.system().getOwnState(), 0, force);
+        assertEquals(12, force[3]);
+    }
+
+    @Test
+    void optionsGoBeforeTheFileAndAreCheckedInTheSameWay() {
+        Scene scene = build(BOB, new Overrides().with("solver", "euler", "-Psolver").with("deltaT", "0.5", "-PdeltaT")
+                .with("duration", "1e1", "-Pduration"));
+        assertInstanceOf(EulerSolver.class, scene.solver());
+        assertEquals(0.5, scene.simulation().getDeltaT());
+        assertEquals(10, scene.simulation().getDuration());
+        assertEquals("euler", scene.description().solver());
+        assertInstanceOf(RK4Solver.class, build(BOB).solver());
+        assertEquals(List.of("-PdeltaT: the value is 0; it has to be a number over 0 (s)",
+                "-Pduration: the value is the text 'long'; it has to be a number from 0 up (s)"),
+                refusal(new Overrides().with("deltaT", "0", "-PdeltaT").with("duration", "long", "-Pduration")));
+        assertEquals("-Psolver: unknown solver 'rk44'; did you mean 'rk4'?",
+                refusal(new Overrides().with("solver", "rk44", "-Psolver")).get(0).replaceFirst(" known:.*", ""));
+        assertEquals("-Psolver: no class is called 'my.Solver', and no solver;",
+                refusal(new Overrides().with("solver", "my.Solver", "-Psolver")).get(0).replaceFirst(" known .*", ""));
+        assertEquals(List.of("x.yaml:5:11: a duration of 2 s takes more than 1e10 steps of deltaT = 1e-11 s"),
+                refusal(new Overrides().with("deltaT", "1e-11", "--deltaT")));
+    }
+
+    private static List<String> refusal(Overrides overrides) {
+        return assertThrows(SceneException.class, () -> build(BOB, overrides)).getLines();
+    }
+
+    /** Each of the three sources alone, from closed forms: g = 9.81, m = 2, T = 2. */
+    @Test
+    void theEnergyScaleIsTheLargestOfWhatCanSetThingsInMotion() {
+        assertEquals(2 * 9.81 * (3 + 9.81 * 4 / 2), build(TWO + "effects: [gravity]\n").energyScale(), 1e-12);
+        assertEquals(2 * 25 / 2.0, build(TWO + "effects: [drag: {coefficient: 1}, wind: {mean: [3, 0, 0], "
+                + "gust: [0, 2, 0]}]\n").energyScale(), 1e-12);
+        assertEquals(7 * 4 / 2.0, build(TWO + "springs: [{from: bob, to: tom, stiffness: 7, restLength: 1}]\n")
+                .energyScale(), 1e-12);
+        assertEquals(2 * 16 / 2.0, build(BOB.replace("mass: 2", "mass: 2, velocity: [0, 0, 4]")).energyScale(), 1e-12);
+    }
+
+    @Test
+    void aSceneWhereNothingMovesHasAScaleToo() {
+        assertEquals(2 * 1.5 * 1.5 / 2, build(TWO).energyScale(), 1e-12, "3 m in 2 s");
+        assertEquals(2 * 0.5 * 0.5 / 2, build(BOB).energyScale(), 1e-12, "no extent: 1 m in 2 s");
+        assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyScale());
+        assertTrue(build(BOB, new Overrides().with("duration", "0", "-P")).energyScale() > 0);
+        assertEquals(1e3 * build(BOB).energyScale(), build(BOB + "blowUpFactor: 1e3\n").simulation().getEnergyLimit(), 1e-9);
+    }
+
+    @Test
+    void cameraLookAndOutputAreWhatTheSceneSays() {
+        Scene plain = build(BOB);
+        assertEquals(Optional.empty(), plain.camera());
+        assertEquals(Look.STANDARD, plain.look());
+        assertEquals(Optional.empty(), plain.phase());
+        Scene told = build(BOB + "camera: {position: [0, 0, 10], target: [0, 0, 0], fieldOfView: 90, "
+                + "projection: orthographic}\nlook: {springs: always, frontColour: '#00ff10'}\noutput: "
+                + "{width: 64, phase: {particle: bob, axis: z}}\n");
+        Camera camera = told.camera().orElseThrow();
+        assertEquals(new Vector3(0, 1, 0), camera.up());
+        assertEquals(20, camera.height(), 1e-12, "2 d tan(45 degrees)");
+        assertEquals(0x00ff10, told.look().frontColour());
+        assertEquals(Look.Shown.ALWAYS, told.look().springs());
+        assertEquals(new Scene.Phase(0, 2), told.phase().orElseThrow());
+        assertEquals(64, told.output().width());
+        assertEquals(25, told.output().frameRate());
+    }
+}

@@ -1,0 +1,77 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SceneFilesTest {
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void makeScenes() throws IOException {
+        for (String name : List.of("01-one.yaml", "03-one-spring.yaml", "12-cloth.yaml", "free.yaml", "notes.txt",
+                ".hidden.yaml")) {
+            Files.writeString(folder.resolve(name), "");
+        }
+    }
+
+    private String refusal(String wanted) {
+        List<String> lines = assertThrows(SceneException.class, () -> SceneFiles.find(folder, wanted)).getLines();
+        assertEquals(1, lines.size());
+        return lines.get(0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"3", "03", "one-spring", "03-one-spring", "03-one-spring.yaml", "one-spring.yaml"})
+    void aSceneHasManyNames(String wanted) {
+        assertEquals(folder.resolve("03-one-spring.yaml"), SceneFiles.find(folder, wanted));
+    }
+
+    @Test
+    void aPathIsTakenAsItIsTyped() {
+        Path typed = folder.resolve("free.yaml");
+        assertEquals(typed, SceneFiles.find(Path.of("elsewhere"), typed.toString()));
+        assertEquals(typed, SceneFiles.find(folder, "free"));
+    }
+
+    @Test
+    void anUnknownSceneIsOneLineWithTheNearest() {
+        String known = " scenes: 01-one, 03-one-spring, 12-cloth, free";
+        assertEquals("there is no scene 'one-sprong'; did you mean 'one-spring'?" + known, refusal("one-sprong"));
+        assertEquals("there is no scene '99';" + known, refusal("99"));
+        assertEquals("there is no scene '';" + known, refusal(""));
+        assertEquals("there is no scene 'scenes/12-clth.yaml'; did you mean 'cloth'?" + known,
+                refusal("scenes/12-clth.yaml"));
+    }
+
+    @Test
+    void twoScenesOfOneNumberHaveToBeNamed() throws IOException {
+        Files.writeString(folder.resolve("3-other.yaml"), "");
+        assertEquals("'3' may be any of " + folder.resolve("03-one-spring.yaml") + ", " + folder.resolve("3-other.yaml")
+                + "; give the whole name", refusal("3"));
+        assertEquals(folder.resolve("3-other.yaml"), SceneFiles.find(folder, "other"));
+    }
+
+    @Test
+    void aMissingFolderIsOneLine() {
+        Path missing = folder.resolve("none");
+        assertTrue(assertThrows(SceneException.class, () -> SceneFiles.list(missing)).getLines().get(0)
+                .startsWith("the folder of scenes, " + missing + ", cannot be read"));
+    }
+
+    @Test
+    void theDefaultSceneIsThere() {
+        assertEquals(Path.of("scenes", "09-cloth-in-wind.yaml"), SceneFiles.find(Path.of("scenes"), SceneFiles.DEFAULT));
+    }
+}

@@ -1,0 +1,112 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.harrel.jsonschema.Dialects;
+import dev.harrel.jsonschema.Validator;
+import dev.harrel.jsonschema.ValidatorFactory;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.snakeyaml.engine.v2.api.Dump;
+import org.snakeyaml.engine.v2.api.DumpSettings;
+import particles.scene.spec.Problems;
+import particles.scene.spec.Reading;
+
+/**
+ * Editors check by the schema, the program by the reader: of scenes that are changed at random both say the same, as far
+ * as a schema can know. (Ids that do not exist, and what else holds between parts of a scene, only the reader knows.)
+ */
+class SchemaAgreesWithReaderTest {
+    private static final int CHANGES = 600;
+    /** What takes the place of a value: right ones at some places, wrong ones at others. */
+    private static final List<Object> OTHERS = List.of(0, 1, -1, 2.0, 2.5, 1e-3, 1e31, true, false, "", " ", "rk4",
+            "my.Solver",
+            "a b", "cloth[1,2]", "left", "top-left", "#00ff00", "x", "coulomb", "gravity", "ground", List.of(),
+                    List.of(1, 2, 3),
+            List.of(0, 0, 0), List.of(1, "a", 3), List.of("left", "corners"), Map.of(), Map.of("gravity", Map.of()),
+            Map.of("name", "rk4"), Map.of("stiffness", 3));
+    private static final List<String> NAMES = List.of("mass", "totalMass", "fixed", "velocity", "gravty", "id", "position",
+            "friction", "coefficient", "name", "surface", "restLength", "camera", "drag", "plane");
+
+    private final Validator validator = new ValidatorFactory().withDefaultDialect(new Dialects.Draft7Dialect())
+            .withJsonNodeFactory(new PlainNode.Factory()).createValidator();
+    private final URI schema = validator.registerSchema(SceneFormat.jsonSchema());
+
+    private static List<Object> scenes() throws IOException {
+        List<Object> scenes = new ArrayList<>();
+        for (Path file : SceneFiles.list(Path.of("scenes"))) {
+            scenes.add(PlainNode.parse(Files.readString(file)));
+        }
+        return scenes;
+    }
+
+    private static String write(Object scene) {
+        return new Dump(DumpSettings.builder().setDereferenceAliases(true).build()).dumpToString(scene);
+    }
+
+    private static List<String> problems(String text) {
+        Problems problems = new Problems();
+        SceneReader.readValues(text.getBytes(StandardCharsets.UTF_8), new Reading("x.yaml", problems));
+        return problems.lines();
+    }
+
+    @Test
+    void theScenesPassTheSchema() throws IOException {
+        for (Object scene : scenes()) {
+            assertEquals(List.of(), validator.validate(schema, scene).getErrors().stream().map(e -> e.getError()).toList());
+        }
+    }
+
+    @Test
+    void changedScenesAreRightForBothOrWrongForBoth() throws IOException {
+        List<Object> scenes = scenes();
+        Random random = new Random(715);
+        int right = 0;
+        for (int n = 0; n < CHANGES; n++) {
+            Object changed = changed(scenes.get(random.nextInt(scenes.size())), random, 0);
+            String text = write(changed);
+            List<String> problems = problems(text);
+            boolean valid = validator.validate(schema, PlainNode.parse(text)).isValid();
+            assertEquals(problems.isEmpty(), valid, () -> "the schema says " + valid + ", the reader " + problems + ", of\n"
+                    + text);
+            right += valid ? 1 : 0;
+        }
+        assertTrue(right > CHANGES / 10 && right < CHANGES * 9 / 10, right + " of " + CHANGES + " stay right");
+    }
+
+    /** A copy in which one place is another: deeper with some probability, so that every depth has its turn. */
+    private static Object changed(Object value, Random random, int depth) {
+        boolean here = depth > 0 && random.nextInt(4) == 0;
+        if (!here && value instanceof Map<?, ?> map && !map.isEmpty()) {
+            Map<Object, Object> copy = new LinkedHashMap<>(map);
+            Object key = List.copyOf(map.keySet()).get(random.nextInt(map.size()));
+            switch (random.nextInt(10)) {
+                case 0 -> copy.remove(key);
+                case 1 -> copy.put(NAMES.get(random.nextInt(NAMES.size())), OTHERS.get(random.nextInt(OTHERS.size())));
+                default -> copy.put(key, changed(map.get(key), random, depth + 1));
+            }
+            return copy;
+        }
+        if (!here && value instanceof List<?> list && !list.isEmpty()) {
+            List<Object> copy = new ArrayList<>(list);
+            int at = random.nextInt(list.size());
+            switch (random.nextInt(8)) {
+                case 0 -> copy.remove(at);
+                case 1 -> copy.add(copy.get(at));
+                default -> copy.set(at, changed(list.get(at), random, depth + 1));
+            }
+            return copy;
+        }
+        return OTHERS.get(random.nextInt(OTHERS.size()));
+    }
+}

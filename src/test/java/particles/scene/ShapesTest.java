@@ -1,0 +1,166 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.Particles;
+import particles.Vector3;
+
+class ShapesTest {
+    private static final String HEAD = "title: Shapes\nteaches: counting\nsolver: rk4\ndeltaT: 0.002\nduration: 1\n";
+
+    private static Scene build(String text) {
+        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
+    }
+
+    private static Scene cloth(int columns, int rows, String more) {
+        return build("shapes:\n  - cloth: {corner: [-1, 0, 0], across: [2, 0, 0], down: [0, -1, 0], columns: " + columns
+                + ", rows: "
+                + rows + ", totalMass: 3" + more + "}\n");
+    }
+
+    private static Scene jelly(int columns, int rows, int layers, String more) {
+        return build("shapes:\n  - jelly: {centre: [0, 0.6, 0], size: [1, 1.2, 0.8], columns: " + columns + ", rows: " + rows
+                + ", layers: " + layers + ", mass: 0.1" + more + "}\n");
+    }
+
+    /** n m particles have (n-1) m + n (m-1) next neighbours, 2 (n-1)(m-1) diagonals, (n-2) m + n (m-2) next but one. */
+    @ParameterizedTest
+    @CsvSource({"2, 2", "5, 3", "2, 7"})
+    void aClothHasTheSpringsThatItsSizeSays(int n, int m) {
+        assertEquals((n - 1) * m + n * (m - 1), cloth(n, m, ", structural: {stiffness: 1}").springs().springCount());
+        assertEquals(2 * (n - 1) * (m - 1), cloth(n, m, ", shear: {stiffness: 1}").springs().springCount());
+        assertEquals((n - 2) * m + n * (m - 2), cloth(n, m, ", bend: {stiffness: 1}").springs().springCount());
+    }
+
+    /** In a block every face of every layer has two diagonals, and every cell four more through its middle. */
+    @ParameterizedTest
+    @CsvSource({"2, 2, 2", "4, 3, 2", "3, 5, 4"})
+    void aBlockHasTheSpringsThatItsSizeSays(int n, int m, int l) {
+        assertEquals((n - 1) * m * l + n * (m - 1) * l + n * m * (l - 1), jelly(n, m, l, ", structural: {stiffness: 1}")
+                .springs().springCount());
+        assertEquals(2 * ((n - 1) * (m - 1) * l + (n - 1) * m * (l - 1) + n * (m - 1) * (l - 1))
+                + 4 * (n - 1) * (m - 1) * (l - 1),
+                jelly(n, m, l, ", shear: {stiffness: 1}").springs().springCount());
+        assertEquals((n - 2) * m * l + n * (m - 2) * l + n * m * (l - 2), jelly(n, m, l, ", bend: {stiffness: 1}")
+                .springs().springCount());
+    }
+
+    @Test
+    void noPairIsConnectedTwiceAndEverySpringIsAtRest() {
+        String all = ", structural: {stiffness: 1}, shear: {stiffness: 1}, bend: {stiffness: 1}";
+        Scene scene = jelly(4, 3, 5, all + ", turn: [10, 20, 30]");
+        Set<Set<Integer>> pairs = new HashSet<>();
+        for (int s = 0; s < scene.springs().springCount(); s++) {
+            assertTrue(pairs.add(Set.of(scene.springs().from(s), scene.springs().to(s))), "spring " + s);
+        }
+        double energy = scene.system().getEnergy(scene.system().getOwnState(), 0);
+        assertTrue(energy < 8e-30, "measured 8.5e-31, rounding of lengths: " + energy);
+    }
+
+    @Test
+    void idsAndPlacesBelongTogether() {
+        Scene scene = cloth(3, 2, ", fixed: [top-right, \"cloth[0,1]\"], velocity: [0, 0, 5]");
+        Particles particles = scene.system().getParticles();
+        assertArrayEquals(new String[] {"cloth[0,0]", "cloth[0,1]", "cloth[1,0]", "cloth[1,1]", "cloth[2,0]", "cloth[2,1]"},
+                IntStream.range(0, 6).mapToObj(particles::id).toArray());
+        double[] state = scene.system().getOwnState();
+        assertArrayEquals(new double[] {-1, -1, 0, 0, 0, 0}, IntStream.range(6, 12).mapToDouble(i -> state[i]).toArray());
+        assertArrayEquals(new double[] {0, 0, 0, 0, 0, 5}, IntStream.range(12, 18).mapToDouble(i -> state[i]).toArray());
+        assertEquals(Set.of(1, 4), fixed(particles));
+        assertEquals(0.5, particles.mass(3), "a sixth of 3 kg");
+    }
+
+    private static Set<Integer> fixed(Particles particles) {
+        Set<Integer> fixed = new HashSet<>();
+        IntStream.range(0, particles.count()).filter(particles::isFixed).forEach(fixed::add);
+        return fixed;
+    }
+
+    @Test
+    void partsAreFixedByName() {
+        assertEquals(Set.of(0, 1, 2), fixed(cloth(4, 3, ", fixed: left").system().getParticles()));
+        assertEquals(Set.of(2, 5, 8, 11), fixed(cloth(4, 3, ", fixed: bottom").system().getParticles()));
+        assertEquals(Set.of(0, 2, 9, 11), fixed(cloth(4, 3, ", fixed: corners").system().getParticles()));
+        assertEquals(12 - 2, fixed(cloth(4, 3, ", fixed: edges").system().getParticles()).size());
+        assertEquals(9, fixed(jelly(3, 3, 3, ", fixed: top").system().getParticles()).size());
+        assertEquals(8, fixed(jelly(3, 3, 3, ", fixed: corners").system().getParticles()).size());
+    }
+
+    /** Front faces out: the volume that the triangles enclose is the block's, and positive. */
+    @Test
+    void aBlocksSurfaceIsClosedAndFacesOutwards() {
+        Scene scene = jelly(3, 4, 5, ", turn: [10, 20, 30]");
+        int[] triangles = scene.surfaces().get(0).triangles();
+        assertEquals(3 * 4 * (2 * 3 + 2 * 4 + 3 * 4), triangles.length);
+        double volume = 0;
+        for (int t = 0; t < triangles.length; t += 3) {
+            volume += at(scene, triangles[t]).dot(at(scene, triangles[t + 1]).cross(at(scene, triangles[t + 2]))) / 6;
+        }
+        assertEquals(1 * 1.2 * 0.8, volume, 1e-14);
+        assertFalse(IntStream.of(triangles).anyMatch(i -> i >= 60));
+    }
+
+    private static Vector3 at(Scene scene, int i) {
+        double[] state = scene.system().getOwnState();
+        return new Vector3(state[6 * i], state[6 * i + 1], state[6 * i + 2]);
+    }
+
+    @Test
+    void aClothFacesWhoSeesItsTopLeftCornerTopLeft() {
+        Scene scene = cloth(3, 3, "");
+        int[] triangles = scene.surfaces().get(0).triangles();
+        assertEquals(3 * 8, triangles.length);
+        for (int t = 0; t < triangles.length; t += 3) {
+            Vector3 a = at(scene, triangles[t]);
+            assertTrue(at(scene, triangles[t + 1]).minus(a).cross(at(scene, triangles[t + 2]).minus(a)).z() > 0);
+        }
+    }
+
+    /** Gravity, a ground and springs at rest: mirror images stay mirror images, apart from rounding (measured 2.1e-15). */
+    @Test
+    void aClothThatFallsFromTwoCornersStaysSymmetric() {
+        Scene scene = build("effects: [gravity]\nshapes:\n  - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0,"
+                + " 2], columns: 9, rows: 9, totalMass: 0.6, fixed: [top-left, top-right],"
+                + " structural: {stiffness: 60, damping: 0.05}, shear: {stiffness: 20}, bend: {stiffness: 5}}\n");
+        scene.simulation().run();
+        double worst = 0;
+        for (int i = 0; i < 9; i++) {
+            for (int j = 0; j < 9; j++) {
+                Vector3 left = at(scene, 9 * i + j);
+                Vector3 right = at(scene, 9 * (8 - i) + j);
+                worst = Math.max(worst, right.minus(new Vector3(-left.x(), left.y(), left.z())).length());
+            }
+        }
+        assertTrue(worst < 2e-14, "left and right differ by " + worst);
+        assertTrue(at(scene, 9 * 4 + 8).y() < -0.5, "it has fallen");
+    }
+
+    /** A block that lies on the ground is squeezed a little by its weight and comes to rest there. */
+    @Test
+    void aBlockOnTheGroundStaysThere() {
+        Scene scene = build("effects: [gravity]\nrules: [ground: {restitution: 0, friction: {law: coulomb,"
+                + " coefficient: 0.5}}]\nshapes:\n  - jelly: {centre: [0, 0.5, 0], size: [1, 1, 1], columns: 3,"
+                + " rows: 3, layers: 3, mass: 0.1,"
+                + " structural: {stiffness: 400, damping: 2}, shear: {stiffness: 200, damping: 1}}\n");
+        scene.simulation().run();
+        double[] state = scene.system().getOwnState();
+        for (int n : new int[] {0, 1, 2, 9, 10, 11, 18, 19, 20}) {
+            assertEquals(0, state[6 * n + 1], 1e-9, "the bottom lies on the ground");
+        }
+        assertTrue(scene.system().getKineticEnergy(state) < 4e-7, "and is at rest, measured 4.7e-8: "
+                + scene.system().getKineticEnergy(state));
+        assertEquals(0, at(scene, 13).x(), 1e-15, "measured 5e-19, rounding only");
+        assertTrue(at(scene, 13).y() < 0.499 && at(scene, 13).y() > 0.496, "squeezed to " + at(scene, 13).y());
+    }
+}

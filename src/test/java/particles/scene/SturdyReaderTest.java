@@ -1,0 +1,169 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Whatever a file holds, reading it ends soon, in a scene or in lines that say why not. */
+class SturdyReaderTest {
+    private static final String GOOD = """
+            title: Good
+            teaches: nothing
+            solver: rk4
+            deltaT: 1e-2
+            duration: 1
+            particles:
+              - {id: bob, position: [0, 1, 0]}
+            """;
+
+    private static List<String> linesFor(byte[] bytes) {
+        return assertThrows(SceneException.class, () -> SceneReader.read("x.yaml", bytes)).getLines();
+    }
+
+    private static List<String> linesFor(String text) {
+        return linesFor(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static SceneDescription read(String text) {
+        return SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void lineEndsAndByteOrderMarkMakeNoDifference() {
+        SceneDescription good = read(GOOD);
+        assertEquals(0.01, good.deltaT());
+        for (String same : List.of(GOOD.replace("\n", "\r\n"), "\uFEFF" + GOOD, GOOD.strip(), "\n# comment\n\n" + GOOD)) {
+            assertEquals(good.particles().get(0).position(), read(same).particles().get(0).position());
+        }
+        assertEquals(List.of("x.yaml:8:1: unknown key 'x'; known in the scene: " + String.join(", ",
+                SceneFormat.SCENE.keys().stream().map(key -> key.name()).toList())), linesFor(GOOD.replace("\n", "\r\n")
+                        + "x: 1\r\n"));
+    }
+
+    @Test
+    void otherEncodingsAreNamed() {
+        assertEquals(List.of("x.yaml: the file is in UTF-16; save it as UTF-8"),
+                linesFor(GOOD.getBytes(StandardCharsets.UTF_16)));
+        assertEquals(List.of("x.yaml:2:11: a byte here is not UTF-8; save the file as UTF-8"),
+                linesFor("title: Good\nteaches: f\u00fcr\n".getBytes(StandardCharsets.ISO_8859_1)));
+        assertEquals(List.of("x.yaml:1:8: a character here is not printable: a zero byte; is this a text file?"),
+                linesFor("title: \0"));
+        assertEquals(List.of("x.yaml:2:3: a character here is not printable: U+0007"), linesFor("a: 1\nb:\u0007"));
+    }
+
+    @Test
+    void idsMayHaveLettersOfAnyLanguage() {
+        assertEquals("k\u016bmara", read(GOOD.replace("bob", "k\u016bmara")).particles().get(0).id());
+    }
+
+    @Test
+    void aliasesThatStandForABillionValuesAreRefusedUnread() {
+        StringBuilder bomb = new StringBuilder("a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n");
+        for (int i = 1; i < 12; i++) {
+            String alias = "*a" + (i - 1);
+            bomb.append("a").append(i).append(": &a").append(i).append(" [").append(String.join(", ",
+                    List.of(alias, alias, alias,
+                    alias, alias, alias, alias, alias, alias, alias))).append("]\n");
+        }
+        List<String> lines = linesFor(bomb.toString());
+        assertEquals(51, lines.size(), "50 lines and how many more there are");
+        assertEquals("x.yaml:1:5: anchors and aliases (&name, *name) are not used in scenes; write the values out, or"
+                + " put quotes around a text that begins with & or *", lines.get(0));
+        assertEquals("x.yaml: and 72 more", lines.get(50));     // 12 anchors and 110 aliases, less 50
+    }
+
+    @Test
+    void depthSizeAndNumbersHaveLimits() {
+        assertEquals(List.of("x.yaml:1:21: nested more than 20 deep"), linesFor("[".repeat(100_000)));
+        assertEquals(List.of("x.yaml:1:50: nested more than 20 deep"), linesFor("a: " + "{a: ".repeat(9)
+                + "[".repeat(100_000)));
+        assertEquals(List.of("x.yaml: the file is longer than 2 MiB; many particles are made by shapes"),
+                linesFor(new byte[3 << 20]));
+        List<String> lines = linesFor("particles:\n" + "- 1\n".repeat(250_000));
+        assertEquals(List.of("x.yaml:199999:3: more than 200000 values; many particles are made by shapes"), lines);
+    }
+
+    @Test
+    void hugeNumbersAreRefused() {
+        for (String number : List.of("1e31", "-1e999", ".inf", "-.inf", ".nan", "9".repeat(400), "0x" + "f".repeat(40))) {
+            List<String> lines = linesFor(GOOD.replace("[0, 1, 0]", "[0, " + number + ", 0]"));
+            assertEquals(1, lines.size());
+            assertTrue(lines.get(0).startsWith("x.yaml:7:29: y of 'position' is "), lines.get(0));
+            assertTrue(lines.get(0).endsWith("; no number in a scene is beyond 1e30"), lines.get(0));
+        }
+        assertEquals(16, read(GOOD.replace("[0, 1, 0]", "[0, 0x10, 0]")).particles().get(0).position().y());
+    }
+
+    @Test
+    void messagesStayInOneShortLineWhateverTheFileHolds() {
+        for (String text : List.of("\"a\\nb\\u2028c\\x07\": 1\n", "solver: \"" + "x".repeat(100_000) + "\"\n",
+                "x".repeat(100_000) + ": 1\n")) {
+            for (String line : linesFor(text)) {
+                assertFalse(line.matches("(?s).*[\\p{Cntrl}\\u2028\\u2029].*"), line);
+                assertTrue(line.length() < 1100, "a line of " + line.length());
+            }
+        }
+    }
+
+    @Test
+    void aFileThatIsNotThereIsOneLine(@TempDir Path folder) {
+        String missing = folder.resolve("no.yaml").toString();
+        assertEquals(List.of(missing + ": there is no such file"),
+                assertThrows(SceneException.class, () -> SceneReader.read(Path.of(missing))).getLines());
+        assertEquals(List.of(folder + ": this is a folder; it has to be a file"),
+                assertThrows(SceneException.class, () -> SceneReader.read(folder)).getLines());
+    }
+
+    /** Scenes with bytes replaced, removed, doubled and moved: each is read or refused, and never ends in another way. */
+    @Test
+    void damagedScenesAreReadOrRefused() throws IOException {
+        List<byte[]> seeds = new ArrayList<>(List.of(GOOD.getBytes(StandardCharsets.UTF_8)));
+        for (Path file : SceneFiles.list(Path.of("scenes"))) {
+            seeds.add(Files.readAllBytes(file));
+        }
+        Random random = new Random(20260101);
+        int refused = 0;
+        int runs = Integer.getInteger("runs", 1000);
+        for (int run = 0; run < runs; run++) {
+            byte[] bytes = damaged(seeds.get(random.nextInt(seeds.size())), random);
+            try {
+                SceneBuilder.build(SceneReader.read("x.yaml", bytes), new Overrides());
+            } catch (SceneException e) {
+                refused++;
+                assertFalse(e.getLines().isEmpty());
+            } catch (RuntimeException | Error e) {
+                throw new AssertionError("run " + run + " ended in " + e + " for\n" + new String(bytes,
+                        StandardCharsets.UTF_8), e);
+            }
+        }
+        assertTrue(refused > runs / 10 && refused < runs, refused + " of " + runs + " were refused");
+    }
+
+    private static byte[] damaged(byte[] seed, Random random) {
+        byte[] bytes = seed.clone();
+        String alphabet = "[]{}:,-#&*!|>'\"%@`? \n\t0123456789.eE+x~\u00ff";
+        for (int n = random.nextInt(4); n >= 0; n--) {
+            int at = random.nextInt(bytes.length);
+            int length = Math.min(random.nextInt(12), bytes.length - at);
+            switch (random.nextInt(4)) {
+                case 0 -> bytes[at] = (byte) alphabet.charAt(random.nextInt(alphabet.length()));
+                case 1 -> bytes[at] = (byte) random.nextInt(256);
+                case 2 -> System.arraycopy(bytes, at, bytes, random.nextInt(bytes.length - length + 1), length);
+                default -> Arrays.fill(bytes, at, at + length, (byte) alphabet.charAt(random.nextInt(alphabet.length())));
+            }
+        }
+        return bytes;
+    }
+}
