@@ -129,17 +129,19 @@ final class Backdrop {
         return near[p];
     }
 
-    /** @return the colour at pixel p, under the shadows of this frame */
-    int colour(int p) {
-        int rgb = colour[p];
-        if (planeAt[p] < 0) {
-            return rgb;
+    /** Paints it all, under the shadows of this frame. */
+    void paint(int[] pixels) {
+        System.arraycopy(colour, 0, pixels, 0, colour.length);
+        for (int k = 0; k < shadows.size(); k++) {
+            ShadowMap map = shadows.get(k);
+            for (int p = 0; p < pixels.length; p++) {
+                if (planeAt[p] == k && map.isTouched(column[p], row[p])) {
+                    float light = 1 - (1 - DARKEST_SHADOW) * map.at(column[p], row[p]);
+                    int rgb = pixels[p];
+                    pixels[p] = (int) ((rgb >> 16 & 255) * light) << 16 | (int) ((rgb >> 8 & 255) * light) << 8
+                            | (int) ((rgb & 255) * light);
+                }
+            }
         }
-        float shadow = shadows.get(planeAt[p]).at(column[p], row[p]);
-        if (shadow <= 0) {
-            return rgb;
-        }
-        float light = 1 - (1 - DARKEST_SHADOW) * shadow;
-        return (int) ((rgb >> 16 & 255) * light) << 16 | (int) ((rgb >> 8 & 255) * light) << 8 | (int) ((rgb & 255) * light);
     }
 }

@@ -43,7 +43,8 @@ final class ChartLegend {
         LegendItem item = new LegendItem(name, name, null, null, renderer.getItemShapeVisible(k, 0),
                 renderer.lookupSeriesShape(k), true, renderer.lookupSeriesPaint(k), true,
                 renderer.lookupSeriesOutlinePaint(k), renderer.lookupSeriesOutlineStroke(k),
-                renderer.getItemLineVisible(k, 0), ChartStyle.LEGEND_LINE, renderer.lookupSeriesStroke(k), renderer.lookupSeriesPaint(k));
+                renderer.getItemLineVisible(k, 0), ChartStyle.LEGEND_LINE, renderer.lookupSeriesStroke(k),
+                renderer.lookupSeriesPaint(k));
         item.setSeriesIndex(k);
         return item;
     }

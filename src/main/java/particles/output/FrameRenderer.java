@@ -125,22 +125,17 @@ public final class FrameRenderer {
 
     /** Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies behind. */
     private void compose() {
-        int width = getWidth();
-        for (int y = 0, p = 0; y < getHeight(); y++) {
-            boolean rowTouched = raster.isRowTouched(y);
-            for (int x = 0; x < width; x++, p++) {
-                if (!rowTouched || !raster.isTouched(x, y)) {
-                    pixels[p] = backdrop.colour(p);
-                    continue;
-                }
+        backdrop.paint(pixels);
+        for (int y = raster.firstRow(); y < raster.endRow(); y++) {
+            for (int x = raster.firstColumn(); x < raster.endColumn(); x++) {
+                int p = y * getWidth() + x;
                 float behind = backdrop.near(p);
                 int at = Raster.SAMPLES * (y * raster.width + x);
-                int below = at + raster.width;
                 int empty = 0;
                 int redBlue = 0;
                 int green = 0;
                 for (int k = 0; k < 4; k++) {
-                    int sample = k < 2 ? at + k : below + k - 2;
+                    int sample = k < 2 ? at + k : at + raster.width + k - 2;
                     if (raster.near[sample] > behind) {
                         redBlue += raster.colour[sample] & 0xff00ff;
                         green += raster.colour[sample] & 0x00ff00;
@@ -148,12 +143,11 @@ public final class FrameRenderer {
                         empty++;
                     }
                 }
-                if (empty > 0) {
-                    int rgb = backdrop.colour(p);
-                    redBlue += empty * (rgb & 0xff00ff);
-                    green += empty * (rgb & 0x00ff00);
+                if (empty < 4) {
+                    redBlue += empty * (pixels[p] & 0xff00ff);
+                    green += empty * (pixels[p] & 0x00ff00);
+                    pixels[p] = redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
                 }
-                pixels[p] = redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
             }
         }
     }

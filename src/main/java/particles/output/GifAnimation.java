@@ -27,9 +27,11 @@ public final class GifAnimation implements FrameSink {
     private final OutputFolder folder;
     private final FrameRenderer renderer;
     private final double fps;
-    private final int shrink;
+    private final Shrinker shrinker;
     private final int width;
     private final int height;
+    private final int[] small;
+    private final int[] before;
     private final byte[] shown;
     private final byte[] current;
     private Palette palette;
@@ -56,9 +58,11 @@ public final class GifAnimation implements FrameSink {
         this.folder = folder;
         this.renderer = renderer;
         this.fps = fps;
-        shrink = (renderer.getWidth() + width - 1) / width;
-        this.width = Math.max(1, renderer.getWidth() / shrink);
-        this.height = Math.max(1, renderer.getHeight() / shrink);
+        shrinker = new Shrinker(renderer.getWidth(), renderer.getHeight(), (renderer.getWidth() + width - 1) / width);
+        this.width = shrinker.width;
+        this.height = shrinker.height;
+        small = new int[this.width * this.height];
+        before = new int[this.width * this.height];
         shown = new byte[this.width * this.height];
         current = new byte[this.width * this.height];
     }
@@ -74,45 +78,28 @@ public final class GifAnimation implements FrameSink {
             return;         // too fast to be shown
         }
         try {
-            int[] small = shrink == 1 ? rgb : shrunk(rgb);
-            if (writer == null) {
-                begin(index, small);
+            shrinker.shrink(rgb, small);
+            boolean first = writer == null;
+            if (first) {
+                begin(index);
             } else {
                 writePending(due(index) - due(pending));
             }
             for (int y = 0, p = 0; y < height; y++) {
                 for (int x = 0; x < width; x++, p++) {
-                    current[p] = (byte) palette.index(small[p], x, y);
+                    if (first || small[p] != before[p]) {
+                        current[p] = (byte) palette.index(small[p], x, y);
+                    }
                 }
             }
             keepChanges(index);
+            System.arraycopy(small, 0, before, 0, small.length);
         } catch (IOException e) {
             throw new OutputException(folder.getPath().resolve(FILE), "write", e);
         }
     }
 
-    /** The mean of shrink times shrink pixels. */
-    private int[] shrunk(int[] rgb) {
-        int[] small = new int[width * height];
-        int n = shrink * shrink;
-        for (int y = 0, p = 0; y < height; y++) {
-            for (int x = 0; x < width; x++, p++) {
-                int red = n / 2;
-                int green = n / 2;
-                int blue = n / 2;
-                for (int k = 0; k < n; k++) {
-                    int colour = rgb[(shrink * y + k / shrink) * renderer.getWidth() + shrink * x + k % shrink];
-                    red += colour >> 16 & 255;
-                    green += colour >> 8 & 255;
-                    blue += colour & 255;
-                }
-                small[p] = red / n << 16 | green / n << 8 | blue / n;
-            }
-        }
-        return small;
-    }
-
-    private void begin(int index, int[] small) throws IOException {
+    private void begin(int index) throws IOException {
         first = index;
         palette = Palette.of(small, renderer.importantColours(), TRANSPARENT);
         int[] table = Arrays.copyOf(palette.colours(), TRANSPARENT + 1);

@@ -61,7 +61,7 @@ public class OutputException extends RuntimeException {
             return "permission denied";
         }
         if (e instanceof NoSuchFileException) {
-            return "its folder is not there any more";
+            return "its folder is not there";
         }
         if (e instanceof NotDirectoryException || e instanceof FileAlreadyExistsException) {
             return "a file is where a folder should be";

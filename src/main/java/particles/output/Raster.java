@@ -9,11 +9,20 @@ import java.util.Arrays;
 final class Raster {
     /** Samples a pixel in each direction. */
     static final int SAMPLES = 2;
+    /** The largest value that, cut to a whole number, is 255. */
+    private static final double BRIGHTEST = 255.99;
 
     final int width;
     final int height;
     final int[] colour;
     final float[] near;
+    // the colours of the triangle at hand: blue, green, red, at its first corner and from there to the others
+    private final int[] base = new int[3];
+    private final int[] toB = new int[3];
+    private final int[] toC = new int[3];
+    // and along a row of samples, with their change from one to the next
+    private final int[] value = new int[3];
+    private final int[] change = new int[3];
     // what was drawn on since it was cleared, in samples
     private int left;
     private int top;
@@ -52,13 +61,24 @@ final class Raster {
         bottom = Math.max(bottom, y1);
     }
 
-    /** @return whether pixel (x, y) may have been drawn on */
-    boolean isTouched(int x, int y) {
-        return SAMPLES * x + 1 >= left && SAMPLES * x < right && isRowTouched(y);
+    /** @return the first column of pixels that may have been drawn on */
+    int firstColumn() {
+        return left / SAMPLES;
     }
 
-    boolean isRowTouched(int y) {
-        return SAMPLES * y + 1 >= top && SAMPLES * y < bottom;
+    /** @return the column after the last one */
+    int endColumn() {
+        return (right + SAMPLES - 1) / SAMPLES;
+    }
+
+    /** @return the first row of pixels that may have been drawn on */
+    int firstRow() {
+        return top / SAMPLES;
+    }
+
+    /** @return the row after the last one */
+    int endRow() {
+        return (bottom + SAMPLES - 1) / SAMPLES;
     }
 
     /**
@@ -91,15 +111,12 @@ final class Raster {
         double cByX = (ay - by) / area;
         double cByY = (bx - ax) / area;
         double nByX = bByX * (ns[b] - ns[a]) + cByX * (ns[c] - ns[a]);
-        int ar = rgb[a] >> 16 & 255;
-        int ag = rgb[a] >> 8 & 255;
-        int ab = rgb[a] & 255;
-        float br = (rgb[b] >> 16 & 255) - ar;
-        float bg = (rgb[b] >> 8 & 255) - ag;
-        float bb = (rgb[b] & 255) - ab;
-        float cr = (rgb[c] >> 16 & 255) - ar;
-        float cg = (rgb[c] >> 8 & 255) - ag;
-        float cb = (rgb[c] & 255) - ab;
+        for (int channel = 0; channel < 3; channel++) {
+            int at = rgb[a] >> 8 * channel & 255;
+            toB[channel] = (rgb[b] >> 8 * channel & 255) - at;
+            toC[channel] = (rgb[c] >> 8 * channel & 255) - at;
+            base[channel] = at;
+        }
         for (int y = y0; y <= y1; y++) {
             double py = y + 0.5;
             // weights at x = 0.5 of this row, then the range of x in which all three are 0 or more
@@ -111,23 +128,45 @@ final class Raster {
             double to = Math.min(x1, Math.min(upper(wa, aByX), Math.min(upper(wb, bByX), upper(wc, cByX))));
             int first = (int) Math.ceil(from);
             int last = (int) Math.floor(to);
-            int at = y * width + first;
+            if (first > last) {
+                continue;
+            }
             double u = wb + first * bByX;
             double v = wc + first * cByX;
-            float n = (float) (ns[a] + u * (ns[b] - ns[a]) + v * (ns[c] - ns[a]));
-            float step = (float) nByX;
-            for (int x = first; x <= last; x++, at++) {
-                if (n > near[at]) {
-                    near[at] = n;
-                    float fu = (float) Math.max(0, Math.min(1, u));
-                    float fv = (float) Math.max(0, Math.min(1 - fu, v));
-                    colour[at] = (int) (ar + fu * br + fv * cr) << 16 | (int) (ag + fu * bg + fv * cg) << 8
-                            | (int) (ab + fu * bb + fv * cb);
-                }
-                n += step;
-                u += bByX;
-                v += cByX;
+            for (int channel = 0; channel < 3; channel++) {
+                setOut(channel, base[channel] + u * toB[channel] + v * toC[channel],
+                        bByX * toB[channel] + cByX * toC[channel], last - first);
             }
+            double n = ns[a] + u * (ns[b] - ns[a]) + v * (ns[c] - ns[a]);
+            fill(y * width + first, y * width + last, (float) n, (float) nByX);
+        }
+    }
+
+    /** A channel along a row, in 1/65536: rounding, which thin triangles magnify, must not carry it out of its range. */
+    private void setOut(int channel, double first, double slope, int steps) {
+        double from = Math.max(0, Math.min(BRIGHTEST, first));
+        double to = Math.max(0, Math.min(BRIGHTEST, first + steps * slope));
+        value[channel] = (int) (65536 * from);
+        change[channel] = steps == 0 ? 0 : (int) (65536 * (to - from) / steps);
+    }
+
+    private void fill(int first, int last, float nearness, float nearnessChange) {
+        float n = nearness;
+        int red = value[2];
+        int green = value[1];
+        int blue = value[0];
+        int redChange = change[2];
+        int greenChange = change[1];
+        int blueChange = change[0];
+        for (int at = first; at <= last; at++) {
+            if (n > near[at]) {
+                near[at] = n;
+                colour[at] = red & 0xff0000 | green >> 8 & 0xff00 | blue >> 16;
+            }
+            n += nearnessChange;
+            red += redChange;
+            green += greenChange;
+            blue += blueChange;
         }
     }
 

@@ -179,15 +179,17 @@ final class ShadowMap {
         }
     }
 
-    /** @return the coverage at a place of the map, between the cells' middles */
+    /** @return whether there may be any shadow at a place of the map */
+    boolean isTouched(float column, float row) {
+        return column >= left + 0.5f && column < right - 0.5f && row >= top + 0.5f && row < bottom - 0.5f;
+    }
+
+    /** @return the coverage at a place of the map that is touched, between the cells' middles */
     float at(float column, float row) {
         float c = column - 0.5f;
         float r = row - 0.5f;
         int x = (int) c;
         int y = (int) r;
-        if (!(c >= left) || !(r >= top) || x >= right - 1 || y >= bottom - 1) {
-            return 0;
-        }
         float u = c - x;
         float v = r - y;
         int at = y * SIZE + x;

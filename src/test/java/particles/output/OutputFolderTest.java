@@ -160,7 +160,7 @@ class OutputFolderTest {
         Files.delete(out.resolve(".desolver-made"));
         Files.delete(out);
         e = assertThrows(OutputException.class, frame::commit);
-        assertEquals("cannot write " + out.resolve("frames/frame-00000.png") + ": its folder is not there any more",
+        assertEquals("cannot write " + out.resolve("frames/frame-00000.png") + ": its folder is not there",
                 e.getMessage());
         assertThrows(OutputException.class, () -> folder.create("run.json"));
         assertFalse(Files.exists(out));
