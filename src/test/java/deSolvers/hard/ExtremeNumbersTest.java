@@ -1,0 +1,84 @@
+package deSolvers.hard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Oscillator;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * x'' = -x in units that make x 1e-300, denormal, 1e150 or 1e300. Hard, because squares of such numbers are 0 or infinite: a
+ * norm that squares, a tolerance that is added, a quotient of differences can all go wrong where the motion is the same.
+ */
+@Tag("hard")
+class ExtremeNumbersTest {
+    private static final double H = 1.0 / 16;
+
+    static List<String> solvers() {
+        return SolverCatalog.names();
+    }
+
+    private static double[] end(String solver, double scale) {
+        Oscillator problem = new Oscillator(1, scale, 0);
+        HardRun run = HardRun.of(solver, problem, H, 32);
+        assertTrue(run.failure().isEmpty(), run.message());
+        return problem.state();
+    }
+
+    /** The largest deviation from the run in units of about 1, in those units. */
+    private static double difference(String solver, double scale) {
+        double[] unit = end(solver, 1);
+        double[] scaled = end(solver, scale);
+        return Math.max(Math.abs(scaled[0] / scale - unit[0]), Math.abs(scaled[1] / scale - unit[1]));
+    }
+
+    /**
+     * Solvers that step by deltaT make the same motion but for rounding: measured 1.1e-15, and 5e-14 (1e-310 has 13 digits
+     * left) among the denormal ones. Adaptive ones may differ by their tolerance, as far as the absolute one is left out of
+     * play or decides alone; measured 1.3e-7.
+     */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void theMotionIsTheSameInAnyUnits(String solver) {
+        boolean adaptive = SolverCatalog.info(solver).adaptive();
+        for (double scale : new double[] {1e-300, 1e150, 1e300}) {
+            assertEquals(0, difference(solver, scale), adaptive ? 5e-7 : 5e-15, "scale " + scale);
+        }
+        assertEquals(0, difference(solver, 1e-310), adaptive ? 5e-7 : 2e-12, "denormal");
+    }
+
+    /** 0 is a state like any other, and stays. */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void nothingStaysNothing(String solver) {
+        double[] end = end(solver, 0);
+        assertEquals(0, end[0]);
+        assertEquals(0, end[1]);
+    }
+
+    /** A step of 1e-300 s moves the clock from 0 and, with a speed of 1e300, the particle. */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void aStepMayBeTinyAndASpeedHuge(String solver) {
+        Oscillator problem = new Oscillator(1, 0, 1e300);
+        DESolver made = SolverCatalog.create(solver);
+        made.stepState(problem, 1e-300);
+        assertEquals(1e-300, problem.getTime());
+        assertEquals(1, problem.state()[0], 1e-9);
+        assertEquals(1e300, problem.state()[1], 1e285);
+    }
+
+    /** Numbers that overflow within the step are a failure that says so, and not a state of infinities. */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void whatOverflowsIsReported(String solver) {
+        Oscillator problem = new Oscillator(1e10, 1e300, 0);
+        HardRun run = HardRun.of(solver, problem, H, 1);
+        assertTrue(run.failure().isPresent(), run.message());
+    }
+}

@@ -1,0 +1,55 @@
+package deSolvers.hard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.ReferenceProblem;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * One solver over one problem, to its end or to the exception that stopped it.
+ *
+ * @param error    the largest deviation from the exact solution where the run ended
+ * @param largest  the largest entry of the state seen after any step
+ * @param failure  why the run stopped before its end, if it did
+ */
+record HardRun(double error, double largest, Optional<DESolverException> failure) {
+    static final List<String> SECOND_ORDER = SolverCatalog.all().stream().filter(s -> s.secondOrder()).map(s -> s.name()).toList();
+
+    /**
+     * @param solver  a catalogue name
+     * @param problem at its start
+     * @param deltaT  the step (s)
+     * @param steps   how many
+     */
+    static HardRun of(String solver, ReferenceProblem problem, double deltaT, int steps) {
+        DESolver made = SolverCatalog.create(solver);
+        double largest = 0;
+        for (int i = 0; i < steps; i++) {
+            double[] before = problem.state();
+            double time = problem.getTime();
+            try {
+                made.stepState(problem, deltaT);
+            } catch (DESolverException e) {
+                assertEquals(time, problem.getTime(), "the clock after a failure");
+                IntStream.range(0, before.length).forEach(k -> assertEquals(before[k], problem.state()[k], "entry " + k));
+                return new HardRun(problem.error(), largest, Optional.of(e));
+            }
+            for (double entry : problem.state()) {
+                assertFalse(Double.isNaN(entry), "a NaN that nobody reported");
+                largest = Math.max(largest, Math.abs(entry));
+            }
+        }
+        return new HardRun(problem.error(), largest, Optional.empty());
+    }
+
+    /** @return the failure's message, or what happened instead */
+    String message() {
+        return failure.map(Throwable::getMessage).orElse("ended without failure, error " + error + ", largest " + largest);
+    }
+}

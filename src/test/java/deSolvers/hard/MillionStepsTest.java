@@ -1,0 +1,52 @@
+package deSolvers.hard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Oscillator;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * A million steps. Hard, because each solver moves the clock to stages and back, and a rounding a step would be a second's
+ * error after 1e15 of them, or a time at which the derivative is never asked again.
+ */
+@Tag("hard")
+class MillionStepsTest {
+    private static final int STEPS = 1_000_000;
+
+    static List<String> solvers() {
+        return SolverCatalog.names();
+    }
+
+    private static double timeAfter(DESolver solver, double deltaT) {
+        Oscillator still = new Oscillator(1, 0, 0);
+        for (int i = 0; i < STEPS; i++) {
+            solver.stepState(still, deltaT);
+        }
+        assertEquals(0, still.state()[0], "at rest");
+        return still.getTime();
+    }
+
+    /** A dyadic deltaT is exact for ever. */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void theClockIsExactForADyadicStep(String solver) {
+        assertEquals(15625.0, timeAfter(SolverCatalog.create(solver), 1.0 / 64));
+    }
+
+    /** 0.1 is none; what comes out is bit for bit the sum of a million 0.1, 1.3e-6 too much, and not a rounding more. */
+    @ParameterizedTest
+    @MethodSource("solvers")
+    void theClockIsTheRoundedSumForAnyOtherStep(String solver) {
+        double sum = 0;
+        for (int i = 0; i < STEPS; i++) {
+            sum += 0.1;
+        }
+        assertEquals(100000.00000133288, sum);
+        assertEquals(sum, timeAfter(SolverCatalog.create(solver), 0.1));
+    }
+}

@@ -1,0 +1,52 @@
+package deSolvers.hard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.problems.Pole;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * y' = y^2 from 1 has its pole at t = 1 and no solution after it. Hard, because there is nothing to follow: a solver has to
+ * say so, and neither hang nor step over it.
+ */
+@Tag("hard")
+class PoleTest {
+
+    /** The sub-steps shrink to the resolution of the clock at the pole itself, and the source is back at its start. */
+    @ParameterizedTest
+    @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})
+    void stepControlFindsThePole(String solver) {
+        Pole pole = new Pole();
+        HardRun run = HardRun.of(solver, pole, 2, 1);
+        assertTrue(run.message().contains("grows without bound"), run.message());
+        String reached = run.message().replaceFirst(".*s after ([0-9.E-]+) s,.*", "$1");
+        assertEquals(1, Double.parseDouble(reached), 1e-5, "the pole; measured 2.8e-6 to 6e-9 beyond it");
+        assertEquals(0, pole.getTime());
+        assertTrue(pole.evaluations() < 10_000, "it does not hang: " + pole.evaluations() + " evaluations");
+    }
+
+    /** Fixed steps see the pole late, by when they overflow: 13 steps of 1/64 s late for euler, 2 for rk4. */
+    @ParameterizedTest
+    @CsvSource({"euler, 1.21", "midpoint, 1.08", "rk4, 1.04", "adams, 1.07"})
+    void fixedStepsOverflowSoonAfterIt(String solver, double noLaterThan) {
+        Pole pole = new Pole();
+        HardRun run = HardRun.of(solver, pole, 1.0 / 64, 128);
+        assertTrue(run.failure().isPresent(), run.message());
+        assertTrue(pole.getTime() >= 1 && pole.getTime() <= noLaterThan, "at t = " + pole.getTime());
+    }
+
+    /** y + h m^2 = m has no real solution for y > 1/(4h): 16 for steps of 1/64 s, reached before the pole. */
+    @ParameterizedTest
+    @CsvSource({"backward-euler, 0.92", "implicit-midpoint, 0.98"})
+    void implicitStepsEndWhereTheirEquationHasNoSolution(String solver, double noLaterThan) {
+        Pole pole = new Pole();
+        HardRun run = HardRun.of(solver, pole, 1.0 / 64, 128);
+        assertTrue(run.message().contains("Newton's iteration did not converge"), run.message());
+        assertTrue(pole.getTime() > 0.85 && pole.getTime() <= noLaterThan, "at t = " + pole.getTime());
+        assertTrue(pole.state()[0] > 16, "y = " + pole.state()[0]);
+    }
+}
