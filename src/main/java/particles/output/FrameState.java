@@ -1,7 +1,8 @@
 package particles.output;
 
 import java.util.Arrays;
-import particles.Effect;
+import java.util.List;
+import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.SpringView;
@@ -39,31 +40,28 @@ final class FrameState {
         }
     }
 
-    /** Copies what changes only when rules change it: springs, and which particles are fixed. */
+    /** Copies what changes only when rules change it: springs and rods, and which particles are fixed. */
     void takeStructure(ParticleSystem system) {
         int count = system.getParticles().count();
         fixed = Arrays.copyOf(fixed, count);
         for (int i = 0; i < count; i++) {
             fixed[i] = system.getParticles().isFixed(i);
         }
-        int needed = 0;
-        for (Effect effect : system.getEffects()) {
-            needed += effect instanceof SpringView view ? view.springCount() : 0;
-        }
+        List<SpringView> views = Stream.concat(system.getEffects().stream(), system.getReactions().stream())
+                .filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
+        int needed = views.stream().mapToInt(SpringView::springCount).sum();
         if (from.length < needed) {
             from = new int[needed];
             to = new int[needed];
             restLength = new double[needed];
         }
         springs = 0;
-        for (Effect effect : system.getEffects()) {
-            if (effect instanceof SpringView view) {
-                for (int s = 0; s < view.springCount(); s++) {
-                    from[springs] = view.from(s);
-                    to[springs] = view.to(s);
-                    restLength[springs] = view.restLength(s);
-                    springs++;
-                }
+        for (SpringView view : views) {
+            for (int s = 0; s < view.springCount(); s++) {
+                from[springs] = view.from(s);
+                to[springs] = view.to(s);
+                restLength[springs] = view.restLength(s);
+                springs++;
             }
         }
     }

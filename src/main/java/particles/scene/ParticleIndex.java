@@ -46,6 +46,23 @@ final class ParticleIndex {
         return id.contains("[") ? id.substring(0, id.indexOf('[')) : id;
     }
 
+    /** @return whether the particle with this known id stays where it is */
+    boolean isFixed(String id) {
+        if (numbers.containsKey(id)) {
+            return particles.get(numbers.get(id)).fixed();
+        }
+        ShapeDescription shape = shapes.get(shapeOf(id));
+        return shape.fixed().get(shape.lattice().find(id).orElseThrow());
+    }
+
+    /** @return how the particle with this known id moves at the start (m/s) */
+    Vector3 velocity(String id) {
+        if (numbers.containsKey(id)) {
+            return particles.get(numbers.get(id)).velocity();
+        }
+        return isFixed(id) ? Vector3.ZERO : shapes.get(shapeOf(id)).velocity();
+    }
+
     /** @return where the particle with this known id is at the start (m) */
     Vector3 position(String id) {
         if (numbers.containsKey(id)) {

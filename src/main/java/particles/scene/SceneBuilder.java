@@ -72,6 +72,7 @@ public final class SceneBuilder {
                 simulation.addRule(new PlaneCollisions(contacts));
             }
         }
+        scene.constraints().build(system, index, simulation);
         List<Plane> planes = assembly.planes().stream().map(ContactPlane::obstacle).filter(Plane.class::isInstance)
                 .map(Plane.class::cast).toList();
         Optional<Scene.Phase> phase = scene.output().phase()

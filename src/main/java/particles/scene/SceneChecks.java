@@ -44,6 +44,8 @@ final class SceneChecks {
             problems.add(scene.place(), "the scene has no particle; name some under 'particles' or 'shapes'");
         }
         checkSprings();
+        ConstraintChecks constraints = new ConstraintChecks(scene, problems, index, this::isKnown);
+        constraints.check();
         checkEffects();
         OutsideCheck.check(scene.find(SceneFormat.RULES).orElse(List.of()), particles, shapes, problems);
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
@@ -65,7 +67,7 @@ final class SceneChecks {
         return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
                 scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
                         scene.get(SceneFormat.DURATION),
-                List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs),
+                List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
                         List.copyOf(scene.get(SceneFormat.EFFECTS)),
                 List.copyOf(scene.get(SceneFormat.RULES)), scene.get(SceneFormat.IMPACT).equals("exact"), camera,
                         LookFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords)),

@@ -23,6 +23,7 @@ import particles.scene.spec.Place;
  * @param particles    the particles that stand alone, first in the state
  * @param shapes       the shapes, whose particles follow
  * @param springs      the springs that stand alone
+ * @param constraints  its rods and wires
  * @param effects      the effects it names
  * @param rules        the rules it names
  * @param exactImpacts whether steps are divided at impacts
@@ -35,7 +36,8 @@ import particles.scene.spec.Place;
 public record SceneDescription(String source, String sha256, String title, String teaches, String solver,
                                Optional<Tolerances> tolerances, double deltaT, double duration,
                                        List<ParticleDescription> particles, List<ShapeDescription> shapes,
-                               List<SpringDescription> springs, List<Chosen<EffectKind>> effects,
+                               List<SpringDescription> springs, ConstraintDescription constraints,
+                                       List<Chosen<EffectKind>> effects,
                                        List<Chosen<RuleKind>> rules,
                                boolean exactImpacts, Optional<Camera> camera, Look look, OutputDescription output,
                                        double blowUpFactor,
@@ -46,7 +48,7 @@ public record SceneDescription(String source, String sha256, String title, Strin
         return new SceneDescription(source, sha256, title, teaches, otherSolver, otherTolerances,
                 otherDeltaT, otherDuration, particles,
                 shapes,
-                springs, effects, rules, exactImpacts, camera, look,
+                springs, constraints, effects, rules, exactImpacts, camera, look,
                 output, blowUpFactor, otherPlaces);
     }
 }

@@ -30,6 +30,12 @@ public final class SceneFormat {
     static final Key<List<Values>> SPRINGS = Key.withDefault("springs", ListType.of("a spring", SpringDescription.TYPE),
             List.of(),
             "Springs between any two particles.");
+    static final Key<List<Values>> RODS = Key.withDefault("rods", ListType.of("a rod", RodDescription.TYPE), List.of(),
+            "Rigid rods between any two particles, as long as their initial distance.");
+    static final Key<List<Chosen<WireKind>>> WIRES = Key.withDefault("wires",
+            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(), "Wires that particles slide along.");
+    static final Key<Values> CONSTRAINTS = Key.optional("constraints", ConstraintDescription.TYPE,
+            "How rods and wires are kept.");
     static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
             ListType.of("an effect", new KindType<>("effect", EffectKind.ALL)), List.of(),
             "Forces that act on all particles; what is not named does not act.");
@@ -48,7 +54,7 @@ public final class SceneFormat {
 
     static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION, PARTICLES,
             SHAPES,
-            SPRINGS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR);
+            SPRINGS, RODS, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR);
 
     private SceneFormat() {
     }

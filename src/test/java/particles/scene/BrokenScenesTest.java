@@ -24,8 +24,8 @@ class BrokenScenesTest {
               - {id: bob, position: [0, 1, 0]}
             """;
 
-    private static final String KEYS = "title, teaches, solver, deltaT, duration, particles, shapes, springs, effects, "
-            + "rules, impact, camera, look, output, blowUpFactor";
+    private static final String KEYS = "title, teaches, solver, deltaT, duration, particles, shapes, springs, rods, "
+            + "wires, constraints, effects, rules, impact, camera, look, output, blowUpFactor";
 
     private static Arguments added(String text, String... lines) {
         return Arguments.of(HEAD + text, List.of(lines));
@@ -92,6 +92,16 @@ class BrokenScenesTest {
                 added("  - {id: tom, position: [0, 1, 0]}\nsprings:\n  - {from: bob, to: tom, stiffness: 1}\n",
                         "x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them has no direction to "
                                 + "push in"),
+                added("rods:\n  - {from: bob, to: bob}\n",
+                        "x.yaml:9:21: a rod from 'bob' to itself; its ends have to be two particles"),
+                added("  - {id: tom, position: [0, 3, 0], velocity: [1, 2, 0]}\nrods:\n  - {from: bob, to: tom}\n",
+                        "x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; they may only turn about "
+                                + "each other"),
+                added("wires:\n  - circle: {bead: bob, centre: [0, 3, 0], radius: 1}\n",
+                        "x.yaml:9:20: 'bob' begins about 1.5 m off its wire; it has to begin on it"),
+                added("wires:\n  - line: {bead: bob, direction: [1, 0, 0]}\nconstraints: {feedback: 100}\n",
+                        "x.yaml:10:14: the feedback of rods and wires, 100 /s, is too fast for steps of 0.01 s; feedback times "
+                                + "deltaT may be 0.5 at most"),
                 added("springs:\n  - {from: bob}\n",
                         "x.yaml:9:5: a spring needs 'to': the id of a particle, such as bob or cloth[3,4]",
                         "x.yaml:9:5: a spring needs 'stiffness': a number over 0 (N/m)"),

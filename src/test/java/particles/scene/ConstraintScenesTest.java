@@ -1,0 +1,53 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import particles.Particles;
+import particles.Reaction;
+import particles.SpringView;
+
+/** Scenes with rods and wires show what they say they show; a scene that names none builds none. */
+class ConstraintScenesTest {
+
+    private static Scene scene(String file) {
+        return SceneBuilder.build(SceneReader.read(Path.of("scenes", file)), new Overrides());
+    }
+
+    /** Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter by the digits of its places. */
+    @Test
+    void rodsKeepTheirLengths() {
+        for (String file : new String[] {"40-rigid-pendulum.yaml", "41-double-pendulum.yaml"}) {
+            Scene scene = scene(file);
+            scene.simulation().run();
+            double[] state = scene.system().getOwnState();
+            for (int i = Particles.STRIDE; i < scene.system().getStateSize(); i += Particles.STRIDE) {
+                double dx = state[i] - state[i - 6];
+                double dy = state[i + 1] - state[i - 5];
+                assertEquals(1, Math.sqrt(dx * dx + dy * dy), file.startsWith("41") ? 1e-8 : 4e-6, file);
+            }
+        }
+    }
+
+    /** Every bead is on its wire at the end, within 7e-6 m, and the energy is that of the start. */
+    @Test
+    void beadsStayOnTheirWires() {
+        Scene scene = scene("42-bead-on-a-wire.yaml");
+        double before = scene.system().getEnergy(scene.system().getOwnState(), 0);
+        scene.simulation().run();
+        double[] state = scene.system().getOwnState();
+        assertEquals(0.5 * Math.sin(Math.PI * state[0]), state[1], 4e-5);
+        assertEquals(1, state[6] * state[6] + (state[7] - 2.5) * (state[7] - 2.5), 1e-5);
+        assertEquals((state[12] + 2.5) * (state[12] + 2.5) / 2, state[13], 1e-5);
+        assertEquals(before, scene.system().getEnergy(state, 0), 5e-3, "of 30 J in motion; measured: 1.8e-3");
+    }
+
+    @Test
+    void onlyWhatIsNamedIsBuilt() {
+        assertTrue(scene("04-pendulum.yaml").system().getReactions().isEmpty());
+        Reaction rods = scene("40-rigid-pendulum.yaml").system().getReactions().get(0);
+        assertEquals(1, ((SpringView) rods).springCount());
+    }
+}
