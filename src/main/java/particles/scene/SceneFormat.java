@@ -9,6 +9,7 @@ import particles.scene.spec.ListType;
 import particles.scene.spec.MappingType;
 import particles.scene.spec.NameType;
 import particles.scene.spec.NumberType;
+import particles.scene.spec.Reference;
 import particles.scene.spec.TextType;
 import particles.scene.spec.Values;
 
@@ -63,5 +64,13 @@ public final class SceneFormat {
     public static String jsonSchema() {
         return JsonSchema.of(SCENE, "A scene of DESolver",
                 "Generated from particles.scene.SceneFormat; a test keeps the two equal.");
+    }
+
+    /**
+     * @param heading what the headings begin with, such as {@code ###}
+     * @return all that a scene file may say, as tables of Markdown
+     */
+    public static String reference(String heading) {
+        return Reference.of(SCENE, heading);
     }
 }

@@ -46,7 +46,7 @@ class ScenesTest {
         assertEquals("# yaml-language-server: $schema=scene.schema.json", Files.readAllLines(file).get(0));
     }
 
-    /** The largest share of a solver's limit is 0.41, the cloth's; where springs stretch they are a little stiffer. */
+    /** The largest share of a solver's limit is 0.47, the flag's; where springs stretch they are a little stiffer. */
     @ParameterizedTest
     @MethodSource("scenes")
     void stepsAreShortEnoughForItsSprings(Path file) {

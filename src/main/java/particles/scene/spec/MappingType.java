@@ -164,6 +164,11 @@ public final class MappingType extends Type<Values> {
         return keys;
     }
 
+    /** @return the key whose value may stand alone, if there is one */
+    Optional<Key<?>> shortForm() {
+        return shortFor;
+    }
+
     /** @return whether nothing has to be said */
     boolean mayBeEmpty() {
         return exactlyOneOf.isEmpty() && keys.stream().noneMatch(Key::required);
