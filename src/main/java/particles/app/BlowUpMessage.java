@@ -90,7 +90,8 @@ final class BlowUpMessage {
         }
         double limit = limit(solver);
         if (limit == 0) {
-            return "; the limit of " + name + " is 0, its oscillations grow at any step: try " + withStep(SolverCatalog.info(STEADY));
+            return "; the limit of " + name + " is 0, its oscillations grow at any step: try "
+                    + withStep(SolverCatalog.info(STEADY));
         }
         if (limit == Double.POSITIVE_INFINITY) {
             return "; " + name + " has no limit, but equations to solve: try " + option("deltaT", Digits.few(deltaT / 2));

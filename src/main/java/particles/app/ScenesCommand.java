@@ -44,8 +44,8 @@ final class ScenesCommand extends ProgramCommand {
 
     private static void print(Path file, SceneDescription scene, PrintWriter out) {
         SceneName name = SceneName.of(file);
-        String number = name.number().isEmpty() ? INDENT : name.number() + " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
-        out.println(number + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
+        String space = " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
+        out.println(name.number() + space + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
         StringBuilder line = new StringBuilder(INDENT);
         for (String word : scene.teaches().strip().split("\\s+")) {
             if (line.length() > INDENT.length() && line.length() + word.length() >= WIDTH) {

@@ -19,7 +19,7 @@ import particles.scene.SceneReader;
 
 /** The line at the end of a blow-up, and that its advice is good. */
 class BlowUpMessageTest {
-    /** A chain of three between two walls: k = 400, m = 1, so one spring alone has omega = sqrt(800), all together less than 40. */
+    /** A chain of three between two walls, k = 400, m = 1: one spring alone has omega = sqrt(800), all less than 40. */
     private static final String CHAIN = """
             title: A chain
             teaches: When a step is too long.
@@ -54,16 +54,16 @@ class BlowUpMessageTest {
     void namesAllThatOneWantsToKnow() {
         String line = blowUp(chain("rk4", 0, new Overrides()));
         // sqrt(800) * 0.2 = 5.657; Gershgorin: sqrt(4 * 400) * 0.2 = 8; 0.9 * 2.8284 / 40 = 0.0636
-        Matcher match = Pattern.compile("rk4 stopped at t = [\\d.]+ s at particle '[abc]': the kinetic energy is [\\d.e]+ J, more than"
-                + " the limit of [\\d.e]+ J; the stiffest spring, from 'a' to 'b', has omega\\*deltaT = 5\\.657, all together at most 8;"
-                + " the limit of rk4 is 2\\.828: try --deltaT=0\\.063").matcher(line);
+        Matcher match = Pattern.compile("rk4 stopped at t = [\\d.]+ s at particle '[abc]': the kinetic energy is [\\d.e]+ J,"
+                + " more than the limit of [\\d.e]+ J; the stiffest spring, from 'a' to 'b', has omega\\*deltaT = 5\\.657,"
+                + " all together at most 8; the limit of rk4 is 2\\.828: try --deltaT=0\\.063").matcher(line);
         assertTrue(match.matches(), line);
     }
 
     /** Whatever the solver and the damping, the run with the advice does not blow up. */
     @ParameterizedTest
-    @CsvSource({"rk4, 0", "rk4, 30", "euler, 0", "euler, 30", "midpoint, 0", "midpoint, 30", "symplectic-euler, 0", "verlet, 0", "verlet, 30",
-        "yoshida4, 0", "yoshida4, 30", "adams, 0", "adams, 30"})
+    @CsvSource({"rk4, 0", "rk4, 30", "euler, 0", "euler, 30", "midpoint, 0", "midpoint, 30", "symplectic-euler, 0", "verlet, 0",
+        "verlet, 30", "yoshida4, 0", "yoshida4, 30", "adams, 0", "adams, 30"})
     void theAdviceHelps(String solver, double damping) {
         Overrides overrides = new Overrides();
         String line = blowUp(chain(solver, damping, overrides));
@@ -83,15 +83,15 @@ class BlowUpMessageTest {
     @Test
     void aSolverWithLimit0IsReplaced() {
         String line = blowUp(chain("euler", 0, new Overrides()));
-        assertTrue(line.endsWith("the limit of euler is 0, its oscillations grow at any step: try --solver=rk4 with --deltaT=0.063,"
-                + " or --solver=backward-euler"), line);
+        assertTrue(line.endsWith("the limit of euler is 0, its oscillations grow at any step: try --solver=rk4 with"
+                + " --deltaT=0.063, or --solver=backward-euler"), line);
     }
 
     @Test
     void whatTheSolverSaysIsPartOfTheLine() {
         String line = blowUp(chain("verlet", 30, new Overrides()));
-        assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step was not found in 100 iterations.*;"
-                + " the stiffest spring, .*, with damping .*; the limit of verlet is 2: try --deltaT=0\\.00\\d+"), line);
+        assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step was not found in 100"
+                + " iterations.*; the stiffest spring, .*, with damping .*; the limit of verlet is 2: try --deltaT=0\\.00\\d+"), line);
     }
 
     @Test

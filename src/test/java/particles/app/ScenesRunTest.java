@@ -8,6 +8,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -16,6 +17,7 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 
 /** Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to err. */
+@Tag("slow")
 class ScenesRunTest {
     private static final Path SCENES = Path.of("scenes");
     private static final int STEPS = 60;
@@ -37,7 +39,8 @@ class ScenesRunTest {
         assertEquals("", errors.toString());
         assertEquals(ExitCode.DONE, code);
         assertTrue(lines.toString().contains(scene.title()), lines.toString());
-        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "phase.png", "trajectory.csv", "run.json")) {
+        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "phase.png", "trajectory.csv",
+                "run.json")) {
             assertTrue(Files.isRegularFile(out.resolve(name)), name);
         }
     }

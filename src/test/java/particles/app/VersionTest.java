@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 class VersionTest {
     @Test
     void buildHasTheSame() throws IOException {
-        assertTrue(Files.readAllLines(Path.of("build.gradle")).stream().anyMatch(line -> line.startsWith("version = '" + Version.CURRENT + "'")));
+        String wanted = "version = '" + Version.CURRENT + "'";
+        assertTrue(Files.readAllLines(Path.of("build.gradle")).stream().anyMatch(line -> line.startsWith(wanted)), wanted);
     }
 }
