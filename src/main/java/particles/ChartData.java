@@ -14,8 +14,8 @@ import java.util.List;
  */
 public record ChartData(String title, String xLabel, String yLabel, boolean xLog, boolean yLog, List<Series> series) {
 
-    /** How a series is drawn. */
-    public enum Mark { LINE, POINTS, LINE_AND_POINTS }
+    /** How a series is drawn; failures are crosses that cannot be taken for results. */
+    public enum Mark { LINE, POINTS, LINE_AND_POINTS, FAILURES }
 
     /**
      * One line of a chart.

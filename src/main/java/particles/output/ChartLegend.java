@@ -1,7 +1,9 @@
 package particles.output;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
@@ -25,10 +27,14 @@ final class ChartLegend {
             plots.add(plot);
         }
         LegendItemCollection items = new LegendItemCollection();
+        Set<String> named = new HashSet<>();            // a name looks the same wherever it stands
         for (XYPlot part : plots) {
             ChartDataset dataset = (ChartDataset) part.getDataset();
             for (int k = 0; k < dataset.getSeriesCount() && dataset.getSeriesCount() > 1; k++) {
-                items.add(item((XYLineAndShapeRenderer) part.getRenderer(), dataset.name(k), k));
+                XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
+                if (SolverLook.of(dataset.name(k)).isEmpty() || named.add(dataset.name(k))) {
+                    items.add(item(renderer, dataset.name(k), k));
+                }
             }
         }
         LegendTitle legend = new LegendTitle(() -> items);

@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -38,6 +39,9 @@ final class ChartStyle {
             new float[] {9, 3, 2, 3}, new float[] {14, 4}, new float[] {5, 2, 2, 2, 2, 2});
     private static final List<Shape> SHAPES = List.of(disc(3.5), square(3.2), polygon(4.3, -1, 3), polygon(4.3, -1, 4),
             polygon(4.3, 1, 3), cross(3.2));
+
+    /** What did not work: a cross that lies, larger than any mark of a result. */
+    static final Shape FAILURE = failure(5.5);
 
     private ChartStyle() {
     }
@@ -95,6 +99,13 @@ final class ChartStyle {
         Path2D path = new Path2D.Double();
         path.append(new Rectangle2D.Double(-half, -thin, 2 * half, 2 * thin), false);
         path.append(new Rectangle2D.Double(-thin, -half, 2 * thin, 2 * half), false);
+        return path;
+    }
+
+    private static Shape failure(double half) {
+        Path2D path = new Path2D.Double();
+        path.append(cross(half), false);
+        path.transform(AffineTransform.getRotateInstance(Math.PI / 4));
         return path;
     }
 }

@@ -134,11 +134,12 @@ final class Charts {
             boolean dense = mark == Mark.LINE && k > 0 && isDense(data.series().get(k).y());
             SolverLook look = SolverLook.of(data.series().get(k).name()).orElse(new SolverLook(
                     ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(k), ChartStyle.stroke(k), ChartStyle.shape(k)));
-            renderer.setSeriesLinesVisible(k, mark != Mark.POINTS);
+            renderer.setSeriesLinesVisible(k, mark == Mark.LINE || mark == Mark.LINE_AND_POINTS);
             renderer.setSeriesShapesVisible(k, mark != Mark.LINE);
-            renderer.setSeriesPaint(k, dense ? ChartStyle.pale(look.colour()) : look.colour());
+            renderer.setSeriesPaint(k, mark == Mark.FAILURES ? Color.RED.darker()
+                    : dense ? ChartStyle.pale(look.colour()) : look.colour());
             renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : look.stroke());
-            renderer.setSeriesShape(k, look.shape());
+            renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE : look.shape());
             renderer.setSeriesFillPaint(k, look.colour());
             renderer.setSeriesOutlinePaint(k, Color.WHITE);
             renderer.setSeriesOutlineStroke(k, new BasicStroke(0.6f));

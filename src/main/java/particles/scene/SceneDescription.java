@@ -43,6 +43,20 @@ public record SceneDescription(String source, String sha256, String title, Strin
                                        double blowUpFactor,
                                Map<Key<?>, Place> places) {
 
+    /**
+     * The same scene, solved otherwise.
+     *
+     * @param otherSolver     a solver's name
+     * @param otherTolerances what it is allowed; only for those that are adaptive
+     * @param otherDeltaT     the time step (s)
+     * @param otherDuration   how long the run lasts (s)
+     * @return the description; {@link SceneBuilder} checks it
+     */
+    public SceneDescription solvedBy(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
+            double otherDuration) {
+        return with(otherSolver, otherTolerances, otherDeltaT, otherDuration, places);
+    }
+
     SceneDescription with(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
             double otherDuration, Map<Key<?>, Place> otherPlaces) {
         return new SceneDescription(source, sha256, title, teaches, otherSolver, otherTolerances,
