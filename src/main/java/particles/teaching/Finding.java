@@ -1,0 +1,45 @@
+package particles.teaching;
+
+/**
+ * One thing that a check found.
+ *
+ * @param kind what it concerns
+ * @param text what is found and what would be right, in the lecture's words
+ */
+public record Finding(Kind kind, String text) {
+
+    /** What a finding concerns. */
+    public enum Kind {
+        /** The formula is not that of the method. */
+        METHOD("method"),
+        /** The clock is not where it should be. */
+        TIME("time"),
+        /** The state is not read, set or left as it should be. */
+        STATE("state"),
+        /** The class cannot be used at all, or did not come back. */
+        FAILURE("failure"),
+        /** Nothing wrong; something that could be better. */
+        ADVICE("advice");
+
+        private final String word;
+
+        Kind(String word) {
+            this.word = word;
+        }
+
+        /** @return the kind in one word */
+        public String word() {
+            return word;
+        }
+    }
+
+    /** @return whether this is a mistake, and not only advice */
+    public boolean isWrong() {
+        return kind != Kind.ADVICE;
+    }
+
+    @Override
+    public String toString() {
+        return kind.word() + ": " + text;
+    }
+}

@@ -1,0 +1,198 @@
+package particles.teaching;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import particles.teaching.Finding.Kind;
+
+/**
+ * Finds out what method a solver is, and what is wrong with it. First a step is read off coefficient by coefficient; a method
+ * without a tableau is judged by what it does. All takes well under a second for an explicit method.
+ */
+public final class SolverCheck {
+    private static final double H = 1.0 / 4;
+    /** A few roundings of double arithmetic; measured 3e-16 for RK4. */
+    private static final double DOUBLE_ROUNDING = 1e-13;
+    /** Below this it may be float arithmetic, with roundings of 6e-8. */
+    private static final double FLOAT_ROUNDING = 1e-5;
+    /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
+    private static final double LOWEST_ORDER = 0.7;
+
+    private final Supplier<DESolver> maker;
+    private final String className;
+    private final List<Finding> findings = new ArrayList<>();
+
+    private SolverCheck(Supplier<DESolver> maker, String className) {
+        this.maker = maker;
+        this.className = className;
+    }
+
+    /**
+     * Checks a solver.
+     *
+     * @param maker     makes a new one
+     * @param className the simple name of its class, which may promise a method, as HeunSolver does
+     * @return what it is and what was found
+     */
+    public static SolverVerdict check(Supplier<DESolver> maker, String className) {
+        return new SolverCheck(maker, className).verdict();
+    }
+
+    private SolverVerdict verdict() {
+        try {
+            WindyOscillators source = new WindyOscillators(2);
+            maker.get().stepState(source, 1.0 / 16);
+            if (!Double.isFinite(MethodDifferences.sum(source.state()))) {
+                return new SolverVerdict("It makes no step.", List.of(new Finding(Kind.STATE, "the new state is NaN or infinite although state"
+                        + " and derivative are finite: look for 0/0, the root of a negative number, or a division by something that is 0")),
+                        new double[0]);
+            }
+        } catch (RuntimeException e) {
+            return new SolverVerdict("It makes no step.", List.of(new Finding(Kind.FAILURE, "stepState ends in an exception: "
+                    + StudentFailure.describe(e))), new double[0]);
+        }
+        boolean remembers = remembers();
+        Diagnosis diagnosis = remembers ? measured(evaluations(1.0 / 16) == evaluations(8))
+                : tableau().or(this::kicks).orElseGet(() -> measured(false));
+        diagnosis.findings().stream().filter(finding -> !findings.contains(finding)).forEach(findings::add);
+        if (!remembers || findings.isEmpty()) {
+            try {
+                addContract();
+            } catch (RuntimeException e) {
+                findings.add(new Finding(Kind.FAILURE, "stepState ends in an exception: " + StudentFailure.describe(e)));
+            }
+        }
+        return new SolverVerdict(diagnosis.identity(), findings, diagnosis.polynomial());
+    }
+
+    /** Where the formula is wrong already, a contract that is broken for the same reason is not said again. */
+    private void addContract() {
+        boolean wrong = findings.stream().anyMatch(Finding::isWrong);
+        for (Finding finding : SolverContract.check(maker)) {
+            if (!wrong || finding.kind() == Kind.ADVICE) {
+                findings.add(finding);
+            }
+        }
+    }
+
+    /** Whether a later step differs from the one that a new solver makes from the same place. */
+    private boolean remembers() {
+        DESolver solver = maker.get();
+        WindyOscillators source = new WindyOscillators(2);
+        for (int step = 0; step < 6; step++) {
+            WindyOscillators twin = source.copy();
+            maker.get().stepState(twin, 1.0 / 16);
+            int before = source.evaluations();
+            solver.stepState(source, 1.0 / 16);
+            double[] expected = twin.state();
+            double[] found = source.state();
+            double distance = 0;
+            for (int k = 0; k < found.length; k++) {
+                distance = Math.max(distance, Math.abs(found[k] - expected[k]));
+            }
+            if (distance > 1e-11) {
+                if (OrderMeasurement.of(maker).order() < LOWEST_ORDER) {
+                    findings.add(new Finding(Kind.STATE, source.evaluations() == before
+                            ? "the derivative is stale: getStateDerivative is called in the first step only, and each step needs the derivative"
+                                    + " at its own start"
+                            : "the derivative is stale: step " + (step + 1) + " is not the one that a new solver makes from the same place, and the"
+                                    + " error does not go to 0 with deltaT. Something from the step before is used again; getStateDerivative has"
+                                    + " to be called anew, after the state and the clock were set"));
+                }
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private Optional<Diagnosis> tableau() {
+        try {
+            ExtractedTableau step = ExtractedTableau.of(maker.get(), H);
+            ExtractedTableau twice = ExtractedTableau.of(maker.get(), 2 * H);
+            ExtractedTableau back = ExtractedTableau.of(maker.get(), -H);
+            if (step.stages() != twice.stages() || step.stages() != back.stages() || !fits(step.misfit(maker.get()))) {
+                return Optional.empty();
+            }
+            Diagnosis diagnosis = TableauDiagnosis.of(step, twice, back,
+                    KicksDiagnosis.isPromisedBy(className) ? Optional.empty() : KnownMethod.promisedBy(className));
+            if (diagnosis.identity().startsWith("This is the Euler method")) {
+                KicksDiagnosis.eulerInstead(className).ifPresent(findings::add);
+            }
+            return Optional.of(diagnosis);
+        } catch (Probe.TooManyEvaluations | DESolverException e) {
+            return Optional.empty();
+        } catch (IllegalArgumentException | ClassCastException e) {
+            return Optional.empty();                    // it wants a source of second order
+        }
+    }
+
+    /** Whether a step with random numbers is what the coefficients say, perhaps but for what is then a finding. */
+    private boolean fits(double[] misfit) {
+        double largest = 0;
+        List<Integer> left = new ArrayList<>();
+        for (int k = 0; k < misfit.length; k++) {
+            if (Double.isNaN(misfit[k])) {
+                left.add(k);
+            } else {
+                largest = Math.max(largest, misfit[k]);
+            }
+        }
+        if (largest > FLOAT_ROUNDING || left.size() > misfit.length / 2) {
+            return false;
+        }
+        if (!left.isEmpty()) {
+            findings.add(new Finding(Kind.STATE, "entr" + (left.size() == 1 ? "y " : "ies ") + left.toString().replaceAll("[\\[\\]]", "")
+                    + " of a state of " + misfit.length + " numbers stay" + (left.size() == 1 ? "s" : "") + " as it was: the loop over i has to go"
+                    + " from 0 to source.getStateSize() - 1"));
+        }
+        if (largest > DOUBLE_ROUNDING) {
+            findings.add(new Finding(Kind.STATE, "digits get lost: the new state is off by " + Formula.number(largest)
+                    + " of its size, as in float arithmetic; all numbers have to be double"));
+        }
+        return true;
+    }
+
+    private Optional<Diagnosis> kicks() {
+        for (int dimension : new int[] {3, 1}) {
+            try {
+                ExtractedKicks step = ExtractedKicks.of(maker.get(), H, dimension);
+                if (step.misfit(maker.get(), H, dimension) < 1e-12 && !step.left()) {
+                    return Optional.of(KicksDiagnosis.of(step, className));
+                }
+            } catch (Probe.TooManyEvaluations | DESolverException | IndexOutOfBoundsException e) {
+                continue;                               // not this dimension, or no such method
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Methods that cannot be read off. */
+    private Diagnosis measured(boolean multistep) {
+        String identity = multistep ? "This is a method that uses earlier steps (a multistep method)."
+                : "This is a method without fixed coefficients, adaptive or implicit.";
+        OrderMeasurement measured = OrderMeasurement.of(maker);
+        List<Finding> found = new ArrayList<>();
+        WindyOscillators source = new WindyOscillators(1);
+        maker.get().stepState(source, H);
+        if (Math.abs(source.getTime() - H) > 1e-15) {
+            found.add(new Finding(Kind.TIME, source.getTime() == 0 ? "the clock never moves: incTime(deltaT) is missing"
+                    : "the clock ends at t + " + source.getTime() + " after a step of " + H));
+        }
+        boolean explained = findings.stream().anyMatch(Finding::isWrong) || !found.isEmpty();
+        if (!explained && !(measured.order() >= LOWEST_ORDER) && !(measured.smallestError() < 1e-4)) {
+            found.add(new Finding(Kind.METHOD, "the error does not go to 0 with deltaT: over the same time it is "
+                    + measured.points().stream().map(point -> Formula.number(point[1])).toList()
+                    + " with deltaT = " + measured.points().stream().map(point -> Formula.number(point[0])).toList()));
+        }
+        return new Diagnosis(identity, found, new double[0]);
+    }
+
+    private int evaluations(double deltaT) {
+        WindyOscillators source = new WindyOscillators(1);
+        maker.get().stepState(source, deltaT);
+        return source.evaluations();
+    }
+}

@@ -1,0 +1,28 @@
+package particles.teaching;
+
+import java.util.List;
+
+/**
+ * What a solver is, and what was found.
+ *
+ * @param identity   what method it is, in a sentence
+ * @param findings   mistakes and advice
+ * @param polynomial the coefficients of its stability polynomial from z^0 on; empty if it has none
+ */
+public record SolverVerdict(String identity, List<Finding> findings, double[] polynomial) {
+
+    /** Copies the list. */
+    public SolverVerdict {
+        findings = List.copyOf(findings);
+    }
+
+    /** @return the mistakes */
+    public List<Finding> wrong() {
+        return findings.stream().filter(Finding::isWrong).toList();
+    }
+
+    /** @return what could be better */
+    public List<Finding> advice() {
+        return findings.stream().filter(finding -> !finding.isWrong()).toList();
+    }
+}
