@@ -60,7 +60,7 @@ final class Charts {
         ChartDataset dataset = new ChartDataset(data);
         XYPlot plot = new XYPlot(dataset, axis(data.xLabel(), data.xLog(), range(dataset, true), onlyLines(data)),
                 axis(data.yLabel(), data.yLog(), range(dataset, false), false), renderer(data));
-        plot.setSeriesRenderingOrder(SeriesRenderingOrder.REVERSE);     // the first series lies on top
+        plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);     // through dashes the line below is seen
         plot.setBackgroundPaint(Color.WHITE);
         plot.setDomainGridlinePaint(ChartStyle.GRID);
         plot.setRangeGridlinePaint(ChartStyle.GRID);

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
-import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.Layer;
@@ -31,7 +30,6 @@ final class PhasePlot {
     static JFreeChart of(ChartData data, Optional<VectorField> field) {
         JFreeChart chart = Charts.of(data);
         XYPlot plot = chart.getXYPlot();
-        plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);     // marks lie on the path
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
         renderer.setSeriesPaint(0, ChartStyle.colour(1));
         renderer.setSeriesFillPaint(0, ChartStyle.colour(1));
