@@ -106,6 +106,21 @@ class FrameObserverTest {
         assertEquals(1, watch(thrown(0.01, 0), 10).frames.size());
     }
 
+    /** The clock ends a rounding error early; a frame that is really still to come is not drawn. */
+    @Test
+    void theLastFrameIsDrawnDespiteRounding() {
+        for (double end : new double[] {Math.nextDown(1.0), 0.999}) {
+            Notes notes = new Notes();
+            ParticleSystem system = thrown(0.1, 1).getSystem();
+            try (FrameObserver frames = new FrameObserver(renderer(), 1, List.of(notes))) {
+                frames.started(system);
+                system.incTime(end);
+                frames.finished(system);
+            }
+            assertEquals(end == 0.999 ? List.of(0) : List.of(0, 1), notes.frames);
+        }
+    }
+
     @Test
     void framesChangeNoStateAndCostNoEvaluation() {
         Simulation alone = thrown(0.03, 1);
