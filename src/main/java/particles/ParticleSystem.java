@@ -62,6 +62,17 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
+     * Gives a particle its span of life. Nothing but rules and pictures looks at it.
+     *
+     * @param i         its index
+     * @param birthTime when it came into being (s)
+     * @param deathTime when it is to die of age (s); may be infinite
+     */
+    public void setLife(int i, double birthTime, double deathTime) {
+        particles.setLife(i, birthTime, deathTime);
+    }
+
+    /**
      * Takes particles out. Those that stay keep their order and move up to fill the gaps; effects and reactions are told.
      *
      * @param gone by index, true for particles to be taken out; as many as there are particles

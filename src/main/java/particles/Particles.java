@@ -15,6 +15,7 @@ public final class Particles {
     private double[] masses = new double[8];
     private double[] inverseMasses = new double[8];
     private double[] birthTimes = new double[8];
+    private double[] deathTimes = new double[8];
 
     Particles() {
     }
@@ -30,11 +31,13 @@ public final class Particles {
             masses = Arrays.copyOf(masses, capacity);
             inverseMasses = Arrays.copyOf(inverseMasses, capacity);
             birthTimes = Arrays.copyOf(birthTimes, capacity);
+            deathTimes = Arrays.copyOf(deathTimes, capacity);
         }
         ids[count] = id;
         masses[count] = mass;
         inverseMasses[count] = fixed ? 0 : 1 / mass;
         birthTimes[count] = birthTime;
+        deathTimes[count] = Double.POSITIVE_INFINITY;
         return count++;
     }
 
@@ -44,6 +47,12 @@ public final class Particles {
         masses[to] = masses[from];
         inverseMasses[to] = inverseMasses[from];
         birthTimes[to] = birthTimes[from];
+        deathTimes[to] = deathTimes[from];
+    }
+
+    void setLife(int i, double birthTime, double deathTime) {
+        birthTimes[i] = birthTime;
+        deathTimes[i] = deathTime;
     }
 
     void shrinkTo(int count) {
@@ -74,6 +83,11 @@ public final class Particles {
     /** @return the simulated time at which particle i came into being (s) */
     public double birthTime(int i) {
         return birthTimes[i];
+    }
+
+    /** @return the simulated time at which particle i is to die of age (s); infinite if it is not */
+    public double deathTime(int i) {
+        return deathTimes[i];
     }
 
     /** @return the masses themselves (kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept */

@@ -1,0 +1,49 @@
+package particles.rules;
+
+import particles.AnchorMotion;
+import particles.Vector3;
+
+/** Round and round an axis, a turning crank: counter-clockwise seen against the axis. */
+public final class CircleMotion implements AnchorMotion {
+    private final Vector3 centre;
+    private final Vector3 cosine;
+    private final Vector3 sine;
+    private final double omega;
+
+    /**
+     * @param start  where the point is at t = 0 (m)
+     * @param centre any point of the axis (m)
+     * @param axis   its direction
+     * @param period of one turn (s), positive; negative turns the other way
+     * @throws IllegalArgumentException if the axis has no direction, the period is 0 or a number not finite
+     */
+    public CircleMotion(Vector3 start, Vector3 centre, Vector3 axis, double period) {
+        if (!start.isFinite() || !centre.isFinite() || !(Math.abs(period) > 0) || !(Math.abs(period) <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a circle needs finite points and a period other than 0, not " + start + ", "
+                    + centre + ", " + period);
+        }
+        Vector3 unit = axis.normalized();
+        Vector3 radius = start.minus(centre);
+        Vector3 along = unit.times(radius.dot(unit));
+        this.centre = centre.plus(along);
+        cosine = radius.minus(along);
+        sine = unit.cross(cosine);
+        omega = 2 * Math.PI / period;
+    }
+
+    @Override
+    public void at(double time, double[] values) {
+        double sin = StrictMath.sin(omega * time);
+        double cos = StrictMath.cos(omega * time);
+        put(values, 0, centre.x(), cosine.x(), sine.x(), sin, cos);
+        put(values, 1, centre.y(), cosine.y(), sine.y(), sin, cos);
+        put(values, 2, centre.z(), cosine.z(), sine.z(), sin, cos);
+    }
+
+    private void put(double[] values, int c, double middle, double a, double b, double sin, double cos) {
+        double from = a * cos + b * sin;
+        values[c] = middle + from;
+        values[3 + c] = omega * (b * cos - a * sin);
+        values[6 + c] = -omega * omega * from;
+    }
+}

@@ -1,0 +1,55 @@
+package particles.rules;
+
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.effects.SpringForce;
+
+/**
+ * Springs tear when they are stretched too far: at the end of a step a spring longer than (1 + strain) times its rest length
+ * is gone, and what it stored with it. Springs of rest length 0 have no strain and never tear.
+ */
+public final class SpringTear implements Rule {
+    private final SpringForce springs;
+    private final double strain;
+
+    /**
+     * @param springs which may tear
+     * @param strain  the stretch over the rest length beyond which one does, over 0
+     * @throws IllegalArgumentException if the strain is out of its range
+     */
+    public SpringTear(SpringForce springs, double strain) {
+        if (!(strain > 0) || !(strain <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the strain at which springs tear has to be positive and finite, not " + strain);
+        }
+        this.springs = springs;
+        this.strain = strain;
+    }
+
+    @Override
+    public String getName() {
+        return "tear";
+    }
+
+    @Override
+    public boolean afterStep(ParticleSystem system, double deltaT) {
+        double[] state = system.getOwnState();
+        int torn = 0;
+        for (int s = 0; s < springs.springCount(); s++) {
+            torn += isTorn(state, s) ? 1 : 0;
+        }
+        if (torn == 0) {
+            return false;
+        }
+        boolean[] gone = new boolean[springs.springCount()];
+        for (int s = 0; s < gone.length; s++) {
+            gone[s] = isTorn(state, s);
+        }
+        springs.removeSprings(gone);
+        return true;
+    }
+
+    private boolean isTorn(double[] state, int s) {
+        double restLength = springs.restLength(s);
+        return restLength > 0 && springs.length(state, s) > (1 + strain) * restLength;
+    }
+}
