@@ -2,12 +2,10 @@ package particles.reactions;
 
 import java.util.List;
 import particles.ForceDerivatives;
-import particles.Obstacle;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
 import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
 
 /**
  * The contact force on particles that rest on planes, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
@@ -25,21 +23,16 @@ public final class PlaneContacts implements Reaction {
 
     private final Particles particles;
     private final List<ContactPlane> planes;
-    private final NormalForces normalForces;
     private final ContactModes modes;
     private final boolean flat;
     private boolean holdsOn;
-    private boolean sticking;                           // of the particle that respond() looked at last
     private final Sliding sliding = new Sliding();
     private final ContactDerivative derivative;
 
-    private final ContactPlane[] touched;               // work arrays for one particle
+    private final TouchedSurfaces touched;              // by the particle that respond() looked at last
     private final Vector3[] normals;
     private final double[] push;
-    private final double[] bound;                       // what keeps a particle on a curved surface: -m curvature v_t^2
-    private final double[] pressing = new double[3];
     private final double[] friction = new double[3];
-    private final double[] left = new double[3];
 
     /**
      * @param particles whom the planes hold
@@ -49,11 +42,9 @@ public final class PlaneContacts implements Reaction {
         this.particles = particles;
         this.planes = List.copyOf(planes);
         modes = new ContactModes(particles, planes.size());
-        normalForces = new NormalForces(planes.size());
-        touched = new ContactPlane[planes.size()];
-        normals = new Vector3[planes.size()];
-        push = new double[planes.size()];
-        bound = new double[planes.size()];
+        touched = new TouchedSurfaces(particles, planes.size());
+        normals = touched.normals;
+        push = touched.push;
         flat = this.planes.stream().allMatch(plane -> plane.obstacle().isFlat());
         derivative = new ContactDerivative(planes.size());
     }
@@ -122,12 +113,13 @@ public final class PlaneContacts implements Reaction {
                 continue;
             }
             derivative.begin(count, normals, push);
-            if (sticking) {
+            if (touched.isSticking()) {
                 derivative.hold();
             }
-            for (int p = 0; p < count && !sticking; p++) {
-                double factor = sliding.find(touched[p].friction(), normals[p], push[p], pressing, state, STRIDE * i + 3);
-                derivative.rub(p, factor, sliding, touched[p].friction().law());
+            for (int p = 0; p < count && !touched.isSticking(); p++) {
+                double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state,
+                        STRIDE * i + 3);
+                derivative.rub(p, factor, sliding, touched.surfaces[p].friction().law());
             }
             derivative.add(i, derivatives);
         }
@@ -189,9 +181,9 @@ public final class PlaneContacts implements Reaction {
         double withstood = 0;
         for (int p = 0; p < count; p++) {
             pushed += push[p];
-            withstood += push[p] * touched[p].friction().staticCoefficient();
+            withstood += push[p] * touched.surfaces[p].friction().staticCoefficient();
         }
-        return pushed > 0 ? withstood - Sliding.length(unheld(count)) : -1;
+        return pushed > 0 ? withstood - Sliding.length(touched.unheld()) : -1;
     }
 
     /**
@@ -206,25 +198,11 @@ public final class PlaneContacts implements Reaction {
     public double pressure(int plane, int particle, double[] state, double[] force) {
         int count = respond(particle, state, force);
         for (int p = 0; p < count; p++) {
-            if (touched[p] == planes.get(plane)) {
-                double[] left = unheld(count);
-                Vector3 normal = normals[p];
-                return push[p] != 0 ? push[p]
-                        : bound[p] - (normal.x() * left[0] + normal.y() * left[1] + normal.z() * left[2]);
+            if (touched.surfaces[p] == planes.get(plane)) {
+                return push[p] != 0 ? push[p] : touched.needed(p, touched.unheld());
             }
         }
         return 0;
-    }
-
-    /** The force on the particle after the planes have pushed. */
-    private double[] unheld(int count) {
-        System.arraycopy(pressing, 0, left, 0, 3);
-        for (int p = 0; p < count; p++) {
-            left[0] += push[p] * normals[p].x();
-            left[1] += push[p] * normals[p].y();
-            left[2] += push[p] * normals[p].z();
-        }
-        return left;
     }
 
     /**
@@ -235,18 +213,9 @@ public final class PlaneContacts implements Reaction {
      * @param state    the state, in which its velocity is changed
      */
     public void stopEntering(int particle, double[] state) {
-        int count = 0;
-        int v = STRIDE * particle + 3;
-        for (int p = 0; p < planes.size(); p++) {
-            if (modes.get(p, particle) != Mode.FREE) {
-                look(planes.get(p).obstacle(), particle, state, count);
-                bound[count++] = 0;
-            }
-        }
-        if (count > 0) {
-            System.arraycopy(state, v, pressing, 0, 3);
-            normalForces.solve(count, normals, pressing, bound, push);
-            System.arraycopy(unheld(count), 0, state, v, 3);
+        if (touched.gather(particle, planes, modes, state) > 0) {
+            touched.answerVelocity(state, STRIDE * particle + 3);
+            System.arraycopy(touched.unheld(), 0, state, STRIDE * particle + 3, 3);
         }
     }
 
@@ -255,29 +224,19 @@ public final class PlaneContacts implements Reaction {
         if (particles.isFixed(i)) {
             return 0;
         }
-        int count = 0;
-        sticking = true;
-        for (int p = 0; p < planes.size(); p++) {
-            Mode mode = modes.get(p, i);
-            if (mode != Mode.FREE) {
-                touched[count] = planes.get(p);
-                look(planes.get(p).obstacle(), i, state, count++);
-                sticking &= mode == Mode.STICKING;
-            }
-        }
+        int count = touched.gather(i, planes, modes, state);
         if (count == 0) {
             return 0;
         }
-        System.arraycopy(force, STRIDE * i + 3, pressing, 0, 3);
-        normalForces.solve(count, normals, pressing, bound, push);
+        touched.answer(force, STRIDE * i + 3);
         if (holdsOn && count == 1 && push[0] == 0) {
-            push[0] = bound[0] - normals[0].dot(new Vector3(pressing[0], pressing[1], pressing[2]));
+            push[0] = touched.needed(0, touched.pressing);
         }
         friction[0] = 0;
         friction[1] = 0;
         friction[2] = 0;
-        if (sticking) {
-            hold(count);
+        if (touched.isSticking()) {
+            hold();
         } else {
             for (int p = 0; p < count; p++) {
                 rub(p, state, STRIDE * i + 3);
@@ -286,23 +245,9 @@ public final class PlaneContacts implements Reaction {
         return count;
     }
 
-    /** The normal and the bound of one obstacle, where particle i is. */
-    private void look(Obstacle obstacle, int i, double[] state, int count) {
-        int x = STRIDE * i;
-        Vector3 normal = obstacle.normal(state[x], state[x + 1], state[x + 2]);
-        normals[count] = normal;
-        bound[count] = 0;
-        if (!obstacle.isFlat()) {
-            double along = normal.x() * state[x + 3] + normal.y() * state[x + 4] + normal.z() * state[x + 5];
-            double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
-            bound[count] = -particles.mass(i) * obstacle.curvature(state[x], state[x + 1], state[x + 2])
-                    * (square - along * along);
-        }
-    }
-
     /** Static friction cancels the force along the planes. Whether it can is asked between steps: see holdMargin. */
-    private void hold(int count) {
-        double[] left = unheld(count);
+    private void hold() {
+        double[] left = touched.unheld();
         for (int c = 0; c < 3; c++) {
             friction[c] = -left[c];
         }
@@ -310,7 +255,7 @@ public final class PlaneContacts implements Reaction {
 
     /** Sliding friction of one plane, against the velocity along it. */
     private void rub(int p, double[] state, int v) {
-        double factor = sliding.find(touched[p].friction(), normals[p], push[p], pressing, state, v);
+        double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state, v);
         for (int c = 0; c < 3 && factor != 0; c++) {
             friction[c] -= factor * sliding.direction[c];
         }

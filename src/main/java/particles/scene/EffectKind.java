@@ -28,8 +28,13 @@ public abstract class EffectKind implements Kind {
     /** Builds what a scene names. */
     abstract void build(Values values, SceneAssembly assembly);
 
-    /** @return the effect without which this one does nothing, if there is one: a scene has to name it too */
-    Optional<EffectKind> needs() {
+    /** @return effects of which a scene has to name one too, because without any this one does nothing; empty if it does */
+    List<EffectKind> needs() {
+        return List.of();
+    }
+
+    /** @return the effect that a scene cannot name too, if there is one */
+    Optional<EffectKind> excludes() {
         return Optional.empty();
     }
 
@@ -77,13 +82,13 @@ public abstract class EffectKind implements Kind {
         }
     };
 
-    private static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"), "The wind's steady part (m/s).");
+    static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"), "The wind's steady part (m/s).");
     private static final Key<Vector3> GUST = Key.withDefault("gust", VectorType.of("m/s"), Vector3.ZERO,
             "The amplitude of its varying part, gust sin(2 pi t / period) (m/s).");
     private static final Key<Double> PERIOD = Key.withDefault("period", NumberType.positive("s"), 1.0,
             "From gust to gust (s).");
 
-    private static final EffectKind WIND = new EffectKind("wind", "The air moves, and drag carries particles with it.",
+    static final EffectKind WIND = new EffectKind("wind", "The air moves, and drag carries particles with it.",
             MEAN, GUST, PERIOD) {
         @Override
         void build(Values values, SceneAssembly assembly) {
@@ -92,11 +97,17 @@ public abstract class EffectKind implements Kind {
         }
 
         @Override
-        Optional<EffectKind> needs() {
-            return Optional.of(DRAG);
+        List<EffectKind> needs() {
+            return drags();
         }
     };
 
+    /** What wind acts through. */
+    static List<EffectKind> drags() {
+        return List.of(DRAG, MoreEffects.QUADRATIC_DRAG);
+    }
+
     /** All effects, in the order in which they are built: what others ask comes first. */
-    static final List<EffectKind> ALL = List.of(GRAVITY, WIND, DRAG);
+    static final List<EffectKind> ALL = List.of(GRAVITY, WIND, MoreEffects.TURBULENCE, DRAG, MoreEffects.QUADRATIC_DRAG,
+            MoreEffects.ATTRACTION, MoreEffects.COHESION, MoreEffects.PENALTY_PLANE, MoreEffects.PENALTY_SPHERE);
 }

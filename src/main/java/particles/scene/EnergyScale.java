@@ -1,18 +1,21 @@
 package particles.scene;
 
+import particles.Effect;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Vector3;
+import particles.effects.Gravity;
 import particles.effects.SpringForce;
 
 /**
  * How much energy of motion is to be expected in a scene, so that "a million times more" means that it blew up. The largest
  * of
  * <ul>
- * <li>kinetic energy plus the springs' energy at the start;</li>
+ * <li>kinetic energy plus what springs, attraction, cohesion and penalties store at the start;</li>
  * <li>what gravity can give: the sum of m g (H + g T&sup2;/2), with H the extent of all particles along g and T the
  *     duration, since everything may fall for as long as the run lasts;</li>
- * <li>what wind can give: the sum of m w&sup2;/2, with w its largest speed.</li>
+ * <li>what wind, emitters and moving anchors can give: the sum of m w&sup2;/2, with w the largest of their speeds, over all
+ *     particles, those too that are born during the run.</li>
  * </ul>
  * Where all three are 0 nothing that the scene names sets anything in motion. Then it is the kinetic energy with which
  * every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
@@ -31,11 +34,16 @@ final class EnergyScale {
      */
     static double of(ParticleSystem system, SpringForce springs, SceneAssembly assembly, double duration) {
         double[] state = system.getOwnState();
-        double mass = freeMass(system.getParticles());
+        double mass = freeMass(system.getParticles()) + assembly.births() * duration;
         if (mass == 0) {
             return 1;
         }
         double atStart = system.getKineticEnergy(state) + springs.getPotentialEnergy(state, system.getTime());
+        for (Effect effect : system.getEffects()) {
+            if (effect != springs && !(effect instanceof Gravity)) {
+                atStart += Math.abs(effect.getPotentialEnergy(state, system.getTime()));
+            }
+        }
         double g = assembly.acceleration().length();
         double height = g == 0 ? 0 : extent(system, assembly.acceleration().normalized());
         double byGravity = mass * g * (height + g * duration * duration / 2);

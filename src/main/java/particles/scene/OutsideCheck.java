@@ -2,14 +2,14 @@ package particles.scene;
 
 import java.util.List;
 import java.util.Optional;
-import particles.Plane;
+import particles.Obstacle;
 import particles.Vector3;
 import particles.scene.spec.Chosen;
 import particles.scene.spec.Problems;
 import particles.scene.spec.Values;
 import particles.scene.spec.Wording;
 
-/** Whether everything begins outside of the ground and the other planes; what is fixed may stand in them. */
+/** Whether everything begins outside of the ground and the other solids; what is fixed may stand in them. */
 final class OutsideCheck {
     private static final int MOST_RULES = 50;
 
@@ -24,7 +24,7 @@ final class OutsideCheck {
             return;
         }
         for (Chosen<RuleKind> rule : rules) {
-            Optional<Plane> plane = Optional.of(rule.values()).filter(Values::isSound).flatMap(rule.kind()::plane);
+            Optional<Obstacle> plane = Optional.of(rule.values()).filter(Values::isSound).flatMap(rule.kind()::obstacle);
             if (plane.isPresent()) {
                 for (ParticleDescription particle : particles) {
                     double distance = distance(plane.get(), particle.position());
@@ -37,10 +37,10 @@ final class OutsideCheck {
         }
     }
 
-    private static void check(ShapeDescription shape, Plane plane, Chosen<RuleKind> rule, Problems problems) {
+    private static void check(ShapeDescription shape, Obstacle plane, Chosen<RuleKind> rule, Problems problems) {
         Lattice lattice = shape.lattice();
-        if (problems.isFull() || lattice.corners().stream().allMatch(n -> distance(plane, lattice.position(n)) >= 0)) {
-            return;                                     // all others lie between the corners
+        if (problems.isFull() || plane.isFlat() && lattice.corners().stream().allMatch(n -> distance(plane, lattice.position(n)) >= 0)) {
+            return;                                     // on a plane's right side all others lie between the corners
         }
         int lowest = -1;
         double least = 0;
@@ -63,7 +63,7 @@ final class OutsideCheck {
     }
 
     /** Places that are on the plane but for rounding are on it. */
-    private static double distance(Plane plane, Vector3 at) {
+    private static double distance(Obstacle plane, Vector3 at) {
         double distance = plane.distance(at.x(), at.y(), at.z());
         return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;
     }

@@ -3,6 +3,7 @@ package particles.scene;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import particles.Obstacle;
 import particles.Plane;
 import particles.Vector3;
 import particles.reactions.ContactPlane;
@@ -48,8 +49,25 @@ public abstract class RuleKind implements Kind {
     /** Builds what a scene names. */
     abstract void build(Values values, SceneAssembly assembly);
 
-    /** @return the plane below which no particle may begin, if the rule has one */
-    abstract Optional<Plane> plane(Values values);
+    /** @return the solid in which no particle may begin, if the rule has one */
+    Optional<Obstacle> obstacle(Values values) {
+        return Optional.empty();
+    }
+
+    /** @return the key that names a fixed particle which the rule moves, if there is one */
+    Optional<Key<String>> anchor() {
+        return Optional.empty();
+    }
+
+    /** @return the key of a name with which the ids of new particles begin, if there is one */
+    Optional<Key<String>> newIds() {
+        return Optional.empty();
+    }
+
+    /** @return whether it acts on springs only */
+    boolean needsSprings() {
+        return false;
+    }
 
     @Override
     public String name() {
@@ -66,15 +84,15 @@ public abstract class RuleKind implements Kind {
         return keys;
     }
 
-    /** A rule for particles that meet a plane. */
-    private abstract static class OfPlane extends RuleKind {
-        OfPlane(String name, String sentence, Key<?>... keys) {
+    /** A rule for particles that meet a solid. */
+    private abstract static class OfSolid extends RuleKind {
+        OfSolid(String name, String sentence, Key<?>... keys) {
             super(name, sentence, keys);
         }
 
         @Override
         void build(Values values, SceneAssembly assembly) {
-            plane(values).ifPresent(plane -> assembly.add(new ContactPlane(name(), plane, values.get(RESTITUTION),
+            obstacle(values).ifPresent(solid -> assembly.add(new ContactPlane(name(), solid, values.get(RESTITUTION),
                     values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED))));
         }
     }
@@ -88,11 +106,11 @@ public abstract class RuleKind implements Kind {
     private static final Key<Double> HEIGHT = Key.withDefault("height", NumberType.any("m"), 0.0,
             "How high it lies (m).");
 
-    private static final RuleKind GROUND = new OfPlane("ground",
+    private static final RuleKind GROUND = new OfSolid("ground",
             "A level ground that particles bounce off, rest on and slide along.",
             HEIGHT, RESTITUTION, FRICTION, REST_SPEED) {
         @Override
-        Optional<Plane> plane(Values values) {
+        Optional<Obstacle> obstacle(Values values) {
             return Optional.of(Plane.ground(values.get(HEIGHT)));
         }
     };
@@ -102,15 +120,25 @@ public abstract class RuleKind implements Kind {
     private static final Key<Vector3> NORMAL = Key.required("normal", VectorType.notZero(""),
             "N, the direction out of the solid, to the side where particles are; of any length.");
 
-    private static final RuleKind PLANE = new OfPlane("plane",
+    private static final RuleKind PLANE = new OfSolid("plane",
             "A plane in any direction, a ramp or a wall, that particles bounce"
             + " off, rest on and slide along.", POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED) {
         @Override
-        Optional<Plane> plane(Values values) {
+        Optional<Obstacle> obstacle(Values values) {
             return Optional.of(new Plane(values.get(POINT), values.get(NORMAL)));
         }
     };
 
+    private static final RuleKind SPHERE = new OfSolid("sphere",
+            "A ball, or the inside of a hollow one, that particles bounce off, rest on and slide along.",
+            MoreEffects.SPHERE_CENTRE, MoreEffects.RADIUS, MoreEffects.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
+        @Override
+        Optional<Obstacle> obstacle(Values values) {
+            return Optional.of(MoreEffects.sphere(values));
+        }
+    };
+
     /** All rules. */
-    static final List<RuleKind> ALL = List.of(GROUND, PLANE);
+    static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, BirthAndDeath.TEAR, MotionKinds.SHAKE, MotionKinds.CIRCLE,
+            MotionKinds.GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL, BirthAndDeath.SAMPLES);
 }

@@ -2,23 +2,76 @@ package particles.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import particles.AnchorMotion;
 import particles.Effect;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.Rule;
 import particles.Vector3;
+import particles.effects.SpringForce;
 import particles.effects.Wind;
 import particles.reactions.ContactPlane;
+import particles.rules.Lifetimes;
 
 /** A scene's system while effects and rules are being added to it, and what they share. */
 final class SceneAssembly {
     private final ParticleSystem system;
+    private final SpringForce springs;
+    private final ParticleIndex index;
+    private final List<Rule> rules = new ArrayList<>();
+    private boolean mortal;
+    private double births;
     private final List<ContactPlane> planes = new ArrayList<>();
     private Wind wind = Wind.STILL;
     private Vector3 acceleration = Vector3.ZERO;
     private double speed;
 
-    SceneAssembly(ParticleSystem system) {
+    SceneAssembly(ParticleSystem system, SpringForce springs, ParticleIndex index) {
         this.system = system;
+        this.springs = springs;
+        this.index = index;
+    }
+
+    SpringForce springs() {
+        return springs;
+    }
+
+    /** @return where the particle with this known id is at the start (m) */
+    Vector3 positionOf(String id) {
+        return index.position(id);
+    }
+
+    /** Lets the fixed particle with this known id follow a motion. */
+    void move(String id, AnchorMotion motion) {
+        system.moveAnchor(index.find(id).orElseThrow(), motion);
+    }
+
+    /** @param rule to act after contacts, in the order of the scene */
+    void add(Rule rule) {
+        rules.add(rule);
+    }
+
+    /** Lets particles die whose time has come; once, however many emitters ask for it. */
+    void letDie() {
+        mortal = true;
+    }
+
+    /** @return the rules besides contacts; deaths of age come last */
+    List<Rule> rules() {
+        List<Rule> all = new ArrayList<>(rules);
+        if (mortal) {
+            all.add(new Lifetimes());
+        }
+        return all;
+    }
+
+    /** @param massRate of what is born (kg/s); for the energy scale */
+    void noteBirths(double massRate) {
+        births += massRate;
+    }
+
+    double births() {
+        return births;
     }
 
     Particles particles() {

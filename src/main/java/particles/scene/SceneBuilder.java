@@ -54,7 +54,7 @@ public final class SceneBuilder {
         if (springs.springCount() > 0) {
             system.addEffect(springs);
         }
-        SceneAssembly assembly = new SceneAssembly(system);
+        SceneAssembly assembly = new SceneAssembly(system, springs, index);
         scene.effects().stream().sorted(Comparator.comparingInt(effect -> EffectKind.ALL.indexOf(effect.kind())))
                 .forEach(effect -> effect.kind().build(effect.values(), assembly));
         scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
@@ -73,6 +73,7 @@ public final class SceneBuilder {
             }
         }
         scene.constraints().build(system, index, simulation);
+        assembly.rules().forEach(simulation::addRule);
         List<Plane> planes = assembly.planes().stream().map(ContactPlane::obstacle).filter(Plane.class::isInstance)
                 .map(Plane.class::cast).toList();
         Optional<Scene.Phase> phase = scene.output().phase()

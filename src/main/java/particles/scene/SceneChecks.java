@@ -38,6 +38,7 @@ final class SceneChecks {
     Optional<SceneDescription> describe(String source, String sha256) {
         checkParticles();
         checkShapes();
+        RuleChecks.newIds(scene, this::take);
         index = new ParticleIndex(particles, shapes);
         SizeCheck.check(scene, particles, shapes, problems);
         if (particles.isEmpty() && shapes.isEmpty() && problems.count() == 0) {
@@ -48,6 +49,7 @@ final class SceneChecks {
         constraints.check();
         checkEffects();
         OutsideCheck.check(scene.find(SceneFormat.RULES).orElse(List.of()), particles, shapes, problems);
+        new RuleChecks(scene, problems, this::isKnown).check(particles, shapes, springs);
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
         checkPhase();
@@ -180,10 +182,14 @@ final class SceneChecks {
             }
         }
         for (Chosen<EffectKind> effect : effects) {
-            effect.kind().needs().filter(need -> !named.containsKey(need)).ifPresent(need -> problems.add(effect.place(), "'"
-                    + effect.kind().name() + "' acts only through '" + need.name()
-                            + "', which the scene does not name; add '- "
-                    + need.name() + ": ...' to 'effects'"));
+            List<EffectKind> needs = effect.kind().needs();
+            if (!needs.isEmpty() && needs.stream().noneMatch(named::containsKey)) {
+                problems.add(effect.place(), "'" + effect.kind().name() + "' acts only through '"
+                        + String.join("' or '", needs.stream().map(EffectKind::name).toList())
+                        + "', which the scene does not name; add '- " + needs.get(0).name() + ": ...' to 'effects'");
+            }
+            effect.kind().excludes().filter(named::containsKey).ifPresent(other -> problems.add(effect.place(), "'"
+                    + effect.kind().name() + "' and '" + other.name() + "' are two answers to one question; keep one of them"));
         }
     }
 

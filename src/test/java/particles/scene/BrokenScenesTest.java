@@ -13,6 +13,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** What is wrong in a scene file is said in one line each, with its place, what was found and what is allowed. */
 class BrokenScenesTest {
+    private static final String EFFECTS = String.join(", ", EffectKind.ALL.stream().map(EffectKind::name).toList());
+
     /** Seven right lines, so that what a case adds begins at line 8. */
     private static final String HEAD = """
             title: Broken
@@ -38,12 +40,12 @@ class BrokenScenesTest {
     static Stream<Arguments> brokenScenes() {
         return Stream.of(
                 added("effects:\n  - gravty\n",
-                        "x.yaml:9:5: unknown effect 'gravty'; did you mean 'gravity'? known: gravity, wind, drag"),
+                        "x.yaml:9:5: unknown effect 'gravty'; did you mean 'gravity'? known: " + EFFECTS),
                 added("efects: []\n",
                         "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: " + KEYS),
                 added("effects:\n  gravity: {}\n",
                         "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a dash: "
-                                + "one of gravity, wind, drag, with its keys below it"),
+                                + "one of " + EFFECTS + ", with its keys below it"),
                 added("effects:\n  - gravity:\n",
                         "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration; or write "
                                 + "'- gravity', without the colon"),
@@ -58,8 +60,18 @@ class BrokenScenesTest {
                 added("effects:\n  - gravity\n  - gravity\n",
                         "x.yaml:10:5: 'gravity' is named twice, first at line 9"),
                 added("effects:\n  - wind: {mean: [1, 0, 0]}\n",
-                        "x.yaml:9:5: 'wind' acts only through 'drag', which the scene does not name; add '- drag: ...' "
+                        "x.yaml:9:5: 'wind' acts only through 'drag' or 'quadraticDrag', which the scene does not name; add '- drag: ...' "
                                 + "to 'effects'"),
+                added("effects:\n  - turbulence: {strength: 1}\n  - wind: {mean: [1, 0, 0]}\n  - drag: {coefficient: 1}\n",
+                        "x.yaml:9:5: 'turbulence' and 'wind' are two answers to one question; keep one of them"),
+                added("rules:\n  - shake: {particle: bob, amplitude: [1, 0, 0], period: 1}\n",
+                        "x.yaml:9:23: particle 'bob' is free; only a fixed one can follow a given motion"),
+                added("rules:\n  - glide: {particle: tim, to: [1, 0, 0], duration: 1}\n",
+                        "x.yaml:9:23: unknown particle 'tim'; known: bob"),
+                added("rules:\n  - tear: {strain: 0.5}\n",
+                        "x.yaml:9:5: 'tear' acts on springs, and the scene has none"),
+                added("rules:\n  - emitter: {id: bob, position: [0, 0, 0], speed: 1, rate: 1}\n",
+                        "x.yaml:9:19: the id 'bob' is taken, at line 7; give another"),
                 added("  - {id: bob, position: [1, 0, 0]}\n",
                         "x.yaml:8:10: the id 'bob' is taken, at line 7; give another"),
                 added("  - {id: tom, position: [1, 0]}\n",
