@@ -3,6 +3,7 @@ package particles;
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -71,6 +72,11 @@ public final class Simulation {
         if (locator == null) {
             locator = new EventLocator(searchSolver);
         }
+    }
+
+    /** @return the rules, in the order in which they act; to be read only */
+    public List<Rule> getRules() {
+        return Collections.unmodifiableList(rules);
     }
 
     /** @param observer to be told of every step */

@@ -1,0 +1,59 @@
+package particles.experiments;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.RK4Solver;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.ChartData;
+import particles.ParticleSystem;
+import particles.effects.SpringForce;
+import particles.experiments.EffectCost.Cost;
+
+/** The measurement by a clock of the test's own, and the hand-written springs against the system's. */
+class EffectCostTest {
+
+    /** The clock gives 100 ns to the first turn, 200 to the second ...; the later round is slower and does not count. */
+    @Test
+    void theFastestRoundOfEachCounts() {
+        long[] now = {0};
+        int[] call = {0};
+        List<String> told = new ArrayList<>();
+        List<Cost> costs = EffectCost.measure(3, 2, 2, () -> now[0] += 100L * (call[0]++ / 2 + 1),
+                (part, what) -> told.add(what));
+        assertEquals(16, costs.size());
+        assertEquals(32, told.size());
+        for (int k = 0; k < 16; k++) {
+            assertEquals(100e-9 * (k + 1) / 2, costs.get(k).seconds(), 1e-20);
+            assertEquals((k + 1) / 2.0, costs.get(k).overBase(), 1e-12);
+            assertEquals(costs.get(k).name(), told.get(k));
+        }
+        ChartData chart = EffectCost.chart(costs);
+        assertEquals(16, chart.series().size());
+        assertArrayEquals(new double[] {0, 1, 1, 0, 0}, chart.series().get(1).y());
+        assertEquals(16, EffectCost.table(costs).rows().size());
+        assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
+    }
+
+    @Test
+    void theHandWrittenSpringsMoveBitByBitAsTheSystem() {
+        ParticleSystem system = EffectCost.cloth(5);
+        SpringsOnly source = new SpringsOnly(system, (SpringForce) system.getEffects().get(0));
+        RK4Solver solver = new RK4Solver();
+        double[] before = new double[system.getStateSize()];
+        system.getState(before);
+        for (int step = 0; step < 50; step++) {
+            solver.stepState(system, 1e-3);
+            solver.stepState(source, 1e-3);
+        }
+        double[] expected = new double[system.getStateSize()];
+        double[] actual = new double[system.getStateSize()];
+        system.getState(expected);
+        source.getState(actual);
+        assertArrayEquals(expected, actual);
+        assertTrue(Math.abs(before[61] - actual[61]) + Math.abs(before[62] - actual[62]) > 1e-6, "and they do move");
+    }
+}

@@ -1,0 +1,78 @@
+package particles.scene;
+
+import java.lang.reflect.InvocationTargetException;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import java.util.TreeSet;
+import org.snakeyaml.engine.v2.api.Load;
+
+/**
+ * The program loaded once more, from its class files, by a loader that notes what is loaded: it runs a scene as if the program
+ * had just been started.
+ */
+final class FreshProgram extends URLClassLoader {
+    private final Set<String> loaded = new TreeSet<>();
+
+    /** @param first where classes are looked for before anywhere else */
+    FreshProgram(Path... first) throws MalformedURLException {
+        super(urls(first), ClassLoader.getPlatformClassLoader());
+    }
+
+    private static URL[] urls(Path... first) throws MalformedURLException {
+        Set<URL> urls = new LinkedHashSet<>();
+        for (Path path : first) {
+            urls.add(path.toUri().toURL());
+        }
+        for (Class<?> known : new Class<?>[] {SceneReader.class, Load.class}) {
+            urls.add(known.getProtectionDomain().getCodeSource().getLocation());
+        }
+        for (String entry : System.getProperty("java.class.path").split(System.getProperty("path.separator"))) {
+            urls.add(Path.of(entry).toUri().toURL());
+        }
+        return urls.toArray(new URL[0]);
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+        Class<?> found = super.findClass(name);
+        loaded.add(name);
+        return found;
+    }
+
+    /** Reads, builds and runs a scene; returns the state at its end. */
+    double[] run(String scene) throws ReflectiveOperationException {
+        try {
+            Object description = loadClass("particles.scene.SceneReader").getMethod("read", String.class, byte[].class)
+                    .invoke(null, "x.yaml", scene.getBytes(StandardCharsets.UTF_8));
+            Class<?> overrides = loadClass("particles.scene.Overrides");
+            Object built = loadClass("particles.scene.SceneBuilder")
+                    .getMethod("build", loadClass("particles.scene.SceneDescription"), overrides)
+                    .invoke(null, description, overrides.getConstructor().newInstance());
+            Object simulation = built.getClass().getMethod("simulation").invoke(built);
+            simulation.getClass().getMethod("run").invoke(simulation);
+            Object system = built.getClass().getMethod("system").invoke(built);
+            return (double[]) system.getClass().getMethod("getOwnState").invoke(system);
+        } catch (InvocationTargetException e) {
+            throw new AssertionError(e.getCause());
+        }
+    }
+
+    /** The names of all laws that were loaded: effects, reactions and rules, without the packages. */
+    Set<String> loadedLaws() throws ClassNotFoundException {
+        Set<String> laws = new TreeSet<>();
+        for (String name : Set.copyOf(loaded)) {
+            Class<?> type = loadClass(name);
+            for (String law : new String[] {"Effect", "Reaction", "Rule"}) {
+                if (loadClass("particles." + law).isAssignableFrom(type) && !type.isInterface()) {
+                    laws.add(type.getSimpleName());
+                }
+            }
+        }
+        return laws;
+    }
+}

@@ -1,0 +1,108 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import particles.Effect;
+import particles.Reaction;
+import particles.Rule;
+
+/**
+ * What a scene names is built, and nothing else: the laws are counted, and in a program that was just started the class of a
+ * law that no scene named is not even loaded, so that no line of it can have been called.
+ */
+class OnlyWhatIsNamedTest {
+    private static final String SPRINGS = """
+            title: Springs alone
+            teaches: what is not named is not there
+            solver: rk4
+            deltaT: 0.01
+            duration: 0.2
+            particles:
+              - {id: wall, position: [0, 2, 0], fixed: true}
+              - {id: bob, position: [1.2, 2, 0]}
+            springs:
+              - {from: wall, to: bob, stiffness: 10, restLength: 1}
+            """;
+
+    /** What is added to the scene, and the classes of laws that it brings. */
+    private record Addition(String yaml, Set<String> laws) {
+        static Addition of(String yaml, String... laws) {
+            return new Addition(yaml, Set.of(laws));
+        }
+    }
+
+    static List<Addition> additions() {
+        return List.of(Addition.of(""),
+                Addition.of("effects: [gravity]\n", "Gravity"),
+                Addition.of("effects:\n  - drag: {coefficient: 1}\n", "LinearDrag", "AirDrag"),
+                Addition.of("effects:\n  - drag: {coefficient: 1}\n  - wind: {mean: [1, 0, 0]}\n", "LinearDrag", "AirDrag"),
+                Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n", "QuadraticDrag", "AirDrag"),
+                Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n  - turbulence: {strength: 1}\n", "QuadraticDrag",
+                        "AirDrag"),
+                Addition.of("effects:\n  - attraction: {strength: 1}\n", "PointAttraction"),
+                Addition.of("effects:\n  - cohesion: {range: 2, depth: 1}\n", "Cohesion"),
+                Addition.of("effects:\n  - penaltyPlane: {stiffness: 1}\n", "PenaltyPlane", "Penalty"),
+                Addition.of("effects:\n  - penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}\n", "PenaltySphere", "Penalty"),
+                Addition.of("impact: clamp\nrules: [ground]\n", "PlaneContacts", "PlaneCollisions"),
+                Addition.of("impact: exact\nrules: [ground]\n", "PlaneContacts", "PlaneImpacts"),
+                Addition.of("impact: exact\nrules:\n  - sphere: {centre: [9, 9, 9], radius: 1}\n", "PlaneContacts",
+                        "PlaneImpacts"),
+                Addition.of("rules:\n  - tear: {strain: 9}\n", "SpringTear"),
+                Addition.of("rules:\n  - shake: {particle: wall, amplitude: [1, 0, 0], period: 1}\n"),
+                Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1}\n", "Emitter"),
+                Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}\n", "Emitter",
+                        "Lifetimes"),
+                Addition.of("rules:\n  - kill: {point: [0, -9, 0]}\n", "KillPlane"),
+                Addition.of("rules:\n  - samples: {farthest: 9, lightest: 1}\n", "EvenSamples"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("additions")
+    void nothingElseIsBuilt(Addition addition) {
+        Scene scene = SceneBuilder.build(SceneReader.read("x.yaml", (SPRINGS + addition.yaml()).getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
+        Stream<Class<?>> built = Stream.of(scene.system().getEffects().stream().<Class<?>>map(Effect::getClass),
+                scene.system().getReactions().stream().<Class<?>>map(Reaction::getClass),
+                scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);
+        List<String> names = built.map(Class::getSimpleName).sorted().toList();
+        assertEquals(withSprings(addition).stream().filter(name -> !name.equals("AirDrag") && !name.equals("Penalty")).toList(),
+                names);
+    }
+
+    @ParameterizedTest
+    @MethodSource("additions")
+    void nothingElseIsEvenLoaded(Addition addition) throws Exception {
+        try (FreshProgram program = new FreshProgram()) {
+            program.run(SPRINGS + addition.yaml());
+            assertEquals(withSprings(addition), program.loadedLaws());
+        }
+    }
+
+    private static Set<String> withSprings(Addition addition) {
+        Set<String> all = new TreeSet<>(addition.laws());
+        all.add("SpringForce");
+        return all;
+    }
+
+    /** The list above has every effect and every kind of rule but the three motions' likes and the plane, which is a ground. */
+    @Test
+    void everyKindIsLookedAt() {
+        String all = additions().stream().map(Addition::yaml).collect(Collectors.joining());
+        for (EffectKind kind : EffectKind.ALL) {
+            assertTrue(all.contains(kind.name()), kind.name());
+        }
+        Set<String> missing = RuleKind.ALL.stream().map(RuleKind::name).filter(name -> !all.contains(name))
+                .collect(Collectors.toSet());
+        assertEquals(Set.of("plane", "circle", "glide"), missing);
+    }
+}
