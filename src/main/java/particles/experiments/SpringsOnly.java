@@ -8,7 +8,7 @@ import particles.SpringView;
 
 /**
  * A mass-spring system written out by hand, without effects, reactions, or any choice at all: what a system costs that knows
- * of nothing but springs, to hold {@link ParticleSystem} against. Same layout, same arithmetic, same bits.
+ * of nothing but springs, to hold {@link ParticleSystem} against. Same layout, same law, the same numbers but for rounding.
  */
 final class SpringsOnly implements ArrayStateSource {
     private static final int STRIDE = Particles.STRIDE;

@@ -1,10 +1,10 @@
 package particles.scene;
 
 import particles.Effect;
+import particles.Effect.Trait;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Vector3;
-import particles.effects.Gravity;
 import particles.effects.SpringForce;
 
 /**
@@ -40,7 +40,7 @@ final class EnergyScale {
         }
         double atStart = system.getKineticEnergy(state) + springs.getPotentialEnergy(state, system.getTime());
         for (Effect effect : system.getEffects()) {
-            if (effect != springs && !(effect instanceof Gravity)) {
+            if (effect != springs && !isUniform(effect)) {
                 atStart += Math.abs(effect.getPotentialEnergy(state, system.getTime()));
             }
         }
@@ -50,6 +50,11 @@ final class EnergyScale {
         double byWind = mass * assembly.speed() * assembly.speed() / 2;
         double scale = Math.max(atStart, Math.max(byGravity, byWind));
         return scale > 0 ? scale : crossing(system, mass, duration);
+    }
+
+    /** Like gravity, whose energy has no zero level of its own. */
+    private static boolean isUniform(Effect effect) {
+        return effect.getTraits().contains(Trait.TRANSLATION_INVARIANT) && !effect.getTraits().contains(Trait.INTERNAL);
     }
 
     private static double crossing(ParticleSystem system, double mass, double duration) {
