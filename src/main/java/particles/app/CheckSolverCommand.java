@@ -1,0 +1,63 @@
+package particles.app;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.function.Supplier;
+import particles.output.ResultPage;
+import particles.output.ResultPage.Picture;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.SolverCheck;
+import particles.teaching.SolverFigures;
+import particles.teaching.SolverVerdict;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: what method a solver is, and what is wrong with it. */
+@Command(name = CheckSolverCommand.NAME, description = "Checks a solver: which method it is, and what is wrong with it.")
+final class CheckSolverCommand extends CheckCommand {
+    static final String NAME = "checkSolver";
+
+    @Option(names = "--solver", paramLabel = "NAME", required = true, description = "A solver's name, or the class of your own.")
+    private String solver;
+
+    @Override
+    String name() {
+        return NAME;
+    }
+
+    @Override
+    String subject() {
+        return "--solver=" + solver;
+    }
+
+    @Override
+    Checked check() {
+        String full = SolverCatalog.names().contains(solver) || solver.contains(".") ? solver : "exercises." + solver;
+        Supplier<DESolver> maker = () -> SolverCatalog.create(full);
+        String name;
+        try {
+            name = maker.get().getClass().getSimpleName();
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            return new Checked(solver + " cannot be checked.", List.of(new Finding(Kind.FAILURE,
+                    e.getMessage())), new ResultPage(NAME, solver + " cannot be checked", List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
+        }
+        SolverVerdict verdict = SolverCheck.check(maker, name);
+        String title = name + ": " + verdict.identity();
+        List<String> text = paragraphs(verdict.findings());
+        if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE)) {
+            return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, List.of(), List.of()));
+        }
+        SolverFigures figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
+        List<Picture> pictures = new ArrayList<>();
+        pictures.add(Picture.chart("order", "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.", figures.order()));
+        figures.region().ifPresent(region -> pictures.add(Picture.chart("region",
+                "The stability region: deltaT times each eigenvalue of the system has to lie within the line.", region)));
+        pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.", figures.energy()));
+        pictures.add(Picture.chart("work-precision", "The error after eight seconds against the work: lower left is better.", figures.workPrecision()));
+        return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures, List.of(figures.facts())));
+    }
+}

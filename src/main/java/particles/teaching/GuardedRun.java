@@ -1,0 +1,103 @@
+package particles.teaching;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
+import particles.teaching.Finding.Kind;
+
+/**
+ * Runs what calls a student's class in a thread of its own, and says what happened if it does not come back: an endless loop, a
+ * stack overflow, more memory than there is. Computing time is counted, not time on the clock, so that a busy machine makes
+ * nobody's loop endless. Against {@code System.exit} only a process of its own helps.
+ */
+public final class GuardedRun {
+    private static final double NANOS = 1e9;
+    private static final long POLL_MILLIS = 20;
+
+    private final double seconds;
+    private final AtomicReference<Thread> running = new AtomicReference<>();
+
+    /** @param seconds of computing that are allowed; of waiting, three times as many */
+    public GuardedRun(double seconds) {
+        this.seconds = seconds;
+    }
+
+    /**
+     * How it went.
+     *
+     * @param value   what was computed, if it was
+     * @param failure what happened instead
+     */
+    public record Outcome<T>(Optional<T> value, Optional<Finding> failure) {
+    }
+
+    /**
+     * Runs it. A thread that does not come back is interrupted and left behind; it does not keep the program alive.
+     *
+     * @param what to run
+     * @return how it went
+     */
+    public <T> Outcome<T> run(Callable<T> what) {
+        AtomicReference<T> value = new AtomicReference<>();
+        AtomicReference<Throwable> thrown = new AtomicReference<>();
+        Thread thread = new Thread(() -> {
+            try {
+                value.set(what.call());
+            } catch (Throwable t) {
+                thrown.set(t);
+            }
+        }, "check");
+        thread.setDaemon(true);
+        running.set(thread);
+        thread.start();
+        Optional<Finding> stuck = await(thread);
+        if (stuck.isPresent()) {
+            return new Outcome<>(Optional.empty(), stuck);
+        }
+        running.set(null);
+        return thrown.get() == null ? new Outcome<>(Optional.of(value.get()), Optional.empty())
+                : new Outcome<>(Optional.empty(), Optional.of(failure(thrown.get())));
+    }
+
+    private Optional<Finding> await(Thread thread) {
+        ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+        long start = System.nanoTime();
+        while (thread.isAlive()) {
+            try {
+                thread.join(POLL_MILLIS);
+            } catch (InterruptedException e) {
+                thread.interrupt();
+                Thread.currentThread().interrupt();
+                return Optional.of(new Finding(Kind.FAILURE, "the check was interrupted"));
+            }
+            double computed = threads.getThreadCpuTime(thread.getId()) / NANOS;     // negative once it has ended
+            boolean waits = (System.nanoTime() - start) / NANOS > 3 * seconds;
+            if (computed > seconds || waits) {
+                String place = StudentFailure.place(thread.getStackTrace());
+                thread.interrupt();
+                return Optional.of(new Finding(Kind.FAILURE, "it did not come back within " + Formula.number(seconds) + " s: "
+                        + (waits ? "it waits for something that never comes" : "an endless loop") + place));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static Finding failure(Throwable thrown) {
+        String place = StudentFailure.place(thrown.getStackTrace());
+        if (thrown instanceof StackOverflowError) {
+            return new Finding(Kind.FAILURE, "the stack overflows: a method calls itself without end" + place);
+        }
+        if (thrown instanceof OutOfMemoryError) {
+            return new Finding(Kind.FAILURE, "it asks for more memory than the " + Runtime.getRuntime().maxMemory() / (1 << 20)
+                    + " MB that there are" + place);
+        }
+        return new Finding(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(thrown));
+    }
+
+    /** @return where the student's class is at this moment, if it is running; for a hook that runs when the program is ended */
+    public Optional<String> runningAt() {
+        return Optional.ofNullable(running.get()).map(thread -> StudentFailure.place(thread.getStackTrace()));
+    }
+}

@@ -1,0 +1,111 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The check of a solver through the program: its screen, its report, and a class that ends the program. */
+class CheckSolverCommandTest {
+
+    /** Euler without the clock. */
+    public static final class NoClock extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            double[] state = new double[source.getStateSize()];
+            double[] dSdt = new double[source.getStateSize()];
+            source.getState(state);
+            source.getStateDerivative(dSdt);
+            for (int i = 0; i < state.length; i++) {
+                state[i] += deltaT * dSdt[i];
+            }
+            source.setState(state);
+        }
+    }
+
+    /** Ends everything. */
+    public static final class Exits extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            System.exit(0);
+        }
+    }
+
+    /** Never ends. */
+    public static final class Loops extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            double t = 0;
+            while (t < source.getTime() + 1) {
+                t += 0 * deltaT;
+            }
+        }
+    }
+
+    private static String here(ExitCode expected, String solver, Path folder) {
+        StringWriter out = new StringWriter();
+        PrintWriter both = new PrintWriter(out);
+        ExitCode code = new Program(Main.commands(OptionStyle.SHELL, new StopRequest()), OptionStyle.SHELL, both, both)
+                .execute("checkSolver", "--solver=" + solver, "--inThisProcess", "--out=" + folder.resolve("report"));
+        assertEquals(expected, code, out.toString());
+        return out.toString();
+    }
+
+    @Test
+    void aRightSolverGetsItsNameNumbersAndPictures(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.DONE, "midpoint", folder);
+        assertTrue(screen.startsWith("MidpointSolver: This is the midpoint method."), screen);
+        assertTrue(screen.contains("Nothing is wrong."), screen);
+        String report = Files.readString(folder.resolve("report/checkSolver.md"));
+        for (String picture : List.of("order.png", "region.png", "energy.png", "work-precision.png")) {
+            assertTrue(report.contains("(" + picture + ")"), picture);
+            assertTrue(Files.size(folder.resolve("report").resolve(picture)) > 1000, picture);
+        }
+    }
+
+    @Test
+    void aWrongSolverGetsItsMistakeAndAnExitCode(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.BAD_INPUT, NoClock.class.getName(), folder);
+        String mistake = "the clock never moves: incTime(deltaT) is missing";
+        assertTrue(screen.contains("  time: " + mistake), screen);
+        assertTrue(screen.strip().endsWith("one thing is wrong"), screen);
+        assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **time**: " + mistake));
+    }
+
+    @Test
+    void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
+        assertTrue(here(ExitCode.BAD_INPUT, "HeunSolver", folder).contains("no class is called 'exercises.HeunSolver', and no solver; known"));
+    }
+
+    private static String screenOfProcess(Class<?> solver) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-XX:TieredStopAtLevel=1", "-cp",
+                System.getProperty("java.class.path"), Main.class.getName(), "checkSolver", "--solver=" + solver.getName(), "--inThisProcess")
+                .redirectErrorStream(true).start();
+        String screen = new String(process.getInputStream().readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
+        assertTrue(process.waitFor(120, TimeUnit.SECONDS));
+        assertEquals(ExitCode.BAD_INPUT.code(), process.exitValue(), screen);
+        return screen;
+    }
+
+    @Test
+    void aClassThatEndsTheProgramIsFoundOut() throws IOException, InterruptedException {
+        assertTrue(screenOfProcess(Exits.class).startsWith("failure: the class ends the whole program (System.exit), in Exits.stepState, line "));
+    }
+
+    @Tag("slow")
+    @Test
+    void anEndlessLoopEndsTheCheckAndNotTheRun() throws IOException, InterruptedException {
+        assertTrue(screenOfProcess(Loops.class).startsWith("failure: it did not come back within 8 s: an endless loop, in Loops.stepState, line "));
+    }
+}
