@@ -30,7 +30,10 @@ public final class Main {
      */
     static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
         return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new SolversCommand(),
-                new LectureFiguresCommand(style), new EnergyDriftCommand(style), new EffectCostCommand(style),
+                new LectureFiguresCommand(style),
+                new EnergyDriftCommand(style),
+                new WorkPrecisionCommand(style),
+                new EffectCostCommand(style),
                 new CheckSolverCommand());
     }
 }

@@ -12,8 +12,11 @@ public final class Oscillator extends TestProblem {
         dSdt[1] = -s[0];
     }
 
-    @Override
-    public double[] exactState(double t) {
+    /**
+     * @param t a time (s)
+     * @return the exact state then
+     */
+    public static double[] exactState(double t) {
         return new double[] {StrictMath.cos(t), -StrictMath.sin(t)};
     }
 }

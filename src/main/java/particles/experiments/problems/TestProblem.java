@@ -24,12 +24,6 @@ public abstract class TestProblem implements SecondOrderStateSource {
      */
     protected abstract void accelerate(double[] s, double[] dSdt);
 
-    /**
-     * @param t a time (s)
-     * @return the exact state then
-     */
-    public abstract double[] exactState(double t);
-
     /** @return how often the derivative was evaluated so far */
     public final long getEvaluations() {
         return evaluations;
