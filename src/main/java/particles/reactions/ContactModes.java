@@ -23,6 +23,7 @@ public final class ContactModes {
     private final int planes;
     private Mode[][] modes = {};                        // by particle, then plane; null for those that never touched any
     private int touching;
+    private int changes;
 
     ContactModes(Particles particles, int planes) {
         this.particles = particles;
@@ -48,6 +49,7 @@ public final class ContactModes {
         if (before == mode) {
             return;
         }
+        changes++;
         if (modes.length < particles.count()) {
             modes = Arrays.copyOf(modes, particles.count());
         }
@@ -78,6 +80,7 @@ public final class ContactModes {
         Mode[][] before = modes;
         modes = new Mode[particles.count()][];
         touching = 0;
+        changes++;
         for (int i = 0; i < Math.min(before.length, newIndex.length); i++) {
             if (newIndex[i] >= 0 && before[i] != null) {
                 modes[newIndex[i]] = before[i];
@@ -86,6 +89,11 @@ public final class ContactModes {
                 }
             }
         }
+    }
+
+    /** How often anything changed so far. */
+    int changes() {
+        return changes;
     }
 
     /** @return true if any particle touches any plane */

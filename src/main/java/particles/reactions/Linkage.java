@@ -3,6 +3,8 @@ package particles.reactions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
+import particles.Particles;
 
 /**
  * Rods and beads that hang together: solves A lambda = b with A = J W J<sup>T</sup>, W the inverse masses. A has an entry
@@ -18,15 +20,18 @@ final class Linkage {
 
     private final ConstraintRows rows;
     private final int[] members;                        // the rows, in the matrix's order
+    private final int[] particles;
     private final int[] pairs;                          // five ints each: see findPairs
     private final EnvelopeCholesky cholesky;
     private final double[] work;
     private final MinimumNorm minimumNorm = new MinimumNorm();
     private boolean regular;
 
-    Linkage(ConstraintRows rows, int[] members) {
+    Linkage(ConstraintRows rows, int[] members, Particles all) {
         this.rows = rows;
         this.members = members;
+        particles = Arrays.stream(members).flatMap(r -> IntStream.of(rows.first(r), rows.second(r)))
+                .filter(i -> i >= 0 && !all.isFixed(i)).distinct().sorted().toArray();
         work = new double[members.length];
         List<int[]> found = new ArrayList<>();
         int[] firstColumn = new int[members.length];
@@ -57,6 +62,11 @@ final class Linkage {
             }
         }
         return found.size() > before;
+    }
+
+    /** The particles that it moves. */
+    int[] particles() {
+        return particles;
     }
 
     int[] members() {
@@ -97,7 +107,7 @@ final class Linkage {
      *
      * @param right  b, by row of all there are
      * @param result receives lambda, by row of all there are
-     * @return by how much the rows contradict each other: what is left of the largest |b| where there is no solution, else 0
+     * @return by how much the rows contradict each other: the largest entry of what is left where there is no solution, else 0
      */
     double solve(double[] right, double[] result) {
         for (int r = 0; r < members.length; r++) {

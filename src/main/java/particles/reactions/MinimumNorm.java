@@ -12,15 +12,32 @@ final class MinimumNorm {
     /** Relative to the largest entry of R; less is rounding. */
     private static final double SINGULAR = 1e-11;
 
-    private final SolvePseudoInverseQrp_DDRM solver =
-            new SolvePseudoInverseQrp_DDRM(new QRColPivDecompositionHouseholderColumn_DDRM(SINGULAR), true);
+    private QRColPivDecompositionHouseholderColumn_DDRM decomposition;
+    private SolvePseudoInverseQrp_DDRM solver;
     private final DMatrixRMaj matrix = new DMatrixRMaj(0, 0);
     private final DMatrixRMaj decomposed = new DMatrixRMaj(0, 0);
     private final DMatrixRMaj right = new DMatrixRMaj(0, 1);
     private final DMatrixRMaj result = new DMatrixRMaj(0, 1);
 
+    MinimumNorm() {
+        renew();
+    }
+
+    private void renew() {
+        decomposition = new QRColPivDecompositionHouseholderColumn_DDRM(SINGULAR);
+        solver = new SolvePseudoInverseQrp_DDRM(decomposition, true);
+    }
+
+    /** Whether the matrix factorised last has less than full rank. */
+    boolean isSingular() {
+        return decomposition.getRank() < matrix.numRows;
+    }
+
     /** Starts a matrix of zeros. */
     void begin(int n) {
+        if (n != matrix.numRows) {                      // the decomposition does not shrink with its matrix
+            renew();
+        }
         matrix.reshape(n, n);
         matrix.zero();
         right.reshape(n, 1);
@@ -43,13 +60,12 @@ final class MinimumNorm {
 
     /**
      * @param x holds b, receives x; the first n entries
-     * @return the largest entry of |A x - b|, relative to the largest of |b|; 0 for b = 0
+     * @return the largest entry of |A x - b|
      */
     double solve(double[] x) {
         int n = matrix.numRows;
         System.arraycopy(x, 0, right.data, 0, n);
         solver.solve(right, result);
-        double largest = 0;
         double left = 0;
         for (int r = 0; r < n; r++) {
             double sum = -right.data[r];
@@ -57,9 +73,8 @@ final class MinimumNorm {
                 sum += matrix.get(r, c) * result.data[c];
             }
             left = Math.max(left, Math.abs(sum));
-            largest = Math.max(largest, Math.abs(right.data[r]));
         }
         System.arraycopy(result.data, 0, x, 0, n);
-        return largest == 0 ? 0 : left / largest;
+        return left;
     }
 }

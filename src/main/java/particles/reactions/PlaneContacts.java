@@ -1,11 +1,11 @@
 package particles.reactions;
 
 import java.util.List;
+import java.util.Optional;
 import particles.ForceDerivatives;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
-import particles.Vector3;
 
 /**
  * The contact force on particles that rest on planes, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
@@ -21,32 +21,25 @@ public final class PlaneContacts implements Reaction {
 
     private static final int STRIDE = Particles.STRIDE;
 
-    private final Particles particles;
+    /** What is left of a speed by the time when it is to be 0 (m/s). */
+    private static final double ROUNDING = 1e-9;
+
     private final List<ContactPlane> planes;
     private final ContactModes modes;
     private final boolean flat;
-    private boolean holdsOn;
+    private Optional<RigidConstraints> coupled = Optional.empty();
     private final Sliding sliding = new Sliding();
-    private final ContactDerivative derivative;
-
-    private final TouchedSurfaces touched;              // by the particle that respond() looked at last
-    private final Vector3[] normals;
-    private final double[] push;
-    private final double[] friction = new double[3];
+    private final ContactResponse response;
 
     /**
      * @param particles whom the planes hold
      * @param planes    the planes
      */
     public PlaneContacts(Particles particles, List<ContactPlane> planes) {
-        this.particles = particles;
         this.planes = List.copyOf(planes);
         modes = new ContactModes(particles, planes.size());
-        touched = new TouchedSurfaces(particles, planes.size());
-        normals = touched.normals;
-        push = touched.push;
         flat = this.planes.stream().allMatch(plane -> plane.obstacle().isFlat());
-        derivative = new ContactDerivative(planes.size());
+        response = new ContactResponse(particles, this.planes, modes, sliding);
     }
 
     /** @return the planes, in the order in which {@link #getModes} counts them */
@@ -76,7 +69,82 @@ public final class PlaneContacts implements Reaction {
      * @param holdsOn true where a rule finds the exact time of letting go
      */
     public void setHoldsOn(boolean holdsOn) {
-        this.holdsOn = holdsOn;
+        response.setHoldsOn(holdsOn);
+    }
+
+    /** What a particle's surfaces answer, for itself. */
+    ContactResponse response() {
+        return response;
+    }
+
+    Sliding sliding() {
+        return sliding;
+    }
+
+    void coupleTo(RigidConstraints constraints) {
+        coupled = Optional.of(constraints);
+    }
+
+    /**
+     * @param particle its index
+     * @return whether it hangs on a rod or a wire, so that a blow to it is felt by others
+     */
+    public boolean isCoupled(int particle) {
+        return coupled.isPresent() && coupled.get().holds(particle);
+    }
+
+    /**
+     * Lets a surface strike a particle that hangs on rods or wires: all that hang together change their velocities by the
+     * impulses that rods and other touched surfaces pass on, without friction. What stuck slides from now on, and what was
+     * lifted off touches no more.
+     *
+     * @param plane    the surface's index
+     * @param particle the particle's index
+     * @param leaving  the speed with which it leaves (m/s)
+     * @param state    the state, in which velocities are changed
+     */
+    public void strike(int plane, int particle, double leaving, double[] state) {
+        coupled.orElseThrow().strike(plane, particle, leaving, state);
+    }
+
+    /**
+     * Makes the velocities of all that hang together fit each other after one of them was changed: no rod is stretched, no
+     * touched surface entered, and what sticks stays where it is. Does nothing for a particle that hangs on nothing.
+     *
+     * @param particle one of them
+     * @param state    the state, in which velocities are changed
+     */
+    public void settle(int particle, double[] state) {
+        if (isCoupled(particle)) {
+            coupled.get().settle(particle, state);
+        }
+    }
+
+    /**
+     * Puts all that hangs on rods and wires back onto them and onto what it touches, positions and velocities.
+     *
+     * @param state the state, which is changed
+     * @param time  t (s), for messages
+     */
+    public void putBack(double[] state, double time) {
+        coupled.orElseThrow().project(state, time);
+    }
+
+    /**
+     * @param particle its index
+     * @param state    the state
+     * @return whether static friction may hold it as far as its speed goes: it touches something rough and is slower than the
+     *         threshold there, or as slow as rounding
+     */
+    public boolean isSlow(int particle, double[] state) {
+        double limit = -1;
+        for (int p = 0; p < planes.size(); p++) {
+            if (modes.get(p, particle) != ContactModes.Mode.FREE && planes.get(p).friction().staticCoefficient() > 0) {
+                limit = Math.max(limit, Math.max(ROUNDING, planes.get(p).friction().threshold()));
+            }
+        }
+        int v = STRIDE * particle + 3;
+        return state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2] <= limit * Math.abs(limit);
     }
 
     /** @return the state where the present step began, to be read only */
@@ -108,54 +176,26 @@ public final class PlaneContacts implements Reaction {
     @Override
     public void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
         for (int i = 0; i < modes.end(); i++) {
-            int count = respond(i, state, force);
-            if (count == 0) {
-                continue;
+            if (!isCoupled(i)) {
+                response.addDerivatives(i, state, force, derivatives);
             }
-            derivative.begin(count, normals, push);
-            if (touched.isSticking()) {
-                derivative.hold();
-            }
-            for (int p = 0; p < count && !touched.isSticking(); p++) {
-                double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state,
-                        STRIDE * i + 3);
-                derivative.rub(p, factor, sliding, touched.surfaces[p].friction().law());
-            }
-            derivative.add(i, derivatives);
         }
     }
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
         for (int i = 0; i < modes.end(); i++) {
-            int count = respond(i, state, force);
-            if (count == 0) {
-                continue;
+            if (!isCoupled(i)) {
+                response.addForce(i, state, force);
             }
-            int f = STRIDE * i + 3;
-            for (int p = 0; p < count; p++) {
-                force[f] += push[p] * normals[p].x();
-                force[f + 1] += push[p] * normals[p].y();
-                force[f + 2] += push[p] * normals[p].z();
-            }
-            force[f] += friction[0];
-            force[f + 1] += friction[1];
-            force[f + 2] += friction[2];
         }
     }
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        double power = 0;
+        double power = coupled.isPresent() ? coupled.get().contactPower(state, time, force) : 0;
         for (int i = 0; i < modes.end(); i++) {
-            int count = respond(i, state, force);
-            int v = STRIDE * i + 3;
-            for (int p = 0; p < count; p++) {
-                power += push[p] * (normals[p].x() * state[v] + normals[p].y() * state[v + 1] + normals[p].z() * state[v + 2]);
-            }
-            if (count > 0) {
-                power += friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
-            }
+            power = isCoupled(i) ? power : response.addPower(power, i, state, force);
         }
         return power;
     }
@@ -176,14 +216,8 @@ public final class PlaneContacts implements Reaction {
      *         where nothing presses it on
      */
     public double holdMargin(int particle, double[] state, double[] force) {
-        int count = respond(particle, state, force);
-        double pushed = 0;
-        double withstood = 0;
-        for (int p = 0; p < count; p++) {
-            pushed += push[p];
-            withstood += push[p] * touched.surfaces[p].friction().staticCoefficient();
-        }
-        return pushed > 0 ? withstood - Sliding.length(touched.unheld()) : -1;
+        return isCoupled(particle) ? coupled.get().holdMargin(particle, state, force)
+                : response.holdMargin(particle, state, force);
     }
 
     /**
@@ -196,13 +230,8 @@ public final class PlaneContacts implements Reaction {
      * @return the plane's push (N); where it does not push, minus the force that pulls the particle off
      */
     public double pressure(int plane, int particle, double[] state, double[] force) {
-        int count = respond(particle, state, force);
-        for (int p = 0; p < count; p++) {
-            if (touched.surfaces[p] == planes.get(plane)) {
-                return push[p] != 0 ? push[p] : touched.needed(p, touched.unheld());
-            }
-        }
-        return 0;
+        return isCoupled(particle) ? coupled.get().pressure(plane, particle, state, force)
+                : response.pressure(plane, particle, state, force);
     }
 
     /**
@@ -213,51 +242,6 @@ public final class PlaneContacts implements Reaction {
      * @param state    the state, in which its velocity is changed
      */
     public void stopEntering(int particle, double[] state) {
-        if (touched.gather(particle, planes, modes, state) > 0) {
-            touched.answerVelocity(state, STRIDE * particle + 3);
-            System.arraycopy(touched.unheld(), 0, state, STRIDE * particle + 3, 3);
-        }
-    }
-
-    /** Finds push and friction for one particle; returns how many planes it touches, 0 if there is nothing to answer. */
-    private int respond(int i, double[] state, double[] force) {
-        if (particles.isFixed(i)) {
-            return 0;
-        }
-        int count = touched.gather(i, planes, modes, state);
-        if (count == 0) {
-            return 0;
-        }
-        touched.answer(force, STRIDE * i + 3);
-        if (holdsOn && count == 1 && push[0] == 0) {
-            push[0] = touched.needed(0, touched.pressing);
-        }
-        friction[0] = 0;
-        friction[1] = 0;
-        friction[2] = 0;
-        if (touched.isSticking()) {
-            hold();
-        } else {
-            for (int p = 0; p < count; p++) {
-                rub(p, state, STRIDE * i + 3);
-            }
-        }
-        return count;
-    }
-
-    /** Static friction cancels the force along the planes. Whether it can is asked between steps: see holdMargin. */
-    private void hold() {
-        double[] left = touched.unheld();
-        for (int c = 0; c < 3; c++) {
-            friction[c] = -left[c];
-        }
-    }
-
-    /** Sliding friction of one plane, against the velocity along it. */
-    private void rub(int p, double[] state, int v) {
-        double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state, v);
-        for (int c = 0; c < 3 && factor != 0; c++) {
-            friction[c] -= factor * sliding.direction[c];
-        }
+        response.stopEntering(particle, state);
     }
 }

@@ -1,6 +1,6 @@
 package particles.reactions;
 
-import java.util.List;
+import java.util.Optional;
 import particles.Particles;
 import particles.SimulationException;
 
@@ -16,11 +16,13 @@ final class Projection {
     private static final int MOST_ITERATIONS = 30;
 
     private final ConstraintRows rows;
-    private final List<Linkage> linkages;
+    private final Linkages linkages;
+    private final Optional<CoupledContacts> coupled;
     private final double[] right;
     private final double[] amount;
 
-    Projection(ConstraintRows rows, List<Linkage> linkages) {
+    Projection(ConstraintRows rows, Linkages linkages, Optional<CoupledContacts> coupled) {
+        this.coupled = coupled;
         this.rows = rows;
         this.linkages = linkages;
         right = new double[rows.count()];
@@ -68,12 +70,16 @@ final class Projection {
     }
 
     private void correct(double[] mobility, double[] state, int place) {
-        for (int l = 0; l < linkages.size(); l++) {
-            linkages.get(l).factorise(mobility);
-            linkages.get(l).solve(right, amount);
-        }
-        for (int r = 0; r < amount.length; r++) {
-            rows.move(r, amount[r], mobility, state, place);
+        for (int l = 0; l < linkages.count(); l++) {
+            Linkage linkage = linkages.get(l);
+            if (coupled.isPresent() && coupled.get().correct(linkage, state, place)) {
+                continue;
+            }
+            linkage.factorise(mobility);
+            linkage.solve(right, amount);
+            for (int row : linkage.members()) {
+                rows.move(row, amount[row], mobility, state, place);
+            }
         }
     }
 }

@@ -1,7 +1,6 @@
 package particles.reactions;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Optional;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
@@ -46,11 +45,12 @@ public final class RigidConstraints implements Reaction, SpringView {
     private final Particles particles;
     private final double feedback;
     private final ConstraintRows rows = new ConstraintRows();
-    private final List<Linkage> linkages = new ArrayList<>();
+    private final Linkages linkages = new Linkages();
     private double[] accelerations = {};
     private double[] right = {};
     private double[] lambda = {};
-    private Projection projection = new Projection(rows, linkages);
+    private Projection projection = new Projection(rows, linkages, Optional.empty());
+    private Optional<CoupledContacts> coupled = Optional.empty();
     private boolean arranged;
 
     /**
@@ -105,11 +105,8 @@ public final class RigidConstraints implements Reaction, SpringView {
     /** Looks once at what hangs together; again after particles have gone. */
     private void arrange() {
         if (!arranged) {
-            linkages.clear();
-            for (int[] part : new RowGraph(rows, particles).parts()) {
-                linkages.add(new Linkage(rows, part));
-            }
-            projection = new Projection(rows, linkages);
+            linkages.arrange(rows, particles);
+            projection = new Projection(rows, linkages, coupled);
             right = new double[rows.count()];
             lambda = new double[rows.count()];
             arranged = true;
@@ -136,24 +133,49 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     @Override
     public void addForces(double[] state, double time, double[] force) {
-        solve(state, time, force);
-        for (int r = 0; r < rows.count(); r++) {
-            rows.addForce(r, lambda[r], force);
+        prepare(state, time, force);
+        for (int l = 0; l < linkages.count(); l++) {
+            Linkage linkage = linkages.get(l);
+            if (coupled.isPresent() && coupled.get().solve(linkage, state, time, force, -1, lambda)) {
+                coupled.get().addForces(linkage, force, lambda);
+            } else {
+                solve(linkage, time);
+                for (int row : linkage.members()) {
+                    rows.addForce(row, lambda[row], force);
+                }
+            }
         }
     }
 
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        solve(state, time, force);
+        return power(state, time, force, true);
+    }
+
+    /** The power of what the particles touch that hang on rods or wires (W). */
+    double contactPower(double[] state, double time, double[] force) {
+        return power(state, time, force, false);
+    }
+
+    private double power(double[] state, double time, double[] force, boolean ofConstraints) {
+        prepare(state, time, force);
         double power = 0;
-        for (int r = 0; r < rows.count(); r++) {
-            power += lambda[r] * rows.rateOfFree(r, state, particles.inverseMasses());
+        for (int l = 0; l < linkages.count(); l++) {
+            Linkage linkage = linkages.get(l);
+            if (coupled.isPresent() && coupled.get().solve(linkage, state, time, force, -1, lambda)) {
+                power += ofConstraints ? 0 : coupled.get().power(state);
+            } else {
+                solve(linkage, time);
+            }
+            for (int row : linkage.members()) {
+                power += ofConstraints ? lambda[row] * rows.rateOfFree(row, state, particles.inverseMasses()) : 0;
+            }
         }
         return power;
     }
 
-    /** Finds lambda for the given forces. */
-    private void solve(double[] state, double time, double[] force) {
+    /** The right-hand sides for the given forces, where nothing is touched. */
+    private void prepare(double[] state, double time, double[] force) {
         arrange();
         rows.evaluate(state);
         double[] inverseMasses = particles.inverseMasses();
@@ -167,13 +189,52 @@ public final class RigidConstraints implements Reaction, SpringView {
             right[r] = -(rows.times(r, accelerations, 3) + rows.bend[r]) - feedback * feedback * rows.value[r]
                     - 2 * feedback * rows.rate[r];
         }
-        for (int l = 0; l < linkages.size(); l++) {
-            Linkage linkage = linkages.get(l);
-            linkage.factorise(inverseMasses);
-            if (linkage.solve(right, lambda) > CONTRADICTION) {
-                throw contradiction(linkage, time);
-            }
+    }
+
+    private void solve(Linkage linkage, double time) {
+        linkage.factorise(particles.inverseMasses());
+        double left = linkage.solve(right, lambda);
+        double largest = 0;
+        for (int row : linkage.members()) {
+            largest = Math.max(largest, Math.abs(right[row]));
         }
+        if (left > CONTRADICTION * largest) {
+            throw contradiction(linkage, time);
+        }
+    }
+
+    /**
+     * Lets contacts and these constraints be solved together, where a particle has both. Each books its own power.
+     *
+     * @param contacts a reaction of the same system
+     */
+    public void solveWith(PlaneContacts contacts) {
+        coupled = Optional.of(new CoupledContacts(system, rows, contacts, feedback));
+        contacts.coupleTo(this);
+        arranged = false;
+    }
+
+    /** Whether a particle hangs on a rod or a wire. */
+    boolean holds(int particle) {
+        arrange();
+        return linkages.holds(particle);
+    }
+
+    double pressure(int plane, int particle, double[] state, double[] force) {
+        return coupled.orElseThrow().pressure(linkages.of(particle), plane, particle, state, force, lambda);
+    }
+
+    double holdMargin(int particle, double[] state, double[] force) {
+        return coupled.orElseThrow().holdMargin(linkages.of(particle), particle, state, force, lambda);
+    }
+
+    void strike(int plane, int particle, double leaving, double[] state) {
+        coupled.orElseThrow().strike(linkages.of(particle), plane, particle, leaving, state);
+    }
+
+    void settle(int particle, double[] state) {
+        rows.evaluate(state);
+        coupled.orElseThrow().correct(linkages.of(particle), state, 3);
     }
 
     /**

@@ -83,7 +83,7 @@ final class ContactEvents {
         Vector3 before = velocity(motion.getStartState(), i);
         double slow = threshold(i);
         boolean braking = before.length() > slow && slow > 0;
-        ToDoubleFunction<ParticleSystem> moving = braking ? s -> velocity(s.getOwnState(), i).length() - slow
+        ToDoubleFunction<ParticleSystem> moving = braking ? s -> velocity(s.getOwnState(), i).dot(before) / before.length() - slow
                 : s -> velocity(s.getOwnState(), i).dot(before);
         return before.equals(Vector3.ZERO) || !rubs(i) || moving.applyAsDouble(system) >= 0 ? Optional.empty()
                 : Optional.of(new Change(end, moving, s -> stop(s, i)));
@@ -124,10 +124,25 @@ final class ContactEvents {
         if (contacts.holdMargin(i, state, force) >= 0) {
             moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
             modes.setWhereTouching(i, Mode.STICKING);
+            contacts.settle(i, state);
+            stickOthers(system);
         } else if (threshold(i) == 0) {
             moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
+            contacts.settle(i, state);
         }
         contacts.beginStep(system);
+    }
+
+    /** What hangs on what has come to rest may rest as well; on its own it would not be asked, since it does not slide. */
+    void stickOthers(ParticleSystem system) {
+        double[] state = system.getOwnState();
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            if (contacts.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, state) && holdMargin(system, i) >= 0) {
+                moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
+                modes.setWhereTouching(i, Mode.STICKING);
+                contacts.settle(i, state);
+            }
+        }
     }
 
     /** Lets a particle that has just come to rest on a plane stick if it hardly moves along it. */

@@ -88,6 +88,7 @@ public final class PlaneCollisions implements Rule {
     public boolean afterStep(ParticleSystem system, double deltaT) {
         double[] state = system.getOwnState();
         boolean changed = false;
+        boolean coupledChanged = false;
         for (int i = 0; i < system.getParticles().count(); i++) {
             if (system.getParticles().isFixed(i)) {
                 continue;
@@ -97,8 +98,21 @@ public final class PlaneCollisions implements Rule {
                         : keepInContact(system, p, i, state);
             }
             changed |= slideOrStick(system, i, state);
+            coupledChanged |= changed && contacts.isCoupled(i);
+        }
+        if (coupledChanged) {
+            contacts.putBack(state, system.getTime());
         }
         return changed;
+    }
+
+    /** Takes away the speed into a surface; what hangs on rods or wires passes the blow on. */
+    private void stop(Vector3 normal, int p, int i, double[] state) {
+        if (contacts.isCoupled(i)) {
+            contacts.strike(p, i, 0, state);
+        } else {
+            stopAlong(normal, state, i);
+        }
     }
 
     /** A particle that was free: an impact if it is below the plane now. */
@@ -118,8 +132,10 @@ public final class PlaneCollisions implements Rule {
             double leaving = -plane.restitution() * approach;
             double gained = Math.abs(approach - normal.dot(velocity(before, i)));
             if (leaving <= Math.max(plane.restSpeed(), gained)) {
-                stopAlong(normal, state, i);
+                stop(normal, p, i, state);
                 touch(p, i);
+            } else if (contacts.isCoupled(i)) {
+                contacts.strike(p, i, leaving, state);
             } else {
                 moveAlong(normal, state, STRIDE * i + 3, leaving - approach);
             }

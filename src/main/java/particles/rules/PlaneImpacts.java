@@ -66,6 +66,10 @@ public final class PlaneImpacts implements EventRule {
                 }
             }
         }
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            contacts.settle(i, state);
+        }
+        contactEvents.stickOthers(system);
         contacts.beginStep(system);
     }
 
@@ -167,11 +171,25 @@ public final class PlaneImpacts implements EventRule {
             double rounding = roundingOf(state, i);
             double approach = normalSpeed(plane, state, i);
             double leaving = -plane.restitution() * approach;
+            if (contacts.isCoupled(i)) {
+                strike(system, Math.max(0, leaving), leaving <= plane.restSpeed());
+                return;
+            }
             moveAlong(normal, state, STRIDE * i + 3, Math.max(0, leaving) - approach);
             if (leaving <= plane.restSpeed()) {
                 rest(system, p, i);
             }
             stayOutOfAll(rounding, state);
+            contacts.beginStep(system);
+        }
+
+        /** A particle that hangs on rods or wires passes the blow on, and may lift others off. */
+        private void strike(ParticleSystem system, double leaving, boolean rests) {
+            contacts.strike(p, i, rests ? 0 : leaving, system.getOwnState());
+            if (rests) {
+                rest(system, p, i);
+            }
+            contacts.settle(i, system.getOwnState());
             contacts.beginStep(system);
         }
 

@@ -2,7 +2,9 @@ package particles.scene;
 
 import java.util.List;
 import particles.ParticleSystem;
+import particles.Reaction;
 import particles.Simulation;
+import particles.reactions.PlaneContacts;
 import particles.reactions.RigidConstraints;
 import particles.rules.ConstraintProjection;
 import particles.scene.spec.Chosen;
@@ -45,6 +47,11 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
         for (Chosen<WireKind> wire : wires) {
             String bead = wire.values().get(WireKind.BEAD);
             constraints.addBead(index.find(bead).orElseThrow(), wire.kind().curve(wire.values(), index.position(bead)));
+        }
+        for (Reaction reaction : List.copyOf(system.getReactions())) {
+            if (reaction instanceof PlaneContacts contacts) {
+                constraints.solveWith(contacts);
+            }
         }
         system.addReaction(constraints);
         constraints.project(system.getOwnState(), system.getTime());        // places are written with a few digits

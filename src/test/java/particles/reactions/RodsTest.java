@@ -14,6 +14,7 @@ import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.Arrays;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,6 +42,7 @@ class RodsTest {
     }
 
     /** Bar: 1e-12 with projection. Measured: 4e-16. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1, 90", "2, 60"})
     void projectionKeepsLengthsToRounding(int rods, double degrees) {

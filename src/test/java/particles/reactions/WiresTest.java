@@ -9,6 +9,7 @@ import static particles.Systems.oneParticle;
 import deSolvers.RK4Solver;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -127,6 +128,7 @@ class WiresTest {
     }
 
     /** Ten minutes on a sine wire: 1e-6 by feedback, 1e-12 by projection. Measured: 5.7e-7, 6e-16. */
+    @Tag("slow")
     @Test
     void aBeadStaysOnItsWire() {
         GraphWire.Profile profile = GraphWire.sine(0.3, 2);

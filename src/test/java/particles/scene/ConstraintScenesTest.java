@@ -45,6 +45,18 @@ class ConstraintScenesTest {
     }
 
     @Test
+    void theRodComesToRestOnTheGround() {
+        Scene scene = scene("43-rod-on-the-ground.yaml");
+        scene.simulation().run();
+        double[] state = scene.system().getOwnState();
+        for (int i = 0; i < 12; i += Particles.STRIDE) {
+            assertEquals(0, state[i + 1], 1e-9);
+            assertEquals(0, Math.abs(state[i + 3]) + Math.abs(state[i + 4]), 1e-9);
+        }
+        assertEquals(1, state[6] - state[0], 1e-7);
+    }
+
+    @Test
     void onlyWhatIsNamedIsBuilt() {
         assertTrue(scene("04-pendulum.yaml").system().getReactions().isEmpty());
         Reaction rods = scene("40-rigid-pendulum.yaml").system().getReactions().get(0);

@@ -1,0 +1,169 @@
+package particles.reactions;
+
+import java.util.List;
+import particles.ForceDerivatives;
+import particles.Particles;
+import particles.Vector3;
+
+/** How the planes that one particle touches answer the force on it, in closed form: pushes and friction. */
+final class ContactResponse {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private final Particles particles;
+    private final List<ContactPlane> planes;
+    private final ContactModes modes;
+    private final Sliding sliding;
+    private final ContactDerivative derivative;
+    private final TouchedSurfaces touched;              // by the particle that respond() looked at last
+    private final Vector3[] normals;
+    private final double[] push;
+    private final double[] friction = new double[3];
+    private double pushed;                              // all pushes that holdSlack() found last (N)
+    private boolean holdsOn;
+
+    ContactResponse(Particles particles, List<ContactPlane> planes, ContactModes modes, Sliding sliding) {
+        this.particles = particles;
+        this.planes = planes;
+        this.modes = modes;
+        this.sliding = sliding;
+        touched = new TouchedSurfaces(particles, planes.size());
+        normals = touched.normals;
+        push = touched.push;
+        derivative = new ContactDerivative(planes.size());
+    }
+
+    void setHoldsOn(boolean holdsOn) {
+        this.holdsOn = holdsOn;
+    }
+
+    boolean holdsOn() {
+        return holdsOn;
+    }
+
+    /** Adds the answer for particle i. */
+    void addForce(int i, double[] state, double[] force) {
+        int count = respond(i, state, force);
+        if (count == 0) {
+            return;
+        }
+        int f = STRIDE * i + 3;
+        for (int p = 0; p < count; p++) {
+            force[f] += push[p] * normals[p].x();
+            force[f + 1] += push[p] * normals[p].y();
+            force[f + 2] += push[p] * normals[p].z();
+        }
+        force[f] += friction[0];
+        force[f + 1] += friction[1];
+        force[f + 2] += friction[2];
+    }
+
+    /** The power of the answer for particle i (W), added to a sum. */
+    double addPower(double sum, int i, double[] state, double[] force) {
+        double power = sum;
+        int count = respond(i, state, force);
+        int v = STRIDE * i + 3;
+        for (int p = 0; p < count; p++) {
+            power += push[p] * (normals[p].x() * state[v] + normals[p].y() * state[v + 1] + normals[p].z() * state[v + 2]);
+        }
+        if (count > 0) {
+            power += friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
+        }
+        return power;
+    }
+
+    void addDerivatives(int i, double[] state, double[] force, ForceDerivatives derivatives) {
+        int count = respond(i, state, force);
+        if (count == 0) {
+            return;
+        }
+        derivative.begin(count, normals, push);
+        if (touched.isSticking()) {
+            derivative.hold();
+        }
+        for (int p = 0; p < count && !touched.isSticking(); p++) {
+            double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state,
+                    STRIDE * i + 3);
+            derivative.rub(p, factor, sliding, touched.surfaces[p].friction().law());
+        }
+        derivative.add(i, derivatives);
+    }
+
+    /** As {@link PlaneContacts#holdMargin}, for the force on one particle, whatever it comes from. */
+    double holdMargin(int i, double[] state, double[] force) {
+        double slack = holdSlack(i, state, force);
+        return pushed > 0 ? slack : -1;
+    }
+
+    /** The same without the jump where nothing presses the particle on: a concave function of the force. */
+    double holdSlack(int i, double[] state, double[] force) {
+        int count = respond(i, state, force);
+        pushed = 0;
+        double withstood = 0;
+        for (int p = 0; p < count; p++) {
+            pushed += push[p];
+            withstood += push[p] * touched.surfaces[p].friction().staticCoefficient();
+        }
+        return withstood - Sliding.length(touched.unheld());
+    }
+
+    /** As {@link PlaneContacts#pressure}, for the force on one particle, whatever it comes from. */
+    double pressure(int plane, int i, double[] state, double[] force) {
+        int count = respond(i, state, force);
+        for (int p = 0; p < count; p++) {
+            if (touched.surfaces[p] == planes.get(plane)) {
+                return push[p] != 0 ? push[p] : touched.needed(p, touched.unheld());
+            }
+        }
+        return 0;
+    }
+
+    /** As {@link PlaneContacts#stopEntering}. */
+    void stopEntering(int i, double[] state) {
+        if (touched.gather(i, planes, modes, state) > 0) {
+            touched.answerVelocity(state, STRIDE * i + 3);
+            System.arraycopy(touched.unheld(), 0, state, STRIDE * i + 3, 3);
+        }
+    }
+
+    /** Finds push and friction for one particle; returns how many planes it touches, 0 if there is nothing to answer. */
+    private int respond(int i, double[] state, double[] force) {
+        if (particles.isFixed(i)) {
+            return 0;
+        }
+        int count = touched.gather(i, planes, modes, state);
+        if (count == 0) {
+            return 0;
+        }
+        touched.answer(force, STRIDE * i + 3);
+        if (holdsOn && count == 1 && push[0] == 0) {
+            push[0] = touched.needed(0, touched.pressing);
+        }
+        friction[0] = 0;
+        friction[1] = 0;
+        friction[2] = 0;
+        if (touched.isSticking()) {
+            hold();
+        } else {
+            for (int p = 0; p < count; p++) {
+                rub(p, state, STRIDE * i + 3);
+            }
+        }
+        return count;
+    }
+
+    /** Static friction cancels the force along the planes. Whether it can is asked between steps: see holdMargin. */
+    private void hold() {
+        double[] left = touched.unheld();
+        for (int c = 0; c < 3; c++) {
+            friction[c] = -left[c];
+        }
+    }
+
+    /** Sliding friction of one plane, against the velocity along it. */
+    private void rub(int p, double[] state, int v) {
+        double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state, v);
+        for (int c = 0; c < 3 && factor != 0; c++) {
+            friction[c] -= factor * sliding.direction[c];
+        }
+    }
+}

@@ -1,0 +1,121 @@
+package particles.reactions;
+
+import java.util.Arrays;
+import particles.Obstacle;
+import particles.Particles;
+import particles.Vector3;
+import particles.reactions.ContactModes.Mode;
+
+/**
+ * The contacts of particles that hang on rods or wires, as rows beside theirs: the distance d of a particle from what it
+ * touches, with N as its gradient. A particle that sticks has none; it does not move at all.
+ */
+final class ContactRows {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private final PlaneContacts contacts;
+    int count;
+    int[] particle = new int[4];
+    int[] plane = new int[4];
+    double[] normal = new double[12];
+    double[] slip = new double[12];                     // minus the sliding friction for a push of 1 N
+    double[] value = new double[4];                     // d (m)
+    double[] rate = new double[4];                      // d' (m/s)
+    double[] bend = new double[4];                      // what a curved surface adds to d'' (m/s^2)
+    private final double[] pressing = new double[3];
+
+    ContactRows(PlaneContacts contacts) {
+        this.contacts = contacts;
+    }
+
+    void clear() {
+        count = 0;
+    }
+
+    /** Adds a particle's rows for all that it touches. */
+    void addTouching(int i, double[] state) {
+        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+            if (contacts.getModes().get(p, i) != Mode.FREE) {
+                add(p, i, state);
+            }
+        }
+    }
+
+    /** Adds a row, whether the particle touches or not. */
+    void add(int p, int i, double[] state) {
+        if (count == particle.length) {
+            particle = Arrays.copyOf(particle, 2 * count);
+            plane = Arrays.copyOf(plane, 2 * count);
+            normal = Arrays.copyOf(normal, 6 * count);
+            slip = Arrays.copyOf(slip, 6 * count);
+            value = Arrays.copyOf(value, 2 * count);
+            rate = Arrays.copyOf(rate, 2 * count);
+            bend = Arrays.copyOf(bend, 2 * count);
+        }
+        int x = STRIDE * i;
+        Obstacle obstacle = contacts.getPlanes().get(p).obstacle();
+        Vector3 n = obstacle.normal(state[x], state[x + 1], state[x + 2]);
+        particle[count] = i;
+        plane[count] = p;
+        normal[3 * count] = n.x();
+        normal[3 * count + 1] = n.y();
+        normal[3 * count + 2] = n.z();
+        Arrays.fill(slip, 3 * count, 3 * count + 3, 0.0);
+        value[count] = obstacle.distance(state[x], state[x + 1], state[x + 2]);
+        double along = n.x() * state[x + 3] + n.y() * state[x + 4] + n.z() * state[x + 5];
+        rate[count] = along;
+        double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
+        bend[count++] = obstacle.isFlat() ? 0
+                : obstacle.curvature(state[x], state[x + 1], state[x + 2]) * (square - along * along);
+    }
+
+    /** The normal of row k times a vector of every particle, which stand at {@code place} + 6 i. */
+    double times(int k, double[] vectors, int place) {
+        int i = STRIDE * particle[k] + place;
+        return normal[3 * k] * vectors[i] + normal[3 * k + 1] * vectors[i + 1] + normal[3 * k + 2] * vectors[i + 2];
+    }
+
+    /** Whether a particle that would rub stands still, so that what friction opposes is not its velocity. */
+    boolean isAnyAboutToMove(double[] state) {
+        for (int k = 0; k < count; k++) {
+            int v = STRIDE * particle[k] + 3;
+            if (friction(k).law() == Friction.Law.COULOMB
+                    && state[v] - rate[k] * normal[3 * k] == 0 && state[v + 1] - rate[k] * normal[3 * k + 1] == 0
+                    && state[v + 2] - rate[k] * normal[3 * k + 2] == 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Finds how each contact rubs.
+     *
+     * @param k     the row
+     * @param push  how hard it pushes without friction (N); matters only for what is about to move
+     * @param force the force that will move the particle, without friction (N), from entry 6 i + 3 on
+     */
+    void findSlip(int k, double push, double[] force, double[] state) {
+        int f = STRIDE * particle[k] + 3;
+        Sliding sliding = contacts.sliding();
+        System.arraycopy(force, f, pressing, 0, 3);
+        double reference = push > 0 ? push : 1;
+        double factor = sliding.find(friction(k), new Vector3(normal[3 * k], normal[3 * k + 1], normal[3 * k + 2]), reference,
+                pressing, state, f) / reference;
+        for (int c = 0; c < 3; c++) {
+            slip[3 * k + c] = factor == 0 ? 0 : factor * sliding.direction[c];
+        }
+    }
+
+    private Friction friction(int k) {
+        return contacts.getPlanes().get(plane[k]).friction();
+    }
+
+    /** Adds push and friction of row k. */
+    void addForce(int k, double push, double[] force) {
+        int f = STRIDE * particle[k] + 3;
+        for (int c = 0; c < 3; c++) {
+            force[f + c] += push * (normal[3 * k + c] - slip[3 * k + c]);
+        }
+    }
+}

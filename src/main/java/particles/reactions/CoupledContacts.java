@@ -1,0 +1,258 @@
+package particles.reactions;
+
+import java.util.Arrays;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.SimulationException;
+import particles.reactions.ContactModes.Mode;
+
+/**
+ * What particles that hang on rods or wires touch: pushes, friction and constraint forces found together, since each
+ * depends on the others. A particle that sticks does not move, and what it needs for that is what is left over.
+ */
+final class CoupledContacts {
+    private static final int STRIDE = Particles.STRIDE;
+    /** What may be left of the largest right-hand side; drift of rods too many leaves less. */
+    private static final double CONTRADICTION = 1e-4;
+
+    private final ParticleSystem system;
+    private final Particles particles;
+    private final ConstraintRows rows;
+    private final PlaneContacts contacts;
+    private final double feedback;
+    private final JointSystem joint;
+    private final HoldSearch holdSearch;
+    private double[] accelerations = {};
+    private double[] total = {};                        // forces with those of rods and wires
+    private double[] queryState = {};                   // what the last query was about
+    private double[] queryForce = {};
+    private double[] queryLambda = {};
+    private int queryChanges;
+    private int[] queryMembers = {};
+
+    CoupledContacts(ParticleSystem system, ConstraintRows rows, PlaneContacts contacts, double feedback) {
+        this.system = system;
+        this.particles = system.getParticles();
+        this.rows = rows;
+        this.contacts = contacts;
+        this.feedback = feedback;
+        joint = new JointSystem(rows, particles, contacts);
+        holdSearch = new HoldSearch(rows, contacts);
+    }
+
+    /**
+     * Solves a linkage if it touches anything. The rows have to be evaluated.
+     *
+     * @param held   a particle to be held still although it does not stick, or -1
+     * @param force  the forces of all effects (N)
+     * @param lambda receives what rods and wires carry, by row
+     * @return false if nothing is touched, and nothing was done
+     * @throws SimulationException if there are no forces that keep all conditions
+     */
+    boolean solve(Linkage linkage, double[] state, double time, double[] force, int held, double[] lambda) {
+        queryMembers = new int[0];
+        if (!joint.take(linkage, state, held)) {
+            return false;
+        }
+        boolean aboutToMove = joint.touching.isAnyAboutToMove(state);
+        if (aboutToMove) {                              // which way shows without friction
+            solveOnce(linkage, time, force, lambda);
+            addUp(linkage, force, lambda);
+        }
+        for (int k = 0; k < joint.touching.count; k++) {
+            joint.touching.findSlip(k, aboutToMove ? push(k) : 1, aboutToMove ? total : force, state);
+        }
+        solveOnce(linkage, time, force, lambda);
+        return true;
+    }
+
+    private double push(int k) {
+        return joint.solution[joint.constraintRows() + k];
+    }
+
+    private void solveOnce(Linkage linkage, double time, double[] force, double[] lambda) {
+        joint.assemble();
+        double scale = putRight(linkage, time, force);
+        if (!joint.solve(!contacts.response().holdsOn(), 0)) {
+            throw failure(linkage, time, "there are no pushes that keep everything out: friction jams");
+        }
+        if (joint.left() > CONTRADICTION * scale) {
+            throw failure(linkage, time, "they contradict each other: no forces can keep them all");
+        }
+        for (int r = 0; r < joint.constraintRows(); r++) {
+            lambda[joint.member(r)] = joint.solution[r];
+        }
+    }
+
+    private SimulationException failure(Linkage linkage, double time, String reason) {
+        int particle = linkage.particles()[0];
+        return new SimulationException(time, particle, "rods, wires and contacts that hang together with particle '"
+                + particles.id(particle) + "' at t = " + time + " s: " + reason, null);
+    }
+
+    /** b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in it. */
+    private double putRight(Linkage linkage, double time, double[] force) {
+        if (accelerations.length != system.getStateSize()) {
+            accelerations = new double[system.getStateSize()];
+        }
+        system.putAnchorAccelerations(time, accelerations);
+        double scale = 0;
+        for (int i : linkage.particles()) {
+            for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
+                accelerations[f] = joint.mobility[i] * force[f];
+                scale = Math.max(scale, Math.abs(force[f] * particles.inverseMasses()[i]));
+            }
+        }
+        int n = joint.constraintRows();
+        for (int r = 0; r < n; r++) {
+            int row = joint.member(r);
+            double b = -(rows.times(row, accelerations, 3) + rows.bend[row]) - feedback * feedback * rows.value[row]
+                    - 2 * feedback * rows.rate[row];
+            joint.right[r] = joint.isIdle(r) ? 0 : b;
+        }
+        ContactRows touching = joint.touching;
+        for (int k = 0; k < touching.count; k++) {
+            joint.right[n + k] = -(touching.times(k, accelerations, 3) + touching.bend[k])
+                    - feedback * feedback * touching.value[k] - 2 * feedback * touching.rate[k];
+        }
+        for (int r = 0; r < joint.size(); r++) {
+            scale = Math.max(scale, Math.abs(joint.right[r]));
+        }
+        return scale;
+    }
+
+    /** Adds what {@link #solve} found. */
+    void addForces(Linkage linkage, double[] force, double[] lambda) {
+        for (int row : linkage.members()) {
+            rows.addForce(row, lambda[row], force);
+        }
+        for (int k = 0; k < joint.touching.count; k++) {
+            joint.touching.addForce(k, push(k), force);
+        }
+        for (int i : linkage.particles()) {
+            if (joint.mobility[i] == 0) {
+                Arrays.fill(force, STRIDE * i + 3, STRIDE * (i + 1), 0.0);
+            }
+        }
+    }
+
+    /** The power of pushes and friction that {@link #solve} found (W). */
+    double power(double[] state) {
+        double power = 0;
+        ContactRows touching = joint.touching;
+        for (int k = 0; k < touching.count; k++) {
+            int v = STRIDE * touching.particle[k] + 3;
+            for (int c = 0; c < 3; c++) {
+                power += push(k) * (touching.normal[3 * k + c] - touching.slip[3 * k + c]) * state[v + c];
+            }
+        }
+        return power;
+    }
+
+    /** Forces of effects, rods and wires, and of pushes where something slides. */
+    private void addUp(Linkage linkage, double[] force, double[] lambda) {
+        if (total.length != force.length) {
+            total = new double[force.length];
+        }
+        System.arraycopy(force, 0, total, 0, force.length);
+        for (int row : linkage.members()) {
+            rows.addForce(row, lambda[row], total);
+        }
+        for (int k = 0; k < joint.touching.count; k++) {
+            joint.touching.addForce(k, push(k), total);
+        }
+    }
+
+    /** As {@link PlaneContacts#pressure}. */
+    double pressure(Linkage linkage, int plane, int particle, double[] state, double[] force, double[] lambda) {
+        if (!isSameQuery(linkage, state, force)) {
+            rows.evaluate(state);
+            if (!solve(linkage, state, system.getTime(), force, -1, lambda)) {
+                return 0;
+            }
+            queryMembers = linkage.members();
+            queryState = state.clone();
+            queryForce = force.clone();
+            queryLambda = lambda.clone();
+            queryChanges = contacts.getModes().changes();
+        }
+        if (contacts.getModes().isSticking(particle)) {
+            return contacts.response().pressure(plane, particle, state, forcesAtRest(linkage, state, force, queryLambda));
+        }
+        for (int k = 0; k < joint.touching.count; k++) {
+            if (joint.touching.particle[k] == particle && joint.touching.plane[k] == plane) {
+                return push(k) != 0 ? push(k) : -joint.separation(k) * particles.mass(particle);
+            }
+        }
+        return 0;
+    }
+
+    private boolean isSameQuery(Linkage linkage, double[] state, double[] force) {
+        return queryMembers == linkage.members() && queryChanges == contacts.getModes().changes()
+                && Arrays.equals(queryState, state) && Arrays.equals(queryForce, force);
+    }
+
+    /** As {@link PlaneContacts#holdMargin}. */
+    double holdMargin(Linkage linkage, int particle, double[] state, double[] force, double[] lambda) {
+        rows.evaluate(state);
+        solve(linkage, state, system.getTime(), force, particle, lambda);
+        return contacts.response().holdMargin(particle, state, forcesAtRest(linkage, state, force, lambda));
+    }
+
+    private double[] forcesAtRest(Linkage linkage, double[] state, double[] force, double[] lambda) {
+        addUp(linkage, force, lambda);
+        holdSearch.run(linkage, joint, state, total);
+        return total;
+    }
+
+    /** As {@link PlaneContacts#strike}. */
+    void strike(Linkage linkage, int plane, int particle, double leaving, double[] state) {
+        queryMembers = new int[0];
+        rows.evaluate(state);
+        joint.takeForImpact(linkage, state, plane, particle);
+        joint.assemble();
+        int n = joint.constraintRows();
+        for (int r = 0; r < n; r++) {
+            joint.right[r] = -rows.rate[joint.member(r)];
+        }
+        for (int k = 0; k < joint.touching.count; k++) {
+            joint.right[n + k] = (k == 0 ? leaving : 0) - joint.touching.rate[k];
+        }
+        if (!joint.solve(true, 1)) {
+            throw failure(linkage, system.getTime(), "there are no impulses that keep everything out");
+        }
+        joint.move(state, 3);
+        ContactModes modes = contacts.getModes();
+        for (int i : linkage.particles()) {
+            modes.setWhereTouching(i, Mode.SLIDING);
+        }
+        for (int k = 1; k < joint.touching.count; k++) {
+            if (joint.separation(k) > contacts.getPlanes().get(joint.touching.plane[k]).restSpeed()) {
+                modes.set(joint.touching.plane[k], joint.touching.particle[k], Mode.FREE);
+            }
+        }
+    }
+
+    /**
+     * Puts positions or velocities back onto rods, wires and touched surfaces. The rows have to be evaluated.
+     *
+     * @param place 0 for positions, 3 for velocities
+     * @return false if the linkage touches nothing, and nothing was done
+     */
+    boolean correct(Linkage linkage, double[] state, int place) {
+        queryMembers = new int[0];
+        if (!joint.take(linkage, state, -1)) {
+            return false;
+        }
+        joint.assemble();
+        int n = joint.constraintRows();
+        for (int r = 0; r < joint.size(); r++) {
+            double off = r < n ? (place == 0 ? rows.value : rows.rate)[joint.member(r)]
+                    : (place == 0 ? joint.touching.value : joint.touching.rate)[r - n];
+            joint.right[r] = r < n && joint.isIdle(r) ? 0 : -off;
+        }
+        joint.solve(false, joint.touching.count);
+        joint.move(state, place);
+        return true;
+    }
+}

@@ -1,0 +1,43 @@
+package particles.reactions;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import particles.Particles;
+
+/** All that hangs together by rods and wires, and which particle hangs where. */
+final class Linkages {
+    private final List<Linkage> all = new ArrayList<>();
+    private int[] linkageOf = {};                       // by particle; -1 for none
+
+    /** Looks at what the rows connect. */
+    void arrange(ConstraintRows rows, Particles particles) {
+        all.clear();
+        linkageOf = new int[particles.count()];
+        Arrays.fill(linkageOf, -1);
+        for (int[] part : new RowGraph(rows, particles).parts()) {
+            Linkage linkage = new Linkage(rows, part, particles);
+            for (int i : linkage.particles()) {
+                linkageOf[i] = all.size();
+            }
+            all.add(linkage);
+        }
+    }
+
+    int count() {
+        return all.size();
+    }
+
+    Linkage get(int l) {
+        return all.get(l);
+    }
+
+    boolean holds(int particle) {
+        return particle < linkageOf.length && linkageOf[particle] >= 0;
+    }
+
+    /** The linkage of a particle that is held. */
+    Linkage of(int particle) {
+        return all.get(linkageOf[particle]);
+    }
+}
