@@ -28,7 +28,6 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final ParticleJacobian jacobian = new ParticleJacobian(this);
     private double[] state = {};
     private double time;
-    private boolean velocityMatters;
     private long evaluations;
 
     /**
@@ -134,13 +133,11 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /** @param effect a force to act from now on, after those added before */
     public void addEffect(Effect effect) {
         effects.add(effect);
-        velocityMatters |= effect.dependsOnVelocity();
     }
 
     /** @param reaction a reaction to act from now on, after all effects */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);
-        velocityMatters |= reaction.dependsOnVelocity();
     }
 
     /** @return what the particles are */
@@ -173,9 +170,20 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return 3;
     }
 
+    /** Asked anew each time: a spring force that has damped springs only since it was added counts too. */
     @Override
     public boolean accelerationDependsOnVelocity() {
-        return velocityMatters;
+        for (int k = 0; k < effects.size(); k++) {
+            if (effects.get(k).dependsOnVelocity()) {
+                return true;
+            }
+        }
+        for (int k = 0; k < reactions.size(); k++) {
+            if (reactions.get(k).dependsOnVelocity()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override

@@ -1,5 +1,6 @@
 package deSolvers.symplectic;
 
+import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 
 /**
@@ -35,7 +36,11 @@ final class ClosingKick {
         double scale = 0;
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
             source.getStateDerivative(state, dSdt);     // at (x, v, t) with the latest v
-            source.requireFinite(dSdt);
+            if (iteration == 0) {
+                source.requireFinite(dSdt);
+            } else if (FiniteCheck.firstNonFinite(dSdt) >= 0) {
+                break;                                  // diverged so far that the source overflows: not the source's fault
+            }
             double last = change;
             change = 0;
             scale = 0;

@@ -1,0 +1,76 @@
+package particles.hard;
+
+import deSolvers.DESolverException;
+import deSolvers.catalog.SolverCatalog;
+import java.nio.charset.StandardCharsets;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Simulation;
+import particles.SimulationException;
+import particles.Vector3;
+import particles.effects.SpringForce;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
+
+/** Systems that several hard cases need, and what becomes of them. */
+final class HardSystems {
+    private HardSystems() {
+    }
+
+    /**
+     * What became of a run.
+     *
+     * @param ended   the time until which it ran (s)
+     * @param message why it stopped before its end; empty if it did not
+     */
+    record End(double ended, String message) {
+        boolean failed() {
+            return !message.isEmpty();
+        }
+    }
+
+    /** @return a particle at a place, at rest */
+    static int add(ParticleSystem system, String id, double mass, double x, double y, boolean fixed) {
+        return system.addParticle(id, mass, new Vector3(x, y, 0), Vector3.ZERO, fixed);
+    }
+
+    /** @return springs that act on the system's particles from now on */
+    static SpringForce springs(ParticleSystem system) {
+        SpringForce springs = new SpringForce(system.getParticles());
+        system.addEffect(springs);
+        return springs;
+    }
+
+    /** Runs with a solver of the catalogue until its end or until the kinetic energy passes the limit. */
+    static End run(ParticleSystem system, String solver, double deltaT, double duration, double energyLimit) {
+        return run(new Simulation(system, SolverCatalog.create(solver), deltaT, duration, energyLimit));
+    }
+
+    static End run(Simulation simulation) {
+        try {
+            simulation.run();
+            return new End(simulation.getSystem().getTime(), "");
+        } catch (SimulationException | DESolverException e) {
+            return new End(simulation.getSystem().getTime(), e.getMessage());
+        }
+    }
+
+    /** @return a scene from its text, with another solver, step and duration */
+    static Scene scene(String yaml, String solver, double deltaT, double duration) {
+        return SceneBuilder.build(SceneReader.read("hard.yaml", yaml.getBytes(StandardCharsets.UTF_8)),
+                new Overrides().with("solver", solver, "solver").with("deltaT", Double.toString(deltaT), "deltaT")
+                        .with("duration", Double.toString(duration), "duration"));
+    }
+
+    /** @return the largest speed of any particle (m/s) */
+    static double fastest(ParticleSystem system) {
+        double most = 0;
+        double[] s = system.getOwnState();
+        for (int v = 3; v < system.getStateSize(); v += Particles.STRIDE) {
+            most = Math.max(most, s[v] * s[v] + s[v + 1] * s[v + 1] + s[v + 2] * s[v + 2]);
+        }
+        return Math.sqrt(most);
+    }
+}

@@ -1,0 +1,155 @@
+package particles.hard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.hard.HardSystems.fastest;
+import static particles.hard.HardSystems.run;
+import static particles.hard.HardSystems.scene;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.hard.HardSystems.End;
+import particles.scene.Scene;
+
+/**
+ * A cloth let fall with the steps of a film, and a block of jelly that lies still for ten minutes. Hard, because the cloth's
+ * springs allow explicit steps of 1 to 2 ms, and because at rest nothing but the method decides whether rounding is damped
+ * away or wakes the block up.
+ */
+@Tag("hard")
+class LargeStepsOfSoftBodiesTest {
+    private static final double FRAME = 1.0 / 30;
+
+    private static final String CLOTH = """
+            title: A cloth in steps of a frame
+            teaches: Explicit steps explode where implicit ones do not.
+            solver: rk4
+            deltaT: 0.001
+            duration: 1
+            shapes:
+              - cloth:
+                  corner: [-1, 0, -1]
+                  across: [2, 0, 0]
+                  down: [0, 0, 2]
+                  columns: 11
+                  rows: 11
+                  totalMass: 0.6
+                  fixed: [top-left, top-right]
+                  structural: {stiffness: 300, damping: 0.08}
+                  shear: {stiffness: 100, damping: 0.03}
+                  bend: {stiffness: 20, damping: 0.01}
+            effects:
+              - gravity
+              - drag: {coefficient: 0.0008}
+            """;
+
+    private static final String JELLY = """
+            title: A block of jelly at rest
+            teaches: What lies still stays still.
+            solver: rk4
+            deltaT: 0.001
+            duration: 1
+            shapes:
+              - jelly:
+                  centre: [0, 0.4, 0]
+                  size: [0.8, 0.8, 0.8]
+                  columns: 3
+                  rows: 3
+                  layers: 3
+                  totalMass: 2
+                  structural: {stiffness: 400, damping: 1}
+                  shear: {stiffness: 200, damping: 0.5}
+            effects:
+              - gravity
+            rules:
+              - ground:
+                  restitution: 0
+                  friction: {law: coulomb, coefficient: 0.6}
+            """;
+
+    private static double extreme(Scene scene, int sign) {
+        double most = Double.NEGATIVE_INFINITY;
+        for (int y = 1; y < scene.system().getStateSize(); y += 6) {
+            most = Math.max(most, sign * scene.system().getOwnState()[y]);
+        }
+        return sign * most;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler"})
+    void theClothExplodesInExplicitStepsOfAFrame(String solver) {
+        End end = run(scene(CLOTH, solver, FRAME, 5).simulation());
+        assertTrue(end.ended() < 0.5 && end.message().contains("kinetic energy"), end.toString());
+    }
+
+    /** 8 c h/m is beyond 2 for the iteration of their last kick. */
+    @ParameterizedTest
+    @ValueSource(strings = {"verlet", "yoshida4"})
+    void theClothIsRefusedByLeapfrogs(String solver) {
+        End end = run(scene(CLOTH, solver, FRAME, 5).simulation());
+        assertTrue(end.ended() == 0 && end.message().contains("too stiff for this deltaT"), end.toString());
+    }
+
+    /** It swings through, comes nearly to rest and hangs 2.02 m deep at most (measured), 2 m of cloth and its stretching. */
+    @Test
+    void theClothFallsAndHangsWithBackwardEuler() {
+        Scene scene = scene(CLOTH, "backward-euler", FRAME, 10);
+        assertFalse(run(scene.simulation()).failed());
+        assertEquals(-2.02, extreme(scene, -1), 0.08);
+        assertTrue(fastest(scene.system()) < 1, "speed " + fastest(scene.system()));
+    }
+
+    /**
+     * The limit of implicit-midpoint, documented: it damps nothing, springs turn inside out as in {@link StiffSpringsTest}, and
+     * the cloth gets hot: within the energy limit as long as it lasts (10.6 s were measured), then Newton's method says no.
+     */
+    @Test
+    void theClothStaysWithinTheLimitWithImplicitMidpoint() {
+        Scene scene = scene(CLOTH, "implicit-midpoint", FRAME, 2);
+        assertFalse(run(scene.simulation()).failed());
+        assertTrue(extreme(scene, -1) > -4, "the lowest particle is at " + extreme(scene, -1));
+    }
+
+    /** They take the steps that the cloth demands; the same place by all four, to a millimetre. */
+    @ParameterizedTest
+    @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer"})
+    void theClothIsFollowedByStepControl(String solver) {
+        Scene scene = scene(CLOTH, solver, FRAME, 1);
+        assertFalse(run(scene.simulation()).failed());
+        assertEquals(-1.297, extreme(scene, -1), 1e-3);
+    }
+
+    /** 600 s; at 0.4 s it has settled to 0.796903 m, and it does not move by a rounding's speed, measured up to 4e-14 m/s. */
+    @ParameterizedTest
+    @CsvSource({"backward-euler, 60", "implicit-midpoint, 60", "midpoint, 256", "rk4, 256", "adams, 256", "symplectic-euler, 256",
+        "verlet, 256", "dormand-prince, 60", "step-doubling, 60", "bulirsch-stoer, 60"})
+    void theJellyLiesStillForTenMinutes(String solver, double stepsASecond) {
+        Scene scene = scene(JELLY, solver, 1 / stepsASecond, 600);
+        assertFalse(run(scene.simulation()).failed());
+        assertEquals(0.796903, extreme(scene, 1), 1e-6);
+        assertEquals(0, extreme(scene, -1), 1e-15);
+        assertTrue(fastest(scene.system()) < (solver.equals("dormand-prince") ? 1e-7 : 5e-13), "speed " + fastest(scene.system()));
+    }
+
+    /** The same for the two that are dearest, for one minute and for ten seconds. */
+    @ParameterizedTest
+    @CsvSource({"yoshida4, 256, 60", "radau, 60, 10"})
+    void theJellyLiesStill(String solver, double stepsASecond, double duration) {
+        Scene scene = scene(JELLY, solver, 1 / stepsASecond, duration);
+        assertFalse(run(scene.simulation()).failed());
+        assertEquals(0.796903, extreme(scene, 1), 1e-6);
+        assertTrue(fastest(scene.system()) < 5e-13, "speed " + fastest(scene.system()));
+    }
+
+    /** Steps of 1/60 s wake it up: its fastest oscillation has 85 rad/s and is damped at 1,000 1/s and more. */
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler", "verlet", "yoshida4"})
+    void theJellyExplodesOrIsRefusedInLongExplicitSteps(String solver) {
+        End end = run(scene(JELLY, solver, 1.0 / 60, 10).simulation());
+        assertTrue(end.failed() && end.ended() < 1, end.toString());
+    }
+}

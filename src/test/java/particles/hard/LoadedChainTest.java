@@ -1,0 +1,93 @@
+package particles.hard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.hard.HardSystems.add;
+import static particles.hard.HardSystems.run;
+import static particles.hard.HardSystems.springs;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.ParticleSystem;
+import particles.Vector3;
+import particles.effects.Gravity;
+import particles.effects.SpringForce;
+import particles.hard.HardSystems.End;
+
+/**
+ * 50 links of 10 g, each on a spring of 1e4 N/m, carry 10 kg. Hard, because the links could vibrate at 2,000 rad/s, while
+ * the load bobs at 4.4: a stiff system that looks like a pendulum clock, and whose force has to come through 50 springs.
+ */
+@Tag("hard")
+class LoadedChainTest {
+    private static final int LINKS = 50;
+    private static final double STIFFNESS = 1e4;
+    private static final double LINK = 0.01;
+    private static final double LOAD = 10;
+    private static final double G = 10;
+    private static final double FRAME = 1.0 / 30;
+
+    private static ParticleSystem chain(double damping) {
+        ParticleSystem system = new ParticleSystem();
+        add(system, "hook", 1, 0, 0, true);
+        SpringForce springs = springs(system);
+        for (int i = 1; i <= LINKS; i++) {
+            add(system, "link" + i, i == LINKS ? LOAD : LINK, 0, -0.1 * i, false);
+            springs.addSpring(i - 1, i, STIFFNESS, 0.1, damping);
+        }
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
+        return system;
+    }
+
+    private static double load(ParticleSystem system) {
+        return system.getOwnState()[6 * LINKS + 1];
+    }
+
+    /** Every spring carries what hangs below it. */
+    private static double balance() {
+        double y = 0;
+        for (int i = 1; i <= LINKS; i++) {
+            y -= 0.1 + ((LINKS - i) * LINK + LOAD) * G / STIFFNESS;
+        }
+        return y;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler", "verlet", "yoshida4"})
+    void explicitStepsOfAFrameExplode(String solver) {
+        End end = run(chain(0), solver, FRAME, 20, 1e5);
+        assertTrue(end.failed() && end.ended() < 0.2, end.toString());
+    }
+
+    /** Measured 7.0e-4 m from the balance of -5.51225 m after 20 s, and 3.4e-4 m/s. */
+    @Test
+    void backwardEulerComesToTheBalanceInStepsOfAFrame() {
+        ParticleSystem system = chain(5);
+        assertFalse(run(system, "backward-euler", FRAME, 20, 1e5).failed());
+        assertEquals(balance(), load(system), 2e-3);
+        assertTrue(HardSystems.fastest(system) < 1e-3);
+    }
+
+    /** The load bobs about its balance by the stretching it began with: measured -5.65194 m after 1 s by four methods. */
+    @ParameterizedTest
+    @CsvSource({"step-doubling, 1e-5", "dormand-prince, 1e-5", "bulirsch-stoer, 1e-5", "implicit-midpoint, 5e-5",
+        "backward-euler, 5e-3"})
+    void theLoadBobs(String solver, double bound) {
+        ParticleSystem system = chain(0);
+        assertFalse(run(system, solver, 1.0 / 512, 1, 1e5).failed());
+        assertEquals(-5.651920, load(system), bound);
+    }
+
+    /** Below 2/omega_max, 1 ms, the explicit ones do as well: 4e-4 s are 0.8. */
+    @ParameterizedTest
+    @CsvSource({"rk4, 1e-5", "verlet, 1e-5", "yoshida4, 1e-5", "symplectic-euler, 1e-3"})
+    void shortExplicitStepsFollow(String solver, double bound) {
+        ParticleSystem system = chain(0);
+        assertFalse(run(system, solver, 4e-4, 1, 1e5).failed());
+        assertEquals(-5.651920, load(system), bound);
+    }
+}

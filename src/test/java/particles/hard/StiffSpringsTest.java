@@ -1,0 +1,122 @@
+package particles.hard;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.hard.HardSystems.add;
+import static particles.hard.HardSystems.run;
+import static particles.hard.HardSystems.springs;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.ParticleSystem;
+import particles.effects.SpringForce;
+import particles.hard.HardSystems.End;
+
+/**
+ * A gram on a spring of 1 to 1e9 N/m, or of 1e6 N s/m. Hard, because the fastest motion decides the step of an explicit
+ * method: omega goes up to 1e6 rad/s, 15,000 times too fast for steps of 1/64 s, where nothing of it can be seen.
+ */
+@Tag("hard")
+class StiffSpringsTest {
+    private static final double H = 1.0 / 64;
+    /** A blow-up, not an oscillation: so many times the energy at the start. */
+    private static final double BLOW_UP = 1e6;
+
+    private static ParticleSystem weight(double mass, double stiffness, double damping) {
+        ParticleSystem system = new ParticleSystem();
+        add(system, "hook", 1, 0, 0, true);
+        add(system, "weight", mass, 0, -1.125, false);
+        SpringForce springs = springs(system);
+        springs.addSpring(0, 1, stiffness, 1, damping);
+        return system;
+    }
+
+    private static double energy(ParticleSystem system) {
+        return system.getEnergy(system.getOwnState(), system.getTime());
+    }
+
+    private static End blowUp(ParticleSystem system, String solver) {
+        return run(system, solver, H, 1, BLOW_UP * energy(system));
+    }
+
+    /** omega h is 0.5 at k = 1 and 16 and more from k = 1e3 on, where 2 and 2.83 are the limits. */
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler", "verlet", "yoshida4"})
+    void explicitStepsExplodeBeyondTheirLimit(String solver) {
+        for (double stiffness : new double[] {1e3, 1e6, 1e9}) {
+            End end = blowUp(weight(1e-3, stiffness, 0), solver);
+            assertTrue(end.ended() < 0.05 && end.message().contains("kinetic energy"), stiffness + ": " + end);
+        }
+        assertFalse(blowUp(weight(1e-3, 1, 0), solver).failed(), "omega h = 0.5");
+    }
+
+    /** What decays by (1 + (omega h)^2)^(-1/2) a step hangs still after 64; measured 8.5e-7 of the energy at k = 1. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1e3, 1e6, 1e9})
+    void backwardEulerDampsWhatItCannotFollow(double stiffness) {
+        ParticleSystem system = weight(1e-3, stiffness, 0);
+        double start = energy(system);
+        assertFalse(blowUp(system, "backward-euler").failed());
+        assertTrue(energy(system) < 2e-6 * start, "energy " + energy(system) / start);
+    }
+
+    /**
+     * The limit of implicit-midpoint, documented: the spring is linear only while it is not turned inside out. From
+     * omega h = 16 on, the step's equation has a second solution, on the other side of the hook, and Newton's method may come
+     * upon it: energy goes up to 1,190 times the start's (measured) and down again, but never away. With steps that follow
+     * the motion it is kept to rounding.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e3, 1e6, 1e9})
+    void implicitMidpointStaysBounded(double stiffness) {
+        ParticleSystem system = weight(1e-3, stiffness, 0);
+        double start = energy(system);
+        assertFalse(run(system, "implicit-midpoint", H, 1, 2000 * start).failed());
+        ParticleSystem followed = weight(1e-3, stiffness, 0);
+        double h = 0.5 / Math.sqrt(stiffness / 1e-3);
+        assertFalse(run(followed, "implicit-midpoint", h, 10_000 * h, 2 * start).failed());
+        assertEquals(1, energy(followed) / start, 1e-8, "10,000 steps of omega h = 0.5");
+    }
+
+    /** They follow every oscillation, 160 a second at k = 1e3 and 5,000 at 1e6, at a price; energy measured to 2.3e-2. */
+    @ParameterizedTest
+    @CsvSource({"step-doubling, 2e6", "dormand-prince, 1.3e6", "bulirsch-stoer, 8e5", "radau, 2.6e6"})
+    void stepControlFollowsEveryOscillation(String solver, double evaluations) {
+        for (double stiffness : new double[] {1, 1e3, 1e6}) {
+            ParticleSystem system = weight(1e-3, stiffness, 0);
+            double start = energy(system);
+            assertFalse(blowUp(system, solver).failed());
+            assertEquals(1, energy(system) / start, 0.05, "k = " + stiffness);
+            assertTrue(system.getEvaluations() < evaluations, "evaluations " + system.getEvaluations());
+        }
+    }
+
+    /** c h/m = 15,625, where explicit methods allow 2 to 2.8. */
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler"})
+    void stiffDampingMakesExplicitStepsExplode(String solver) {
+        End end = blowUp(weight(1, 100, 1e6), solver);
+        assertTrue(end.ended() < 0.05 && end.message().contains("kinetic energy"), end.toString());
+    }
+
+    /** Their last kick is solved by an iteration that converges below c h/m = 2 only; beyond, they refuse the first step. */
+    @ParameterizedTest
+    @ValueSource(strings = {"verlet", "yoshida4"})
+    void stiffDampingIsRefusedByLeapfrogs(String solver) {
+        End end = blowUp(weight(1, 100, 1e6), solver);
+        assertEquals(0, end.ended());
+        assertTrue(end.message().contains("drag or spring damping is too stiff for this deltaT"), end.message());
+    }
+
+    /** It creeps back with k/c = 1e-4 a second: 1.1249875 after 1 s. */
+    @ParameterizedTest
+    @ValueSource(strings = {"backward-euler", "implicit-midpoint", "radau"})
+    void stiffDampingIsFollowedByImplicitSolvers(String solver) {
+        ParticleSystem system = weight(1, 100, 1e6);
+        assertFalse(blowUp(system, solver).failed());
+        assertEquals(-1 - 0.125 * StrictMath.exp(-1e-4), system.getOwnState()[7], 2e-9);
+    }
+}
