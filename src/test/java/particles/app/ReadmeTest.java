@@ -3,6 +3,8 @@ package particles.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -15,6 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import particles.scene.SceneFiles;
+import particles.scene.SceneFormat;
 import particles.scene.SceneReader;
 import picocli.CommandLine;
 
@@ -65,6 +68,35 @@ class ReadmeTest {
     void theExitCodesAreThoseOfTheProgram() {
         List<String> codes = List.of(ExitCode.values()).stream().map(code -> Integer.toString(code.code())).toList();
         assertEquals(codes, matches(Pattern.compile("(?m)^\\| (\\d) \\|"), README));
+    }
+
+    @Test
+    void theSolversAreThoseOfTheCatalogue() {
+        List<String> rows = new ArrayList<>();
+        for (SolverInfo info : SolverCatalog.all()) {
+            rows.add(String.join(" | ", "| `" + info.name() + "`", Integer.toString(info.order()), info.family(),
+                    info.evaluations(), limit(info.realLimit()), limit(info.imaginaryLimit()), info.sentence() + " |"));
+        }
+        assertEquals(rows, README.lines().filter(line -> line.matches("\\| `[a-z0-9-]+` \\| \\d+ \\|.*")).toList());
+    }
+
+    private static String limit(double limit) {
+        String number = limit == 0 ? "0: grows" : limit == Double.POSITIVE_INFINITY ? "none" : Double.toString(limit);
+        return Double.isNaN(limit) ? "-" : number.replaceFirst("\\.0$", "");
+    }
+
+    @Test
+    void theSceneFileIsDescribedAsItIsRead() {
+        assertTrue(README.contains(SceneFormat.reference("###")), "README's part on the scene file is SceneFormat.reference");
+    }
+
+    @Test
+    void theClassesThatSlidesLeadToExist() throws ClassNotFoundException {
+        List<String> names = matches(Pattern.compile("`((?:deSolvers|particles)\\.[a-zA-Z.]*[A-Z]\\w+)`"), README);
+        assertTrue(names.size() > 12, names.toString());
+        for (String name : names) {
+            Class.forName(name);
+        }
     }
 
     private static List<String> matches(Pattern pattern, String text) {

@@ -104,6 +104,14 @@ class AddingAnEffectTest {
             """;
 
     @Test
+    void theyAreWhatReadmeShows() throws IOException {
+        String readme = Files.readString(Path.of("README.md"));
+        for (String part : List.of(NEW_CLASS, REGISTRATION.stripTrailing(), SCENE)) {
+            assertTrue(readme.contains(part), () -> "README lacks:\n" + part);
+        }
+    }
+
+    @Test
     void oneClassOneRegistrationOneScene(@TempDir Path folder) throws Exception {
         Path sources = folder.resolve("src");
         Path newClass = write(sources.resolve("particles/effects/Coriolis.java"), NEW_CLASS);
