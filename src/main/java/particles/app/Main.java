@@ -34,6 +34,7 @@ public final class Main {
                 new EnergyDriftCommand(style),
                 new WorkPrecisionCommand(style),
                 new EffectCostCommand(style),
-                new CheckSolverCommand());
+                new CheckSolverCommand(),
+                new CheckEffectCommand());
     }
 }

@@ -18,6 +18,7 @@ import particles.Particles;
 import particles.Plane;
 import particles.Sphere;
 import particles.Vector3;
+import particles.teaching.EffectClaims;
 
 /** Every effect keeps what it claims, and effects with a planted error do not. */
 class EffectClaimsTest {

@@ -1,4 +1,4 @@
-package particles.effects;
+package particles.teaching;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +12,7 @@ import particles.ParticleSystem;
  * Holds an effect to what it claims of itself, on random states of a system: every claim that does not hold is a line. The
  * differences are central, with steps of 1e-5 on numbers of order 1: their own error is about 1e-10.
  */
-final class EffectClaims {
+public final class EffectClaims {
     private static final double STEP = 1e-5;
     private static final double BOUND = 1e-6;
 
@@ -29,7 +29,13 @@ final class EffectClaims {
         this.n = system.getStateSize();
     }
 
-    static List<String> broken(ParticleSystem system, Effect effect, long seed) {
+    /**
+     * @param system the particles; about a unit apart, so that the random states make sense
+     * @param effect what acts on them
+     * @param seed   of the random states
+     * @return a line for every claim that does not hold; the first word is the claim
+     */
+    public static List<String> broken(ParticleSystem system, Effect effect, long seed) {
         EffectClaims claims = new EffectClaims(system, effect, seed);
         for (int trial = 0; trial < 20; trial++) {
             claims.check(claims.randomState(), 3 * claims.random.nextDouble());

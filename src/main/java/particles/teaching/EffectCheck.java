@@ -1,0 +1,295 @@
+package particles.teaching;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import particles.Effect;
+import particles.Effect.Trait;
+import particles.ParticleSystem;
+import particles.teaching.Finding.Kind;
+
+/**
+ * Holds an effect to what it claims of itself, by {@link EffectClaims}, and says where a claim fails: at which particle, in which
+ * component, and what is probably the mistake.
+ */
+public final class EffectCheck {
+    private static final double STEP = 1e-5;
+    private static final double SAME = 1e-5;
+    private static final String XYZ = "xyz";
+
+    private final ParticleSystem system;
+    private final Effect effect;
+    private final int n;
+    private final double[] state;
+    private final List<Finding> findings = new ArrayList<>();
+
+    private EffectCheck(ParticleSystem system, Effect effect) {
+        this.system = system;
+        this.effect = effect;
+        n = system.getStateSize();
+        state = new double[n];
+        system.getState(state);
+        Random random = new Random(17);
+        for (int k = 0; k < n; k++) {
+            boolean rests = k % 6 >= 3 && system.getParticles().isFixed(k / 6);
+            state[k] += rests ? 0 : 0.6 * random.nextDouble() - 0.3;
+        }
+    }
+
+    /**
+     * Checks an effect.
+     *
+     * @param system the particles that the effect was made for
+     * @param effect the effect
+     * @return what is wrong; empty if it keeps what it claims
+     */
+    public static List<Finding> check(ParticleSystem system, Effect effect) {
+        EffectCheck check = new EffectCheck(system, effect);
+        check.writing();
+        if (check.findings.isEmpty()) {
+            check.partners();
+            check.potential();
+            check.power();
+            check.velocities();
+        }
+        if (check.findings.isEmpty()) {
+            check.otherClaims();
+        }
+        return check.findings;
+    }
+
+    private void wrong(Kind kind, String text) {
+        findings.add(new Finding(kind, text));
+    }
+
+    private double[] force(double[] at, int from, int to) {
+        double[] force = new double[n];
+        effect.addForces(at, 0, force, from, to);
+        return force;
+    }
+
+    private String entry(int k) {
+        return "component " + XYZ.charAt(k % 3) + " of the force on particle '" + system.getParticles().id(k / 6) + "'";
+    }
+
+    /** Whether forces are added, where they belong, without touching anything else. */
+    private void writing() {
+        double[] force = force(state, 0, effect.size());
+        double[] copy = state.clone();
+        force(copy, 0, effect.size());
+        if (!Arrays.equals(copy, state)) {
+            wrong(Kind.STATE, "addForces changes the state, which is there to be read only");
+        }
+        double[] filled = new double[n];
+        Arrays.fill(filled, 1);
+        effect.addForces(state, 0, filled, 0, effect.size());
+        for (int k = 0; k < n; k++) {
+            if (!Double.isFinite(force[k])) {
+                wrong(Kind.METHOD, entry(k) + " is " + force[k] + " at a state that is nothing special: look for a division by 0");
+                return;
+            }
+            if (k % 6 < 3 && force[k] != 0) {
+                wrong(Kind.STATE, entry(k) + " is written to entry " + k + ", where the position stands; it belongs where the velocity stands,"
+                        + " entry " + (k + 3));
+                return;
+            }
+            if (k % 6 >= 3 && Math.abs(filled[k] - 1 - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
+                wrong(Kind.STATE, entry(k) + " is set and not added (= instead of +=): the forces of other effects are lost");
+                return;
+            }
+        }
+        double[] parts = new double[n];
+        int middle = effect.size() / 2;
+        effect.addForces(state, 0, parts, 0, middle);
+        effect.addForces(state, 0, parts, middle, effect.size());
+        for (int k = 0; k < n; k++) {
+            if (Math.abs(parts[k] - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
+                wrong(Kind.STATE, entry(k) + " is " + parts[k] + " when items 0 to " + middle + " and the rest are asked for one after the other, and "
+                        + force[k] + " at once: the loop has to go from 'from' to 'to', and over nothing else");
+                return;
+            }
+        }
+    }
+
+    /** Newton's third law, item by item. */
+    private void partners() {
+        if (!effect.getTraits().contains(Trait.INTERNAL)) {
+            return;
+        }
+        for (int item = 0; item < effect.size(); item++) {
+            double[] force = force(state, item, item + 1);
+            Set<Integer> pushed = new LinkedHashSet<>();
+            double size = 0;
+            double[] sum = new double[3];
+            for (int k = 0; k < n; k++) {
+                if (force[k] != 0) {
+                    pushed.add(k / 6);
+                    sum[k % 3] += force[k];
+                    size = Math.max(size, Math.abs(force[k]));
+                }
+            }
+            double rest = Math.max(Math.abs(sum[0]), Math.max(Math.abs(sum[1]), Math.abs(sum[2])));
+            if (rest <= 1e-10 * size) {
+                continue;
+            }
+            List<String> names = pushed.stream().map(i -> "'" + system.getParticles().id(i) + "'").toList();
+            if (pushed.size() == 1) {
+                wrong(Kind.METHOD, "item " + item + " pushes particle " + names.get(0) + " and forgets the partner: F_ji = -F_ij has to be added to"
+                        + " the other particle");
+            } else {
+                wrong(Kind.METHOD, "item " + item + " pushes particles " + String.join(" and ", names) + " with forces that add up to "
+                        + Formula.number(rest) + " and not to 0" + (Math.abs(rest / 2) <= size * (1 + 1e-9) && sameForces(force, pushed)
+                                ? ": the partner gets the same force, and has to get the opposite one, F_ji = -F_ij" : ": F_ji has to be -F_ij"));
+            }
+            return;
+        }
+    }
+
+    private static boolean sameForces(double[] force, Set<Integer> pushed) {
+        if (pushed.size() != 2) {
+            return false;
+        }
+        List<Integer> two = List.copyOf(pushed);
+        for (int c = 3; c < 6; c++) {
+            if (Math.abs(force[6 * two.get(0) + c] - force[6 * two.get(1) + c]) > 1e-12) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Force = -grad of the potential energy, of the particles that can move. */
+    private void potential() {
+        if (!effect.getTraits().contains(Trait.CONSERVATIVE) || !findings.isEmpty()) {
+            return;
+        }
+        double[] force = force(state, 0, effect.size());
+        double[] expected = new double[n];
+        for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
+            double[] moved = state.clone();
+            moved[k - 3] += STEP;
+            double ahead = effect.getPotentialEnergy(moved, 0);
+            moved[k - 3] = state[k - 3] - STEP;
+            expected[k] = -(ahead - effect.getPotentialEnergy(moved, 0)) / (2 * STEP);
+        }
+        compare(force, expected, "the slope of the potential energy asks for", "the potential energy");
+    }
+
+    /** Compares forces of free particles component by component, and looks for what is common to all differences. */
+    private void compare(double[] force, double[] expected, String authority, String other) {
+        double size = Math.max(Arrays.stream(force).map(Math::abs).max().orElse(0), Arrays.stream(expected).map(Math::abs).max().orElse(0));
+        for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
+            if (system.getParticles().isFixed(k / 6) || Math.abs(force[k] - expected[k]) <= SAME * size) {
+                continue;
+            }
+            wrong(Kind.METHOD, entry(k) + " is " + Formula.number(force[k]) + " where " + authority + " " + Formula.number(expected[k])
+                    + cause(force, expected, size, other));
+            return;
+        }
+    }
+
+    private String cause(double[] force, double[] expected, double size, String other) {
+        if (fits(force, expected, size, -1, 0)) {
+            return ": the sign is wrong, in the force or in " + other;
+        }
+        if (fits(force, expected, size, 0.5, 0)) {
+            return ": the half is missing in " + other + ", or one was taken too often in the force";
+        }
+        if (fits(force, expected, size, 2, 0)) {
+            return ": the force is twice what it should be, or a half too many stands in " + other;
+        }
+        if (fits(force, expected, size, 1, -1)) {
+            return ": the mass is missing in the force, which is mass times acceleration";
+        }
+        if (fits(force, expected, size, 1, 1)) {
+            return ": the mass is missing in " + other + ", or stands in the force once too often";
+        }
+        List<String> off = new ArrayList<>();
+        for (int c = 0; c < 3; c++) {
+            for (int k = 3 + c; k < n; k += 6) {
+                if (!system.getParticles().isFixed(k / 6) && Math.abs(force[k] - expected[k]) > SAME * size) {
+                    off.add(XYZ.substring(c, c + 1));
+                    break;
+                }
+            }
+        }
+        return off.size() == 3 ? "" : ": only " + String.join(" and ", off) + (off.size() == 1 ? " is" : " are") + " wrong";
+    }
+
+    /** Whether force = factor * mass^power * expected, for all free particles. */
+    private boolean fits(double[] force, double[] expected, double size, double factor, int power) {
+        for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
+            double mass = system.getParticles().mass(k / 6);
+            double scaled = factor * expected[k] * (power == 0 ? 1 : power > 0 ? mass : 1 / mass);
+            if (!system.getParticles().isFixed(k / 6) && Math.abs(force[k] - scaled) > SAME * size * 2) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** What damps takes as much power as it says. */
+    private void power() {
+        double dissipated = effect.getDissipatedPower(state, 0);
+        if (!effect.getTraits().contains(Trait.DISSIPATIVE) || effect.getTraits().contains(Trait.DRIVING) || !findings.isEmpty()) {
+            return;
+        }
+        double[] force = force(state, 0, effect.size());
+        double power = 0;
+        double[] ahead = state.clone();
+        double[] behind = state.clone();
+        for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
+            power += force[k] * state[k];
+            ahead[k - 3] += STEP * state[k];
+            behind[k - 3] -= STEP * state[k];
+        }
+        power += (effect.getPotentialEnergy(ahead, 0) - effect.getPotentialEnergy(behind, 0)) / (2 * STEP);
+        if (Math.abs(power + dissipated) <= SAME * Math.max(1e-3, Math.abs(power))) {
+            return;
+        }
+        String start = "the forces do the work " + Formula.number(power) + " W and the effect says that it turns " + Formula.number(dissipated)
+                + " W into heat";
+        double ratio = -power / dissipated;
+        wrong(Kind.METHOD, start + (Math.abs(ratio + 1) < 1e-4 ? ": the sign is wrong; damping has to push against the velocity"
+                : Math.abs(ratio - 2) < 1e-4 ? ": twice as much; a half stands in the dissipated power that does not belong there"
+                : Math.abs(ratio - 0.5) < 1e-4 ? ": half as much; a half is missing in the dissipated power, or is too much in the force" : ""));
+    }
+
+    private void velocities() {
+        if (effect.dependsOnVelocity()) {
+            return;
+        }
+        double[] other = state.clone();
+        for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
+            other[k] += 1;
+        }
+        double[] force = force(state, 0, effect.size());
+        double[] changed = force(other, 0, effect.size());
+        for (int k = 0; k < n; k++) {
+            if (Math.abs(force[k] - changed[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
+                wrong(Kind.STATE, entry(k) + " changes with the velocity, and dependsOnVelocity() says false");
+                return;
+            }
+        }
+    }
+
+    /** What is left: symmetries and derivatives; one line of each kind. */
+    private void otherClaims() {
+        Set<String> seen = new LinkedHashSet<>();
+        for (String line : EffectClaims.broken(system, effect, 2003)) {
+            if (seen.add(line.replaceFirst("[ :].*", ""))) {
+                wrong(Kind.METHOD, "a claim does not hold: " + line + hint(line));
+            }
+        }
+    }
+
+    private static String hint(String line) {
+        if (line.startsWith("translation")) {
+            return "; the force uses places and not differences of places, though it claims TRANSLATION_INVARIANT";
+        }
+        return line.startsWith("derivative") ? "; addForceDerivatives is not the derivative of addForces" : "";
+    }
+}
