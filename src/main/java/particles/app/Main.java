@@ -33,6 +33,7 @@ public final class Main {
                 new LectureFiguresCommand(style),
                 new EnergyDriftCommand(style),
                 new WorkPrecisionCommand(style),
+                new StiffGalleryCommand(style),
                 new EffectCostCommand(style),
                 new CheckSolverCommand(),
                 new CheckEffectCommand());

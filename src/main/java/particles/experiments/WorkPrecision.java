@@ -75,7 +75,7 @@ public final class WorkPrecision {
             }
         } else {
             long evaluations = 0;
-            for (int steps = FEWEST_STEPS; 2 * evaluations <= problem.mostWork() / (solver.implicit() ? 4 : 1); steps *= 2) {
+            for (int steps = FEWEST_STEPS; 2 * evaluations <= problem.mostWork() / (solver.implicit() ? 12 : 1); steps *= 2) {
                 Point point = point(problem, solver, steps, Double.NaN);
                 points.add(point);
                 evaluations = Math.max(point.evaluations(), 2 * evaluations);

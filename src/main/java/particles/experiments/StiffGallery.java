@@ -1,0 +1,154 @@
+package particles.experiments;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import java.util.ArrayList;
+import java.util.List;
+import particles.experiments.problems.StiffPair;
+
+/**
+ * What stiffness costs: two masses whose slow swing does not depend on the spring between them, while that spring gets
+ * stiffer and stiffer. How many evaluations does a solver need to stay stable, how many to find the swing to 1 %?
+ */
+public final class StiffGallery {
+    private static final double DURATION = 10;
+    private static final double PRECISION = 0.01;
+    /** The seed may grow by this in energy before the run counts as unstable: far above what a stable run borrows. */
+    private static final double UNSTABLE = 1e4;
+    private static final int MOST_STEPS = 1 << 20;
+    private static final double NEAR = 1.01;
+    /** A long run of short steps shows who grows at any step: the slowest of them, adams, by 5e-3; means of waves differ by 5e-5. */
+    private static final double SHORT_STEP = 0.1;
+    private static final int LONG_RUN = 20_000;
+    private static final double GROWTH = 1 + 5e-4;
+    private static final double FIT_FROM = 1e3;
+
+    /**
+     * One solver at one stiffness; NaN where no number of steps is enough.
+     *
+     * @param stiffness of the spring between the masses (N/m)
+     * @param toBeStable evaluations of the cheapest stable run
+     * @param toOnePercent evaluations of the cheapest run whose swing is right to 1 %
+     * @param vibrationLeft energy of the stiff vibration at the end of that run, over that at its start
+     */
+    public record Cost(double stiffness, double toBeStable, double toOnePercent, double vibrationLeft) {
+    }
+
+    /**
+     * One solver over all stiffnesses.
+     *
+     * @param solver       which
+     * @param neverStable  whether the undamped vibration grows however short the step
+     * @param costs        from soft to stiff
+     * @param stableExponent of the stiffness in the cost of being stable; NaN where there is none
+     * @param preciseExponent of the stiffness in the cost of 1 %
+     */
+    public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs, double stableExponent, double preciseExponent) {
+    }
+
+    /** A run: its centre's error, the vibration that is left, its evaluations. */
+    private record Run(double error, double vibration, long evaluations) {
+        boolean stable() {
+            return vibration < UNSTABLE;
+        }
+
+        boolean precise() {
+            return stable() && error <= PRECISION;
+        }
+    }
+
+    private StiffGallery() {
+    }
+
+    /**
+     * @param solver  which
+     * @param decades how many decades of stiffness, from 1 N/m
+     * @return its costs
+     */
+    public static Sweep sweep(SolverChoice solver, int decades) {
+        List<Cost> costs = new ArrayList<>();
+        boolean never = grows(solver);
+        for (int d = 0; d <= decades; d++) {
+            costs.add(cost(solver, StrictMath.pow(10, d), never));
+        }
+        return new Sweep(solver, never, costs, exponent(costs, true), exponent(costs, false));
+    }
+
+    private static Cost cost(SolverChoice solver, double k, boolean never) {
+        if (solver.adaptive()) {
+            Run run = run(solver, k, 1, PRECISION);
+            for (double t = PRECISION; !run.precise() && t > 1e-9; t /= 3) {
+                run = run(solver, k, 1, t);
+            }
+            return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN, run.vibration());
+        }
+        int stable = never ? 0 : fewest(solver, k, false);
+        int precise = fewest(solver, k, true);
+        Run best = run(solver, k, Math.max(1, precise), 0);
+        return new Cost(k, stable == 0 ? Double.NaN : run(solver, k, stable, 0).evaluations(),
+                precise == 0 ? Double.NaN : best.evaluations(), precise == 0 ? Double.NaN : best.vibration());
+    }
+
+    /** The fewest steps, to 1 %; 0 where even the most are not enough. */
+    private static int fewest(SolverChoice solver, double k, boolean precise) {
+        int few = 1;
+        int enough = 2;
+        while (!holds(run(solver, k, enough, 0), precise)) {
+            few = enough;
+            enough *= 2;
+            if (enough > MOST_STEPS / (solver.implicit() ? 16 : 1)) {
+                return 0;
+            }
+        }
+        while (enough > NEAR * few + 1) {
+            int middle = (few + enough) / 2;
+            if (holds(run(solver, k, middle, 0), precise)) {
+                enough = middle;
+            } else {
+                few = middle;
+            }
+        }
+        return enough;
+    }
+
+    private static boolean holds(Run run, boolean precise) {
+        return precise ? run.precise() : run.stable();
+    }
+
+    private static Run run(SolverChoice choice, double k, int steps, double tolerance) {
+        StiffPair pair = new StiffPair(k);
+        DESolver solver = choice.create(tolerance);
+        try {
+            for (int n = 0; n < steps; n++) {
+                solver.stepState(pair, DURATION / steps);
+                if (!(pair.vibration() < UNSTABLE)) {
+                    break;
+                }
+            }
+        } catch (DESolverException e) {
+            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, pair.getEvaluations());
+        }
+        return new Run(Math.abs(pair.centre() - StrictMath.cos(DURATION)), pair.vibration(), pair.getEvaluations());
+    }
+
+    private static boolean grows(SolverChoice choice) {
+        if (choice.adaptive()) {
+            return false;
+        }
+        StiffPair pair = new StiffPair(1);
+        DESolver solver = choice.create(0);
+        double[] quarters = new double[4];
+        for (int n = 0; n < LONG_RUN; n++) {
+            solver.stepState(pair, SHORT_STEP / pair.omega());
+            quarters[4 * n / LONG_RUN] += pair.vibration();
+        }
+        return quarters[3] > GROWTH * quarters[0];
+    }
+
+    private static double exponent(List<Cost> costs, boolean stable) {
+        List<Cost> fit = costs.stream().filter(c -> c.stiffness() >= FIT_FROM
+                && !Double.isNaN(stable ? c.toBeStable() : c.toOnePercent())).toList();
+        return WorkPrecision.slope(fit.stream().mapToDouble(Cost::stiffness).toArray(),
+                fit.stream().mapToDouble(c -> stable ? c.toBeStable() : c.toOnePercent()).toArray());
+    }
+}
