@@ -39,9 +39,9 @@ class ScenesRunTest {
         assertEquals("", errors.toString());
         assertEquals(ExitCode.DONE, code);
         assertTrue(lines.toString().contains(scene.title()), lines.toString());
-        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "phase.png", "trajectory.csv",
-                "run.json")) {
+        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "trajectory.csv", "run.json")) {
             assertTrue(Files.isRegularFile(out.resolve(name)), name);
         }
+        assertEquals(scene.output().phase().isPresent(), Files.isRegularFile(out.resolve("phase.png")), "phase.png");
     }
 }
