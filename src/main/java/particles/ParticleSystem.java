@@ -282,15 +282,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
      * @return the kinetic energy of all particles that are not fixed, the sum of m v&sup2;/2 (J)
      */
     public double getKineticEnergy(double[] state) {
-        double[] masses = particles.masses();
-        double[] inverseMasses = particles.inverseMasses();
-        double twice = 0;
-        for (int i = 0, v = 3; i < particles.count(); i++, v += STRIDE) {
-            if (inverseMasses[i] != 0) {
-                twice += masses[i] * (state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2]);
-            }
-        }
-        return twice / 2;
+        return particles.kineticEnergy(state);
     }
 
     /**

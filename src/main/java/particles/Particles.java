@@ -99,4 +99,15 @@ public final class Particles {
     public double[] inverseMasses() {
         return inverseMasses;
     }
+
+    /** The sum of m v&sup2;/2 over all particles that are not fixed, in the order of their indices (J). */
+    double kineticEnergy(double[] state) {
+        double twice = 0;
+        for (int i = 0, v = 3; i < count; i++, v += STRIDE) {
+            if (inverseMasses[i] != 0) {
+                twice += masses[i] * (state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2]);
+            }
+        }
+        return twice / 2;
+    }
 }
