@@ -34,6 +34,7 @@ public final class Main {
                 new EnergyDriftCommand(style),
                 new WorkPrecisionCommand(style),
                 new StiffGalleryCommand(style),
+                new PhasePlotsCommand(style),
                 new EffectCostCommand(style),
                 new CheckSolverCommand(),
                 new CheckEffectCommand());

@@ -32,7 +32,8 @@ final class ChartLegend {
             ChartDataset dataset = (ChartDataset) part.getDataset();
             for (int k = 0; k < dataset.getSeriesCount() && dataset.getSeriesCount() > 1; k++) {
                 XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
-                if (SolverLook.of(dataset.name(k)).isEmpty() || named.add(dataset.name(k))) {
+                boolean failures = renderer.lookupSeriesShape(k) == ChartStyle.FAILURE;
+                if (SolverLook.of(dataset.name(k)).isEmpty() && !failures || named.add(dataset.name(k))) {
                     items.add(item(renderer, dataset.name(k), k));
                 }
             }

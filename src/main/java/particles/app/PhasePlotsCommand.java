@@ -1,0 +1,103 @@
+package particles.app;
+
+import deSolvers.catalog.DidYouMean;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import particles.Particles;
+import particles.experiments.Axis;
+import particles.experiments.PhasePortraits;
+import particles.experiments.PhasePortraits.Portraits;
+import particles.experiments.ProgressListener;
+import particles.output.OutputFolder;
+import particles.output.ResultPage;
+import particles.output.ResultPage.Panel;
+import particles.output.ResultPage.Picture;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneDescription;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code gradle phasePlots}: phase portraits of a scene by several solvers. */
+@Command(name = PhasePlotsCommand.NAME, description = "Draws phase portraits of a scene by several solvers over a reference.")
+final class PhasePlotsCommand extends ExperimentCommand {
+    static final String NAME = "phasePlots";
+
+    @Mixin
+    private final SceneOptions options = new SceneOptions();
+
+    @Option(names = "--particles", paramLabel = "IDS", split = ";",
+            description = "Particles, separated by semicolons (default: the one of the scene's own phase plot).")
+    private List<String> particles = List.of();
+
+    @Option(names = "--axes", paramLabel = "AXES", description = "Of x, y and z, as xy (default: that of the scene's own phase plot).")
+    private String axes;
+
+    PhasePlotsCommand(OptionStyle style) {
+        super(style);
+    }
+
+    @Override
+    String name() {
+        return NAME;
+    }
+
+    @Override
+    void check() {
+        Scene scene = SceneBuilder.build(description(), new Overrides());
+        options.solvers("euler,symplectic-euler,rk4", style());
+        ids(scene);
+        axes(scene);
+    }
+
+    private SceneDescription description() {
+        return options.scene("euler-spiral", style());
+    }
+
+    private List<String> ids(Scene scene) {
+        Particles all = scene.system().getParticles();
+        List<String> known = new ArrayList<>();
+        for (int i = 0; i < all.count(); i++) {
+            known.add(all.id(i));
+        }
+        for (String id : particles) {
+            if (!known.contains(id)) {
+                throw wrong("particles", "the scene has no particle '" + id + "'" + DidYouMean.hint(id, known, "'%s'"::formatted)
+                        + " it has " + known.size() + ", from '" + known.get(0) + "' to '" + known.get(known.size() - 1) + "'");
+            }
+        }
+        return particles.isEmpty() ? List.of(all.id(scene.phase().map(Scene.Phase::particle).orElse(all.count() - 1))) : particles;
+    }
+
+    private List<Axis> axes(Scene scene) {
+        if (axes == null) {                             // picocli leaves an option null that was not given
+            return List.of(Axis.values()[scene.phase().map(Scene.Phase::axis).orElse(0)]);
+        }
+        if (!axes.matches("[xyz]+")) {
+            throw wrong("axes", "'" + axes + "' has to be of the letters x, y and z");
+        }
+        return Arrays.stream(axes.split("")).distinct().map(letter -> Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
+    }
+
+    @Override
+    ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        SceneDescription description = description();
+        Scene scene = SceneBuilder.build(description, new Overrides());
+        Portraits portraits = PhasePortraits.compare(description, options.solvers("euler,symplectic-euler,rk4", style()), ids(scene),
+                axes(scene), progress);
+        String caption = "Velocity over position. The reference is dormand-prince with a tolerance of 1e-10. A cross is the end of a run"
+                + " that stopped, or the place where a path leaves the picture.";
+        Picture picture = portraits.charts().size() == 1 ? Picture.chart("phase-plots", caption, portraits.charts().get(0))
+                : Picture.panels("phase-plots", caption, description.title() + ": each solver over the reference", 2,
+                        portraits.charts().stream().map(chart -> new Panel(chart, false, Optional.empty())).toList());
+        return new ResultPage(NAME, description.title() + ", in state space", List.of(
+                "A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral outwards gains and"
+                        + " a spiral inwards loses it. A path that stays on the reference and yet ends elsewhere has a wrong phase only."),
+                List.of(picture), List.of(portraits.table()));
+    }
+}
