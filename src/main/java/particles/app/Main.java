@@ -7,6 +7,7 @@ import java.util.List;
 /** Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}. */
 public final class Main {
     private static final Path SCENES = Path.of("scenes");
+    private static final Path EXERCISES = Path.of("src", "main", "java", "exercises");
 
     private Main() {
     }
@@ -37,6 +38,8 @@ public final class Main {
                 new PhasePlotsCommand(style),
                 new EffectCostCommand(style),
                 new CheckSolverCommand(),
+                new NewClassCommand.NewSolver(EXERCISES, style),
+                new NewClassCommand.NewEffect(EXERCISES, style),
                 new CheckEffectCommand());
     }
 }

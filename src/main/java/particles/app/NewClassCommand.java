@@ -1,0 +1,90 @@
+package particles.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import particles.teaching.Skeleton;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: a class to begin with. */
+abstract class NewClassCommand extends ProgramCommand {
+    @Option(names = "--class", paramLabel = "NAME", required = true, description = "What the class is to be called, such as HeunSolver.")
+    private String className;
+
+    private final Path folder;
+    private final OptionStyle style;
+
+    /**
+     * @param folder where students' classes are
+     * @param style  how options are typed
+     */
+    NewClassCommand(Path folder, OptionStyle style) {
+        this.folder = folder;
+        this.style = style;
+    }
+
+    /** @return the class's text */
+    abstract String text(String name);
+
+    /** @return the command that checks such a class, without the class's name */
+    abstract String check();
+
+    @Override
+    final void run(PrintWriter out) throws IOException {
+        String name = className.replaceFirst("^exercises[.]", "");
+        if (!Skeleton.isClassName(name)) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
+                    + "' is no name for a class; a capital and then letters and digits are, as in HeunSolver");
+        }
+        Path file = folder.resolve(name + ".java");
+        Files.createDirectories(folder);
+        try {
+            Files.write(file, text(name).getBytes(StandardCharsets.UTF_8), StandardOpenOption.CREATE_NEW);
+        } catch (FileAlreadyExistsException e) {
+            throw new Failure(ExitCode.BAD_INPUT, file + " is there already, and is left as it is; take another name, or remove it first");
+        }
+        out.println("written: " + file);
+        out.println("to check it: gradle " + check() + "exercises." + name);
+    }
+
+    /** A solver. */
+    @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
+    static final class NewSolver extends NewClassCommand {
+        NewSolver(Path folder, OptionStyle style) {
+            super(folder, style);
+        }
+
+        @Override
+        String text(String name) {
+            return Skeleton.solver(name);
+        }
+
+        @Override
+        String check() {
+            return "checkSolver -Psolver=";
+        }
+    }
+
+    /** A force law. */
+    @Command(name = "newEffect", description = "Writes the skeleton of a force law of your own.")
+    static final class NewEffect extends NewClassCommand {
+        NewEffect(Path folder, OptionStyle style) {
+            super(folder, style);
+        }
+
+        @Override
+        String text(String name) {
+            return Skeleton.effect(name);
+        }
+
+        @Override
+        String check() {
+            return "checkEffect -Peffect=";
+        }
+    }
+}
