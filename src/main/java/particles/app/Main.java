@@ -36,6 +36,7 @@ public final class Main {
                 new WorkPrecisionCommand(style),
                 new StiffGalleryCommand(style),
                 new PhasePlotsCommand(style),
+                new StabilityCommand(style),
                 new EffectCostCommand(style),
                 new CheckSolverCommand(),
                 new NewClassCommand.NewSolver(EXERCISES, style),

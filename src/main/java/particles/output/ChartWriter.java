@@ -63,6 +63,19 @@ public final class ChartWriter {
         write(folder, name, PhasePlot.of(data, field), HEIGHT + 100);
     }
 
+    /**
+     * A map of a plane: a unit along x is as long as one along y, so that circles are round.
+     *
+     * @param folder where the picture goes
+     * @param name   the file's name, such as {@code region.png}
+     * @param data   what it shows
+     * @throws OutputException if it cannot be written, or this machine has no font
+     */
+    public static void writeMap(OutputFolder folder, String name, ChartData data) {
+        Lettering.require(folder.getPath().resolve(name));
+        write(folder, name, Charts.map(data, WIDTH, STACKED_HEIGHT), STACKED_HEIGHT);
+    }
+
     private static void write(OutputFolder folder, String name, JFreeChart chart, int height) {
         chart.setTextAntiAlias(true);
         write(folder, name, WIDTH, height, g -> chart.draw(g, new Rectangle2D.Double(0, 0, WIDTH, height)));

@@ -2,7 +2,11 @@ package particles.output;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
 import java.util.List;
+import org.jfree.chart.ChartRenderingInfo;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
@@ -43,6 +47,27 @@ final class Charts {
             all.add(plot(data.get(k)), k == 0 ? 5 : 3);
         }
         return finished(data.get(0).title(), all);
+    }
+
+    /** With the same unit along both axes: the one that would have the longer unit shows more. */
+    static JFreeChart map(ChartData data, int width, int height) {
+        JFreeChart chart = of(data);
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        Graphics2D trial = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB).createGraphics();
+        chart.draw(trial, new Rectangle2D.Double(0, 0, width, height), info);
+        trial.dispose();
+        Rectangle2D area = info.getPlotInfo().getDataArea();
+        Range x = chart.getXYPlot().getDomainAxis().getRange();
+        Range y = chart.getXYPlot().getRangeAxis().getRange();
+        double unit = Math.min(area.getWidth() / x.getLength(), area.getHeight() / y.getLength());
+        chart.getXYPlot().getDomainAxis().setRange(widened(x, area.getWidth() / unit));
+        chart.getXYPlot().getRangeAxis().setRange(widened(y, area.getHeight() / unit));
+        return chart;
+    }
+
+    private static Range widened(Range range, double length) {
+        double middle = range.getCentralValue();
+        return new Range(middle - length / 2, middle + length / 2);
     }
 
     private static JFreeChart finished(String title, XYPlot plot) {

@@ -61,6 +61,16 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
         /**
          * @param name    of the picture's files, without an ending
          * @param caption what it shows
+         * @param data    a map of a plane
+         * @return a picture with one chart, in which circles are round
+         */
+        public static Picture map(String name, String caption, ChartData data) {
+            return new Picture(name, caption, name + ".png", List.of(data), (folder, file) -> ChartWriter.writeMap(folder, file, data));
+        }
+
+        /**
+         * @param name    of the picture's files, without an ending
+         * @param caption what it shows
          * @param data    the charts, the uppermost first
          * @return a picture with charts above each other over the same x axis
          */
