@@ -46,7 +46,7 @@ final class StabilityCommand extends ExperimentCommand {
                                 "Longer steps are divided, so that these outlines say what a stiff system costs.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"), new Window(-14, 4, 12, 0.15), progress, 0.6),
                         region("symplectic", "Symplectic steps on a damped spring: stable inside the outline",
-                                "Without damping the limit is 2, on the imaginary axis; damping takes from it.",
+                                "Without damping, on the imaginary axis, the limit is 2, of yoshida4 1.57; damping takes from it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04), progress, 0.7),
                         region("implicit", "Implicit steps: stable outside the outline",
                                 "All that decays is stable. implicit-midpoint has the imaginary axis itself for an outline: what grows"

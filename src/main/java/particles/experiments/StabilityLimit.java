@@ -12,6 +12,8 @@ import java.util.function.DoubleUnaryOperator;
 record StabilityLimit(double value, double growth) {
     /** Where growth is measured that no shorter step ends. */
     static final double SMALL = 0.1;
+    /** Growth there is known to a few roundings; bulirsch-stoer's is 9e-14, and still it grows. */
+    private static final double LEAST_GROWTH = 1e-14;
     private static final double LARGEST = 1e6;
     private static final double FACTOR = 1.02;
     private static final double ACCURACY = 1e-9;
@@ -24,7 +26,7 @@ record StabilityLimit(double value, double growth) {
      */
     static StabilityLimit measure(DoubleUnaryOperator amplification) {
         double growth = amplification.applyAsDouble(SMALL) - 1;
-        if (growth > Amplification.ROUNDING) {
+        if (growth > LEAST_GROWTH) {
             return new StabilityLimit(0, growth);
         }
         double stable = SMALL;

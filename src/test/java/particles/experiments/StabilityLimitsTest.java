@@ -40,6 +40,15 @@ class StabilityLimitsTest {
         assertTrue(limit.text().startsWith("none: grows by"), limit.text());
     }
 
+    /** With h^8: too little to see at 0.1, 9.3e-14, and not stable for all that. No threshold may turn it into a limit. */
+    @Test
+    void theGrowthOfBulirschStoerIsTinyAndNotNone() {
+        SolverInfo info = SolverCatalog.info("bulirsch-stoer");
+        assertEquals(0, StabilityLimits.imaginary(info).value());
+        Amplification amplification = new Amplification(info);
+        assertEquals(256, (amplification.at(0, 0.4) - 1) / (amplification.at(0, 0.2) - 1), 10);     // measured 250
+    }
+
     /** Damping takes from symplectic-euler's step: 4 - q - 2g = 0 with q = h^2 and g = 2h gives 2 (sqrt 2 - 1). */
     @Test
     void criticalDampingLimitsSymplecticEuler() {
