@@ -22,10 +22,10 @@ import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.SpringForce;
 import particles.effects.Wind;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
-import particles.rules.PlaneImpacts;
+import particles.reactions.RestingContacts;
+import particles.rules.ExactImpacts;
 
 /** The ledger's books against closed forms, and what they leave unexplained against the orders of the solvers. */
 class EnergyLedgerTest {
@@ -127,16 +127,16 @@ class EnergyLedgerTest {
     @Test
     void bouncesAndRestAreBookedOnce() {
         ParticleSystem system = Systems.oneParticle(new Vector3(0, 1, 0), new Vector3(1, 0, 0));
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(), List.of(new ContactPlane("ground", Plane.ground(0), 0.5,
+        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(new ContactSurface("ground", Plane.ground(0), 0.5,
                 new Friction(Friction.Law.COULOMB, 0.1, 0.2, 0), 1e-6)));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
         EnergyLedger ledger = new EnergyLedger();
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.01, 4, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new PlaneImpacts(contacts), new RK4Solver());
+        simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
         simulation.addObserver(ledger);
         simulation.run();
-        assertEquals(-9.81, ledger.getWork().get("plane"), 1e-9);
+        assertEquals(-9.81, ledger.getWork().get("impacts"), 1e-9);
         assertEquals(-0.5, ledger.getWork().get("contact"), 1e-9, "friction takes the speed along the ground");
         assertEquals(0, ledger.getEnergy(), 1e-12);
         assertEquals(0, ledger.getNumericalError(), 1e-9);

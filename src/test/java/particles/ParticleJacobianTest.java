@@ -18,9 +18,9 @@ import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.SpringForce;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 
 /** The products and blocks of a particle system's Jacobian against central differences, on random systems. */
 class ParticleJacobianTest {
@@ -55,11 +55,11 @@ class ParticleJacobianTest {
         return springs;
     }
 
-    private static PlaneContacts contacts(ParticleSystem system, Friction friction, Mode mode) {
+    private static RestingContacts contacts(ParticleSystem system, Friction friction, Mode mode) {
         Plane floor = new Plane(Vector3.ZERO, new Vector3(0, 1, 0));
         Plane wall = new Plane(Vector3.ZERO, new Vector3(1, 1, 0.5));
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(),
-                List.of(new ContactPlane("floor", floor, 0, friction, 0.01), new ContactPlane("wall", wall, 0, friction, 0.01)));
+        RestingContacts contacts = new RestingContacts(system.getParticles(),
+                List.of(new ContactSurface("floor", floor, 0, friction, 0.01), new ContactSurface("wall", wall, 0, friction, 0.01)));
         for (int i = 0; i < N; i++) {
             contacts.getModes().set(0, i, i % 3 == 0 ? Mode.FREE : mode);
             contacts.getModes().set(1, i, i % 2 == 0 ? Mode.FREE : mode);
@@ -165,7 +165,7 @@ class ParticleJacobianTest {
     @Test
     void aReactionThatIsNotActiveDoesNotMatter() {
         ParticleSystem system = particles(new Random(1));
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(), List.of());
+        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of());
         system.addReaction(contacts);
         assertFalse(contacts.isActive());
         assertEquals(Blocks.EXACT, system.getJacobianBlocks());

@@ -27,12 +27,12 @@ import particles.effects.SpringForce;
 import particles.effects.TurbulentWind;
 import particles.effects.Wind;
 import particles.Obstacle;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 import particles.rules.KillPlane;
-import particles.rules.PlaneCollisions;
-import particles.rules.PlaneImpacts;
+import particles.rules.ClampedImpacts;
+import particles.rules.ExactImpacts;
 import particles.rules.SpringTear;
 
 /**
@@ -115,17 +115,17 @@ public final class EffectCost {
                 new PenaltySphere(s.getParticles(), new Sphere(FAR_BELOW, 1, false), 1, 0))));
         all.add(with(columns, "+ tear", (s, r) -> r.addRule(new SpringTear((SpringForce) s.getEffects().get(0), 10))));
         all.add(with(columns, "+ kill plane", (s, r) -> r.addRule(new KillPlane(Plane.ground(-100)))));
-        all.add(with(columns, "+ ground, clamp", (s, r) -> r.addRule(new PlaneCollisions(contacts(s, Plane.ground(-100))))));
-        all.add(with(columns, "+ ground, exact", (s, r) -> r.addEventRule(new PlaneImpacts(contacts(s, Plane.ground(-100))),
+        all.add(with(columns, "+ ground, clamp", (s, r) -> r.addRule(new ClampedImpacts(contacts(s, Plane.ground(-100))))));
+        all.add(with(columns, "+ ground, exact", (s, r) -> r.addEventRule(new ExactImpacts(contacts(s, Plane.ground(-100))),
                 new RK4Solver())));
-        all.add(with(columns, "+ sphere, exact", (s, r) -> r.addEventRule(new PlaneImpacts(contacts(s,
+        all.add(with(columns, "+ sphere, exact", (s, r) -> r.addEventRule(new ExactImpacts(contacts(s,
                 new Sphere(FAR_BELOW, 1, false))), new RK4Solver())));
         return all;
     }
 
-    private static PlaneContacts contacts(ParticleSystem system, Obstacle obstacle) {
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(),
-                List.of(new ContactPlane("solid", obstacle, 0.5, Friction.NONE, 0.01)));
+    private static RestingContacts contacts(ParticleSystem system, Obstacle obstacle) {
+        RestingContacts contacts = new RestingContacts(system.getParticles(),
+                List.of(new ContactSurface("solid", obstacle, 0.5, Friction.NONE, 0.01)));
         system.addReaction(contacts);
         return contacts;
     }

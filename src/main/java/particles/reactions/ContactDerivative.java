@@ -5,14 +5,14 @@ import particles.ForceDerivatives;
 import particles.Vector3;
 
 /**
- * The derivative of the contact force on one particle. The planes that push, with normals N_p, take up the force F before:
+ * The derivative of the contact force on one particle. The surfaces that push, with normals N_p, take up the force F before:
  * G lambda = -N . F with G_pq = N_p . N_q, so that lambda changes with F by -G<sup>-1</sup> N<sup>T</sup>; sliding friction
  * changes with lambda and with the velocity; static friction cancels all that is left.
  *
- * <p>Where a particle starts to slide or a plane to push, the force has a kink; there it is the derivative on one side.
+ * <p>Where a particle starts to slide or a surface to push, the force has a kink; there it is the derivative on one side.
  */
 final class ContactDerivative {
-    private final double[][] inverse = new double[3][3];    // of G, for the planes that push
+    private final double[][] inverse = new double[3][3];    // of G, for the surfaces that push
     private final double[][] g = new double[3][3];
     private final double[] normal = new double[3];
     private final int[] pushing = new int[3];
@@ -23,8 +23,8 @@ final class ContactDerivative {
     private Vector3[] normals = {};
     private double[] push = {};
 
-    ContactDerivative(int planes) {
-        pushByForce = new double[planes][3];
+    ContactDerivative(int surfaces) {
+        pushByForce = new double[surfaces][3];
     }
 
     /** Takes up a particle: what pushes it, without friction. */
@@ -83,7 +83,7 @@ final class ContactDerivative {
     }
 
     /**
-     * Sliding friction of plane p, minus factor times the direction.
+     * Sliding friction of surface p, minus factor times the direction.
      *
      * @param factor as {@link Sliding#find} gave it: proportional to the push, and for Coulomb's law inverse to the speed
      */

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import particles.Particles;
 
 /**
- * Who touches which plane, and whether it slides or sticks there: what rules decide between steps and the contact force
+ * Who touches which surface, and whether it slides or sticks there: what rules decide between steps and the contact force
  * takes as given within one.
  */
 public final class ContactModes {
 
-    /** What a particle does at a plane. */
+    /** What a particle does at a surface. */
     public enum Mode {
         /** It does not touch. */
         FREE,
@@ -20,32 +20,32 @@ public final class ContactModes {
     }
 
     private final Particles particles;
-    private final int planes;
-    private Mode[][] modes = {};                        // by particle, then plane; null for those that never touched any
+    private final int surfaces;
+    private Mode[][] modes = {};                        // by particle, then surface; null for those that never touched any
     private int touching;
     private int changes;
 
-    ContactModes(Particles particles, int planes) {
+    ContactModes(Particles particles, int surfaces) {
         this.particles = particles;
-        this.planes = planes;
+        this.surfaces = surfaces;
     }
 
     /**
-     * @param plane    index of a plane
+     * @param surface    index of a surface
      * @param particle index of a particle
-     * @return what the particle does at the plane
+     * @return what the particle does at the surface
      */
-    public Mode get(int plane, int particle) {
-        return particle < modes.length && modes[particle] != null ? modes[particle][plane] : Mode.FREE;
+    public Mode get(int surface, int particle) {
+        return particle < modes.length && modes[particle] != null ? modes[particle][surface] : Mode.FREE;
     }
 
     /**
-     * @param plane    index of a plane
+     * @param surface    index of a surface
      * @param particle index of a particle
      * @param mode     what it does there from now on
      */
-    public void set(int plane, int particle, Mode mode) {
-        Mode before = get(plane, particle);
+    public void set(int surface, int particle, Mode mode) {
+        Mode before = get(surface, particle);
         if (before == mode) {
             return;
         }
@@ -54,21 +54,21 @@ public final class ContactModes {
             modes = Arrays.copyOf(modes, particles.count());
         }
         if (modes[particle] == null) {
-            modes[particle] = new Mode[planes];
+            modes[particle] = new Mode[surfaces];
             Arrays.fill(modes[particle], Mode.FREE);
         }
-        modes[particle][plane] = mode;
+        modes[particle][surface] = mode;
         touching += (mode == Mode.FREE ? 0 : 1) - (before == Mode.FREE ? 0 : 1);
     }
 
     /**
-     * Lets a particle slide or stick at all the planes that it touches.
+     * Lets a particle slide or stick at all the surfaces that it touches.
      *
      * @param particle index of a particle
      * @param mode     sliding or sticking
      */
     public void setWhereTouching(int particle, Mode mode) {
-        for (int p = 0; p < planes; p++) {
+        for (int p = 0; p < surfaces; p++) {
             if (get(p, particle) != Mode.FREE) {
                 set(p, particle, mode);
             }
@@ -96,22 +96,22 @@ public final class ContactModes {
         return changes;
     }
 
-    /** @return true if any particle touches any plane */
+    /** @return true if any particle touches any surface */
     public boolean isAnyTouching() {
         return touching > 0;
     }
 
-    /** @return one more than the largest index of a particle that ever touched a plane, or more */
+    /** @return one more than the largest index of a particle that ever touched a surface, or more */
     int end() {
         return modes.length;
     }
 
     /**
      * @param particle index of a particle
-     * @return true if it touches any plane
+     * @return true if it touches any surface
      */
     public boolean isTouching(int particle) {
-        for (int p = 0; p < planes; p++) {
+        for (int p = 0; p < surfaces; p++) {
             if (get(p, particle) != Mode.FREE) {
                 return true;
             }
@@ -121,10 +121,10 @@ public final class ContactModes {
 
     /**
      * @param particle index of a particle
-     * @return true if it touches a plane and static friction holds it there
+     * @return true if it touches a surface and static friction holds it there
      */
     public boolean isSticking(int particle) {
-        for (int p = 0; p < planes; p++) {
+        for (int p = 0; p < surfaces; p++) {
             if (get(p, particle) == Mode.STICKING) {
                 return true;
             }

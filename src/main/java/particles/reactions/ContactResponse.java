@@ -5,12 +5,12 @@ import particles.ForceDerivatives;
 import particles.Particles;
 import particles.Vector3;
 
-/** How the planes that one particle touches answer the force on it, in closed form: pushes and friction. */
+/** How the surfaces that one particle touches answer the force on it, in closed form: pushes and friction. */
 final class ContactResponse {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
-    private final List<ContactPlane> planes;
+    private final List<ContactSurface> surfaces;
     private final ContactModes modes;
     private final Sliding sliding;
     private final ContactDerivative derivative;
@@ -21,15 +21,15 @@ final class ContactResponse {
     private double pushed;                              // all pushes that holdSlack() found last (N)
     private boolean holdsOn;
 
-    ContactResponse(Particles particles, List<ContactPlane> planes, ContactModes modes, Sliding sliding) {
+    ContactResponse(Particles particles, List<ContactSurface> surfaces, ContactModes modes, Sliding sliding) {
         this.particles = particles;
-        this.planes = planes;
+        this.surfaces = surfaces;
         this.modes = modes;
         this.sliding = sliding;
-        touched = new TouchedSurfaces(particles, planes.size());
+        touched = new TouchedSurfaces(particles, surfaces.size());
         normals = touched.normals;
         push = touched.push;
-        derivative = new ContactDerivative(planes.size());
+        derivative = new ContactDerivative(surfaces.size());
     }
 
     void setHoldsOn(boolean holdsOn) {
@@ -88,7 +88,7 @@ final class ContactResponse {
         derivative.add(i, derivatives);
     }
 
-    /** As {@link PlaneContacts#holdMargin}, for the force on one particle, whatever it comes from. */
+    /** As {@link RestingContacts#holdMargin}, for the force on one particle, whatever it comes from. */
     double holdMargin(int i, double[] state, double[] force) {
         double slack = holdSlack(i, state, force);
         return pushed > 0 ? slack : -1;
@@ -106,31 +106,31 @@ final class ContactResponse {
         return withstood - Sliding.length(touched.unheld());
     }
 
-    /** As {@link PlaneContacts#pressure}, for the force on one particle, whatever it comes from. */
-    double pressure(int plane, int i, double[] state, double[] force) {
+    /** As {@link RestingContacts#pressure}, for the force on one particle, whatever it comes from. */
+    double pressure(int surface, int i, double[] state, double[] force) {
         int count = respond(i, state, force);
         for (int p = 0; p < count; p++) {
-            if (touched.surfaces[p] == planes.get(plane)) {
+            if (touched.surfaces[p] == surfaces.get(surface)) {
                 return push[p] != 0 ? push[p] : touched.needed(p, touched.unheld());
             }
         }
         return 0;
     }
 
-    /** As {@link PlaneContacts#stopEntering}. */
+    /** As {@link RestingContacts#stopEntering}. */
     void stopEntering(int i, double[] state) {
-        if (touched.gather(i, planes, modes, state) > 0) {
+        if (touched.gather(i, surfaces, modes, state) > 0) {
             touched.answerVelocity(state, STRIDE * i + 3);
             System.arraycopy(touched.unheld(), 0, state, STRIDE * i + 3, 3);
         }
     }
 
-    /** Finds push and friction for one particle; returns how many planes it touches, 0 if there is nothing to answer. */
+    /** Finds push and friction for one particle; returns how many surfaces it touches, 0 if there is nothing to answer. */
     private int respond(int i, double[] state, double[] force) {
         if (particles.isFixed(i)) {
             return 0;
         }
-        int count = touched.gather(i, planes, modes, state);
+        int count = touched.gather(i, surfaces, modes, state);
         if (count == 0) {
             return 0;
         }
@@ -151,7 +151,7 @@ final class ContactResponse {
         return count;
     }
 
-    /** Static friction cancels the force along the planes. Whether it can is asked between steps: see holdMargin. */
+    /** Static friction cancels the force along the surfaces. Whether it can is asked between steps: see holdMargin. */
     private void hold() {
         double[] left = touched.unheld();
         for (int c = 0; c < 3; c++) {
@@ -159,7 +159,7 @@ final class ContactResponse {
         }
     }
 
-    /** Sliding friction of one plane, against the velocity along it. */
+    /** Sliding friction of one surface, against the velocity along it. */
     private void rub(int p, double[] state, int v) {
         double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state, v);
         for (int c = 0; c < 3 && factor != 0; c++) {

@@ -13,10 +13,10 @@ import particles.reactions.ContactModes.Mode;
 final class ContactRows {
     private static final int STRIDE = Particles.STRIDE;
 
-    private final PlaneContacts contacts;
+    private final RestingContacts contacts;
     int count;
     int[] particle = new int[4];
-    int[] plane = new int[4];
+    int[] surface = new int[4];
     double[] normal = new double[12];
     double[] slip = new double[12];                     // minus the sliding friction for a push of 1 N
     double[] value = new double[4];                     // d (m)
@@ -24,7 +24,7 @@ final class ContactRows {
     double[] bend = new double[4];                      // what a curved surface adds to d'' (m/s^2)
     private final double[] pressing = new double[3];
 
-    ContactRows(PlaneContacts contacts) {
+    ContactRows(RestingContacts contacts) {
         this.contacts = contacts;
     }
 
@@ -34,7 +34,7 @@ final class ContactRows {
 
     /** Adds a particle's rows for all that it touches. */
     void addTouching(int i, double[] state) {
-        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
             if (contacts.getModes().get(p, i) != Mode.FREE) {
                 add(p, i, state);
             }
@@ -45,7 +45,7 @@ final class ContactRows {
     void add(int p, int i, double[] state) {
         if (count == particle.length) {
             particle = Arrays.copyOf(particle, 2 * count);
-            plane = Arrays.copyOf(plane, 2 * count);
+            surface = Arrays.copyOf(surface, 2 * count);
             normal = Arrays.copyOf(normal, 6 * count);
             slip = Arrays.copyOf(slip, 6 * count);
             value = Arrays.copyOf(value, 2 * count);
@@ -53,10 +53,10 @@ final class ContactRows {
             bend = Arrays.copyOf(bend, 2 * count);
         }
         int x = STRIDE * i;
-        Obstacle obstacle = contacts.getPlanes().get(p).obstacle();
+        Obstacle obstacle = contacts.getSurfaces().get(p).obstacle();
         Vector3 n = obstacle.normal(state[x], state[x + 1], state[x + 2]);
         particle[count] = i;
-        plane[count] = p;
+        surface[count] = p;
         normal[3 * count] = n.x();
         normal[3 * count + 1] = n.y();
         normal[3 * count + 2] = n.z();
@@ -108,7 +108,7 @@ final class ContactRows {
     }
 
     private Friction friction(int k) {
-        return contacts.getPlanes().get(plane[k]).friction();
+        return contacts.getSurfaces().get(surface[k]).friction();
     }
 
     /** Adds push and friction of row k. */

@@ -18,7 +18,7 @@ final class CoupledContacts {
     private final ParticleSystem system;
     private final Particles particles;
     private final ConstraintRows rows;
-    private final PlaneContacts contacts;
+    private final RestingContacts contacts;
     private final double feedback;
     private final JointSystem joint;
     private final HoldSearch holdSearch;
@@ -30,7 +30,7 @@ final class CoupledContacts {
     private int queryChanges;
     private int[] queryMembers = {};
 
-    CoupledContacts(ParticleSystem system, ConstraintRows rows, PlaneContacts contacts, double feedback) {
+    CoupledContacts(ParticleSystem system, ConstraintRows rows, RestingContacts contacts, double feedback) {
         this.system = system;
         this.particles = system.getParticles();
         this.rows = rows;
@@ -163,8 +163,8 @@ final class CoupledContacts {
         }
     }
 
-    /** As {@link PlaneContacts#pressure}. */
-    double pressure(Linkage linkage, int plane, int particle, double[] state, double[] force, double[] lambda) {
+    /** As {@link RestingContacts#pressure}. */
+    double pressure(Linkage linkage, int surface, int particle, double[] state, double[] force, double[] lambda) {
         if (!isSameQuery(linkage, state, force)) {
             rows.evaluate(state);
             if (!solve(linkage, state, system.getTime(), force, -1, lambda)) {
@@ -177,10 +177,10 @@ final class CoupledContacts {
             queryChanges = contacts.getModes().changes();
         }
         if (contacts.getModes().isSticking(particle)) {
-            return contacts.response().pressure(plane, particle, state, forcesAtRest(linkage, state, force, queryLambda));
+            return contacts.response().pressure(surface, particle, state, forcesAtRest(linkage, state, force, queryLambda));
         }
         for (int k = 0; k < joint.touching.count; k++) {
-            if (joint.touching.particle[k] == particle && joint.touching.plane[k] == plane) {
+            if (joint.touching.particle[k] == particle && joint.touching.surface[k] == surface) {
                 return push(k) != 0 ? push(k) : -joint.separation(k) * particles.mass(particle);
             }
         }
@@ -192,7 +192,7 @@ final class CoupledContacts {
                 && Arrays.equals(queryState, state) && Arrays.equals(queryForce, force);
     }
 
-    /** As {@link PlaneContacts#holdMargin}. */
+    /** As {@link RestingContacts#holdMargin}. */
     double holdMargin(Linkage linkage, int particle, double[] state, double[] force, double[] lambda) {
         rows.evaluate(state);
         solve(linkage, state, system.getTime(), force, particle, lambda);
@@ -205,11 +205,11 @@ final class CoupledContacts {
         return total;
     }
 
-    /** As {@link PlaneContacts#strike}. */
-    void strike(Linkage linkage, int plane, int particle, double leaving, double[] state) {
+    /** As {@link RestingContacts#strike}. */
+    void strike(Linkage linkage, int surface, int particle, double leaving, double[] state) {
         queryMembers = new int[0];
         rows.evaluate(state);
-        joint.takeForImpact(linkage, state, plane, particle);
+        joint.takeForImpact(linkage, state, surface, particle);
         joint.assemble();
         int n = joint.constraintRows();
         for (int r = 0; r < n; r++) {
@@ -227,8 +227,8 @@ final class CoupledContacts {
             modes.setWhereTouching(i, Mode.SLIDING);
         }
         for (int k = 1; k < joint.touching.count; k++) {
-            if (joint.separation(k) > contacts.getPlanes().get(joint.touching.plane[k]).restSpeed()) {
-                modes.set(joint.touching.plane[k], joint.touching.particle[k], Mode.FREE);
+            if (joint.separation(k) > contacts.getSurfaces().get(joint.touching.surface[k]).restSpeed()) {
+                modes.set(joint.touching.surface[k], joint.touching.particle[k], Mode.FREE);
             }
         }
     }

@@ -1,7 +1,7 @@
 package particles.reactions;
 
 /**
- * How a plane rubs a particle that rests on it.
+ * How a surface rubs a particle that rests on it.
  *
  * @param law               the law of sliding friction
  * @param coefficient       k_f of {@link Law#SLIDE} (s/m), or mu of {@link Law#COULOMB} (a pure number); 0 or more
@@ -24,7 +24,7 @@ public record Friction(Law law, double coefficient, double staticCoefficient, do
         COULOMB
     }
 
-    /** A plane without friction. */
+    /** A surface without friction. */
     public static final Friction NONE = new Friction(Law.NONE, 0, 0, 0);
 
     /** @throws IllegalArgumentException if a number is out of its range */

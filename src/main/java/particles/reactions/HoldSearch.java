@@ -18,10 +18,10 @@ final class HoldSearch {
     private static final double MOST = 100;
 
     private final ConstraintRows rows;
-    private final PlaneContacts contacts;
+    private final RestingContacts contacts;
     private final List<Integer> ends = new ArrayList<>();
 
-    HoldSearch(ConstraintRows rows, PlaneContacts contacts) {
+    HoldSearch(ConstraintRows rows, RestingContacts contacts) {
         this.rows = rows;
         this.contacts = contacts;
     }

@@ -14,7 +14,7 @@ final class JointSystem {
 
     private final ConstraintRows rows;
     private final Particles particles;
-    private final PlaneContacts contacts;
+    private final RestingContacts contacts;
     private final ActiveSet activeSet = new ActiveSet();
     final ContactRows touching;
     double[] mobility = {};                             // 1/m, 0 for what does not move
@@ -27,7 +27,7 @@ final class JointSystem {
     private double[] matrix = {};
     private boolean sticking;
 
-    JointSystem(ConstraintRows rows, Particles particles, PlaneContacts contacts) {
+    JointSystem(ConstraintRows rows, Particles particles, RestingContacts contacts) {
         this.rows = rows;
         this.particles = particles;
         this.contacts = contacts;
@@ -58,14 +58,14 @@ final class JointSystem {
     }
 
     /** Takes up a linkage for an impact: nothing sticks, and one contact is there whether it touched before or not. */
-    void takeForImpact(Linkage linkage, double[] state, int plane, int particle) {
+    void takeForImpact(Linkage linkage, double[] state, int surface, int particle) {
         begin();
         members = linkage.members();
         touching.clear();
-        touching.add(plane, particle, state);
+        touching.add(surface, particle, state);
         for (int i : linkage.particles()) {
-            for (int p = 0; p < contacts.getPlanes().size(); p++) {
-                if (contacts.getModes().get(p, i) != ContactModes.Mode.FREE && !(p == plane && i == particle)) {
+            for (int p = 0; p < contacts.getSurfaces().size(); p++) {
+                if (contacts.getModes().get(p, i) != ContactModes.Mode.FREE && !(p == surface && i == particle)) {
                     touching.add(p, i, state);
                 }
             }

@@ -4,10 +4,11 @@ import java.util.Arrays;
 import particles.Vector3;
 
 /**
- * The pushes of several planes on one particle that is pressed by a force F: numbers lambda_p such that every push is
- * lambda_p &ge; 0, no plane is pressed into any more, N_p . (F + sum of lambda_q N_q) &ge; b_p, and a plane that is not
- * pressed does not push. b_p is 0 for a plane; what a particle needs to follow a curved surface is not. In space three planes are always enough to hold a particle, so that the sets of one, two and three planes
- * are tried in turn; each is a small linear system.
+ * The pushes of several surfaces on one particle that is pressed by a force F: numbers lambda_p such that every push is
+ * lambda_p &ge; 0, no surface is pressed into any more, N_p . (F + sum of lambda_q N_q) &ge; b_p, and a surface that is not
+ * pressed does not push. b_p is 0 for a plane; what a particle needs to follow a curved surface is not. In space three
+ * surfaces are always enough to hold a particle, so that the sets of one, two and three surfaces are tried in turn; each is
+ * a small linear system.
  */
 final class NormalForces {
     /** Rounding, relative to the force. */
@@ -19,13 +20,13 @@ final class NormalForces {
     private final double[] trial;
     private final int[] chosen = new int[3];
 
-    NormalForces(int planes) {
-        needed = new double[planes];
-        trial = new double[planes];
+    NormalForces(int surfaces) {
+        needed = new double[surfaces];
+        trial = new double[surfaces];
     }
 
     /**
-     * @param count   how many planes touch the particle
+     * @param count   how many surfaces touch the particle
      * @param normals their unit normals; the first count are valid
      * @param force   F, a vector
      * @param bound   the b_p (N)
@@ -47,7 +48,7 @@ final class NormalForces {
         }
     }
 
-    /** Tries all sets that extend the planes chosen so far; keeps in push the one that violates the conditions least. */
+    /** Tries all sets that extend the surfaces chosen so far; keeps in push the one that violates the conditions least. */
     private double trySets(int size, int depth, int first, int count, Vector3[] normals, double[] push, double best, double enough) {
         double least = best;
         if (depth == size) {
@@ -64,7 +65,7 @@ final class NormalForces {
         return least;
     }
 
-    /** Solves for the chosen planes' pushes, and says by how much any condition fails (N). */
+    /** Solves for the chosen surfaces' pushes, and says by how much any condition fails (N). */
     private double violation(int size, int count, Vector3[] normals) {
         Arrays.fill(trial, 0, count, 0.0);
         if (!solveChosen(size, normals)) {
@@ -72,7 +73,7 @@ final class NormalForces {
         }
         double worst = 0;
         for (int p = 0; p < count; p++) {
-            double approach = needed[p];                // what still presses into plane p
+            double approach = needed[p];                // what still presses into surface p
             for (int q = 0; q < size; q++) {
                 approach -= normals[p].dot(normals[chosen[q]]) * trial[chosen[q]];
             }
@@ -81,7 +82,7 @@ final class NormalForces {
         return worst;
     }
 
-    /** The pushes after which the chosen planes are just not pressed, by Cramer's rule on their matrix of scalar products. */
+    /** The pushes after which the chosen surfaces are just not pressed, by Cramer's rule on their matrix of scalar products. */
     private boolean solveChosen(int size, Vector3[] normals) {
         if (size == 0) {
             return true;

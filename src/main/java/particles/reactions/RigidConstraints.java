@@ -208,7 +208,7 @@ public final class RigidConstraints implements Reaction, SpringView {
      *
      * @param contacts a reaction of the same system
      */
-    public void solveWith(PlaneContacts contacts) {
+    public void solveWith(RestingContacts contacts) {
         coupled = Optional.of(new CoupledContacts(system, rows, contacts, feedback));
         contacts.coupleTo(this);
         arranged = false;
@@ -220,16 +220,16 @@ public final class RigidConstraints implements Reaction, SpringView {
         return linkages.holds(particle);
     }
 
-    double pressure(int plane, int particle, double[] state, double[] force) {
-        return coupled.orElseThrow().pressure(linkages.of(particle), plane, particle, state, force, lambda);
+    double pressure(int surface, int particle, double[] state, double[] force) {
+        return coupled.orElseThrow().pressure(linkages.of(particle), surface, particle, state, force, lambda);
     }
 
     double holdMargin(int particle, double[] state, double[] force) {
         return coupled.orElseThrow().holdMargin(linkages.of(particle), particle, state, force, lambda);
     }
 
-    void strike(int plane, int particle, double leaving, double[] state) {
-        coupled.orElseThrow().strike(linkages.of(particle), plane, particle, leaving, state);
+    void strike(int surface, int particle, double leaving, double[] state) {
+        coupled.orElseThrow().strike(linkages.of(particle), surface, particle, leaving, state);
     }
 
     void settle(int particle, double[] state) {

@@ -3,12 +3,12 @@ package particles.reactions;
 import particles.ParticleSystem;
 import particles.Vector3;
 
-/** Which way a particle slides along a plane, also where it is about to start or has just turned round within a step. */
+/** Which way a particle slides along a surface, also where it is about to start or has just turned round within a step. */
 final class Sliding {
     /** Relative to the speed at the beginning of a step; the direction of less is mostly rounding. */
     private static final double ALMOST_STOPPED = 1e-6;
 
-    /** What friction opposes: a velocity along the plane (m/s), or the force that will move the particle (N). */
+    /** What friction opposes: a velocity along the surface (m/s), or the force that will move the particle (N). */
     final double[] direction = new double[3];
     private final double[] beginning = new double[3];
     private double[] stepBegin = {};                    // the state where the present step began
@@ -37,7 +37,7 @@ final class Sliding {
     /**
      * Finds the direction.
      *
-     * @param push     how hard the plane pushes (N)
+     * @param push     how hard the surface pushes (N)
      * @param pressing the force on the particle before (N)
      * @param v        where the particle's velocity begins in the state
      * @return by what to multiply the direction for minus the friction; 0 if there is none
@@ -64,7 +64,7 @@ final class Sliding {
     }
 
     /**
-     * Compares the velocity along a plane, now in direction, with that at the beginning of the step: -1 if it points back.
+     * Compares the velocity along a surface, now in direction, with that at the beginning of the step: -1 if it points back.
      * Where it is rounding and no direction any more, the beginning's takes its place.
      */
     private double followBeginning(Vector3 normal, int v) {
@@ -80,7 +80,7 @@ final class Sliding {
         return direction[0] * beginning[0] + direction[1] * beginning[1] + direction[2] * beginning[2] < 0 ? -1 : 1;
     }
 
-    /** The part of a vector that lies in a plane. */
+    /** The part of a vector that lies in a surface. */
     private static void along(Vector3 normal, double[] vectors, int place, double[] result) {
         double across = normal.x() * vectors[place] + normal.y() * vectors[place + 1] + normal.z() * vectors[place + 2];
         result[0] = vectors[place] - across * normal.x();

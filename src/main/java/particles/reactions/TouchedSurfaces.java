@@ -10,7 +10,7 @@ import particles.reactions.ContactModes.Mode;
 final class TouchedSurfaces {
     private static final int STRIDE = Particles.STRIDE;
 
-    final ContactPlane[] surfaces;
+    final ContactSurface[] surfaces;
     final Vector3[] normals;
     final double[] push;
     final double[] bound;                               // what keeps a particle on a curved surface: -m curvature v_t^2
@@ -23,7 +23,7 @@ final class TouchedSurfaces {
 
     TouchedSurfaces(Particles particles, int most) {
         this.particles = particles;
-        surfaces = new ContactPlane[most];
+        surfaces = new ContactSurface[most];
         normals = new Vector3[most];
         push = new double[most];
         bound = new double[most];
@@ -31,7 +31,7 @@ final class TouchedSurfaces {
     }
 
     /** Looks which surfaces particle i touches; returns how many. */
-    int gather(int i, List<ContactPlane> all, ContactModes modes, double[] state) {
+    int gather(int i, List<ContactSurface> all, ContactModes modes, double[] state) {
         count = 0;
         sticking = true;
         for (int p = 0; p < all.size(); p++) {

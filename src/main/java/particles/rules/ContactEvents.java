@@ -15,21 +15,21 @@ import particles.Vector3;
 import particles.reactions.ContactModes;
 import particles.reactions.ContactModes.Mode;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 
 /**
- * What happens to particles in contact, at its time: a plane no longer presses and lets go, a sliding particle comes to a
+ * What happens to particles in contact, at its time: a surface no longer presses and lets go, a sliding particle comes to a
  * stop, a sticking one breaks away. Each is a function of the state that is positive until then; whether it changed its sign
  * is looked at at the end of every motion.
  */
 final class ContactEvents {
     private static final int STRIDE = Particles.STRIDE;
 
-    private final PlaneContacts contacts;
+    private final RestingContacts contacts;
     private final ContactModes modes;
     private double[] force = {};
 
-    ContactEvents(PlaneContacts contacts) {
+    ContactEvents(RestingContacts contacts) {
         this.contacts = contacts;
         this.modes = contacts.getModes();
     }
@@ -70,10 +70,10 @@ final class ContactEvents {
         ParticleSystem system = motion.getSystem();
         double end = motion.getEndTime();
         double[] state = motion.getEndState();
-        for (int p = 0; p < contacts.getPlanes().size(); p++) {
-            int plane = p;
+        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
+            int surface = p;
             if (modes.get(p, i) != Mode.FREE && contacts.pressure(p, i, state, force) < 0) {
-                return Optional.of(new Change(end, s -> pressure(s, plane, i), s -> letGo(s, plane, i)));
+                return Optional.of(new Change(end, s -> pressure(s, surface, i), s -> letGo(s, surface, i)));
             }
         }
         if (modes.isSticking(i)) {
@@ -91,16 +91,16 @@ final class ContactEvents {
 
     /** The speed across a curved surface that is left here is the solver's error, and would be taken for an impact. */
     private void letGo(ParticleSystem system, int p, int i) {
-        if (!contacts.getPlanes().get(p).obstacle().isFlat()) {
-            putOn(contacts.getPlanes().get(p), system.getOwnState(), i);
+        if (!contacts.getSurfaces().get(p).obstacle().isFlat()) {
+            putOn(contacts.getSurfaces().get(p), system.getOwnState(), i);
         }
         modes.set(p, i, Mode.FREE);
     }
 
     private boolean rubs(int i) {
-        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
             if (modes.get(p, i) != Mode.FREE
-                    && contacts.getPlanes().get(p).friction().law() != Friction.Law.NONE) {
+                    && contacts.getSurfaces().get(p).friction().law() != Friction.Law.NONE) {
                 return true;
             }
         }
@@ -109,9 +109,9 @@ final class ContactEvents {
 
     private double threshold(int i) {
         double threshold = 0;
-        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
             if (modes.get(p, i) != Mode.FREE) {
-                threshold = Math.max(threshold, contacts.getPlanes().get(p).friction().threshold());
+                threshold = Math.max(threshold, contacts.getSurfaces().get(p).friction().threshold());
             }
         }
         return threshold;
@@ -145,7 +145,7 @@ final class ContactEvents {
         }
     }
 
-    /** Lets a particle that has just come to rest on a plane stick if it hardly moves along it. */
+    /** Lets a particle that has just come to rest on a surface stick if it hardly moves along it. */
     void stickIfSlow(ParticleSystem system, int i) {
         if (rubs(i) && velocity(system.getOwnState(), i).length() <= threshold(i)) {
             addUpForces(system);

@@ -2,31 +2,31 @@ package particles.rules;
 
 import particles.Particles;
 import particles.Vector3;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 
-/** Where particles are with respect to planes, and small moves of one particle in a flat state. */
+/** Where particles are with respect to surfaces, and small moves of one particle in a flat state. */
 final class ContactGeometry {
     private static final int STRIDE = Particles.STRIDE;
-    /** A particle in contact is on the plane but for rounding, relative to 1 m plus its distance from the origin. */
-    private static final double ON_PLANE = 1e-9;
+    /** A particle in contact is on the surface but for rounding, relative to 1 m plus its distance from the origin. */
+    private static final double ON_SURFACE = 1e-9;
 
     private ContactGeometry() {
     }
 
-    /** How far off a plane a particle in contact may be by rounding (m). */
+    /** How far off a surface a particle in contact may be by rounding (m). */
     static double slack(double[] state, int i) {
         int x = STRIDE * i;
-        return ON_PLANE * (1 + Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]));
+        return ON_SURFACE * (1 + Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]));
     }
 
-    static double distance(ContactPlane plane, double[] state, int i) {
+    static double distance(ContactSurface surface, double[] state, int i) {
         int x = STRIDE * i;
-        return plane.obstacle().distance(state[x], state[x + 1], state[x + 2]);
+        return surface.obstacle().distance(state[x], state[x + 1], state[x + 2]);
     }
 
-    static Vector3 normal(ContactPlane plane, double[] state, int i) {
+    static Vector3 normal(ContactSurface surface, double[] state, int i) {
         int x = STRIDE * i;
-        return plane.obstacle().normal(state[x], state[x + 1], state[x + 2]);
+        return surface.obstacle().normal(state[x], state[x + 1], state[x + 2]);
     }
 
     /** The four B&eacute;zier points of the cubic between two states, where particle i is. */
@@ -40,13 +40,13 @@ final class ContactGeometry {
     }
 
     /** Puts a particle onto a surface that it touches and takes away its speed across it. */
-    static void putOn(ContactPlane plane, double[] state, int i) {
-        moveAlong(normal(plane, state, i), state, STRIDE * i, -distance(plane, state, i));
-        stopAlong(normal(plane, state, i), state, i);
+    static void putOn(ContactSurface surface, double[] state, int i) {
+        moveAlong(normal(surface, state, i), state, STRIDE * i, -distance(surface, state, i));
+        stopAlong(normal(surface, state, i), state, i);
     }
 
-    static double normalSpeed(ContactPlane plane, double[] state, int i) {
-        Vector3 normal = normal(plane, state, i);
+    static double normalSpeed(ContactSurface surface, double[] state, int i) {
+        Vector3 normal = normal(surface, state, i);
         int v = STRIDE * i + 3;
         return normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2];
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import particles.ParticleSystem;
 import particles.Reaction;
 import particles.Simulation;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.rules.ConstraintProjection;
 import particles.scene.spec.Chosen;
@@ -49,7 +49,7 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
             constraints.addBead(index.find(bead).orElseThrow(), wire.kind().curve(wire.values(), index.position(bead)));
         }
         for (Reaction reaction : List.copyOf(system.getReactions())) {
-            if (reaction instanceof PlaneContacts contacts) {
+            if (reaction instanceof RestingContacts contacts) {
                 constraints.solveWith(contacts);
             }
         }

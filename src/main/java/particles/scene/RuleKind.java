@@ -6,7 +6,7 @@ import java.util.Optional;
 import particles.Obstacle;
 import particles.Plane;
 import particles.Vector3;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
 import particles.scene.spec.Key;
 import particles.scene.spec.Kind;
@@ -92,7 +92,7 @@ public abstract class RuleKind implements Kind {
 
         @Override
         void build(Values values, SceneAssembly assembly) {
-            obstacle(values).ifPresent(solid -> assembly.add(new ContactPlane(name(), solid, values.get(RESTITUTION),
+            obstacle(values).ifPresent(solid -> assembly.add(new ContactSurface(name(), solid, values.get(RESTITUTION),
                     values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED))));
         }
     }

@@ -10,7 +10,7 @@ import particles.Rule;
 import particles.Vector3;
 import particles.effects.SpringForce;
 import particles.effects.Wind;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.rules.Lifetimes;
 
 /** A scene's system while effects and rules are being added to it, and what they share. */
@@ -21,7 +21,7 @@ final class SceneAssembly {
     private final List<Rule> rules = new ArrayList<>();
     private boolean mortal;
     private double births;
-    private final List<ContactPlane> planes = new ArrayList<>();
+    private final List<ContactSurface> surfaces = new ArrayList<>();
     private Wind wind = Wind.STILL;
     private Vector3 acceleration = Vector3.ZERO;
     private double speed;
@@ -82,12 +82,12 @@ final class SceneAssembly {
         system.addEffect(effect);
     }
 
-    void add(ContactPlane plane) {
-        planes.add(plane);
+    void add(ContactSurface surface) {
+        surfaces.add(surface);
     }
 
-    List<ContactPlane> planes() {
-        return planes;
+    List<ContactSurface> surfaces() {
+        return surfaces;
     }
 
     /** @param moving the wind that drag is to ask */

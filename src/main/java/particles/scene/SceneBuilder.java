@@ -12,10 +12,10 @@ import particles.Simulation;
 import particles.Surface;
 import particles.Vector3;
 import particles.effects.SpringForce;
-import particles.reactions.ContactPlane;
-import particles.reactions.PlaneContacts;
-import particles.rules.PlaneCollisions;
-import particles.rules.PlaneImpacts;
+import particles.reactions.ContactSurface;
+import particles.reactions.RestingContacts;
+import particles.rules.ClampedImpacts;
+import particles.rules.ExactImpacts;
 import particles.scene.spec.Problems;
 
 /** From a description to a simulation: what it names is built, and nothing else. */
@@ -63,18 +63,18 @@ public final class SceneBuilder {
         double scale = EnergyScale.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, solver, scene.deltaT(), scene.duration(),
                 scene.blowUpFactor() * scale);
-        if (!assembly.planes().isEmpty()) {
-            PlaneContacts contacts = new PlaneContacts(system.getParticles(), assembly.planes());
+        if (!assembly.surfaces().isEmpty()) {
+            RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.surfaces());
             system.addReaction(contacts);
             if (scene.exactImpacts()) {
-                simulation.addEventRule(new PlaneImpacts(contacts), solvers.get());
+                simulation.addEventRule(new ExactImpacts(contacts), solvers.get());
             } else {
-                simulation.addRule(new PlaneCollisions(contacts));
+                simulation.addRule(new ClampedImpacts(contacts));
             }
         }
         scene.constraints().build(system, index, simulation);
         assembly.rules().forEach(simulation::addRule);
-        List<Plane> planes = assembly.planes().stream().map(ContactPlane::obstacle).filter(Plane.class::isInstance)
+        List<Plane> planes = assembly.surfaces().stream().map(ContactSurface::obstacle).filter(Plane.class::isInstance)
                 .map(Plane.class::cast).toList();
         Optional<Scene.Phase> phase = scene.output().phase()
                 .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis()));

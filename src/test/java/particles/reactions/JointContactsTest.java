@@ -21,8 +21,8 @@ import particles.SimulationException;
 import particles.Vector3;
 import particles.effects.Gravity;
 import particles.reactions.ContactModes.Mode;
-import particles.rules.PlaneCollisions;
-import particles.rules.PlaneImpacts;
+import particles.rules.ClampedImpacts;
+import particles.rules.ExactImpacts;
 
 /** Rods and contacts, solved together, against closed forms. */
 class JointContactsTest {
@@ -33,14 +33,14 @@ class JointContactsTest {
     private static final class Case {
         final ParticleSystem system = new ParticleSystem();
         final RigidConstraints rods = new RigidConstraints(system, 5);
-        final PlaneContacts contacts;
+        final RestingContacts contacts;
 
-        Case(List<ContactPlane> planes, Vector3[] places, Vector3[] velocities, int[]... pairs) {
+        Case(List<ContactSurface> planes, Vector3[] places, Vector3[] velocities, int[]... pairs) {
             for (int i = 0; i < places.length; i++) {
                 system.addParticle("p" + i, 1, places[i], velocities[i], false);
             }
             system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-            contacts = new PlaneContacts(system.getParticles(), planes);
+            contacts = new RestingContacts(system.getParticles(), planes);
             for (int[] pair : pairs) {
                 rods.addRod(pair[0], pair[1], Pendulums.distance(system, pair[0], pair[1]));
             }
@@ -51,13 +51,13 @@ class JointContactsTest {
 
         Simulation exact(double deltaT, double duration) {
             Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
-            simulation.addEventRule(new PlaneImpacts(contacts), new RK4Solver());
+            simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
             return simulation;
         }
 
         Simulation clamped(double deltaT, double duration) {
             Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
-            simulation.addRule(new PlaneCollisions(contacts));
+            simulation.addRule(new ClampedImpacts(contacts));
             return simulation;
         }
 
@@ -72,8 +72,8 @@ class JointContactsTest {
         }
     }
 
-    private static ContactPlane plane(double nx, double ny, Friction friction) {
-        return new ContactPlane("plane", new Plane(Vector3.ZERO, new Vector3(nx, ny, 0)), 0, friction, 1e-6);
+    private static ContactSurface plane(double nx, double ny, Friction friction) {
+        return new ContactSurface("plane", new Plane(Vector3.ZERO, new Vector3(nx, ny, 0)), 0, friction, 1e-6);
     }
 
     private static Friction coulomb(double mu) {
@@ -222,7 +222,7 @@ class JointContactsTest {
     @ValueSource(doubles = {0, 0.5, 1})
     void aRodHitsTheGroundWithOneEnd(double restitution) {
         double f = Math.toRadians(40);
-        ContactPlane ground = new ContactPlane("ground", Plane.ground(0), restitution, Friction.NONE, 1e-6);
+        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), restitution, Friction.NONE, 1e-6);
         Case rod = new Case(List.of(ground), at(0, 0.5, Math.cos(f), 0.5 + Math.sin(f)), at(0, 0, 0, 0), new int[] {0, 1});
         Watch watch = new Watch();
         EnergyLedger ledger = new EnergyLedger();
@@ -238,13 +238,13 @@ class JointContactsTest {
         assertEquals(restitution * v, after[4], 1e-11);
         assertEquals(0, after[3] + after[9], 1e-12, "no impulse along smooth ground");
         double lost = (1 - restitution * restitution) * v * v / 2 / (1 - Math.sin(f) * Math.sin(f) / 2);
-        assertEquals(-lost, ledger.getWork().get("plane"), 1e-10);
+        assertEquals(-lost, ledger.getWork().get("impacts"), 1e-10);
     }
 
     /** Falling, striking, sliding with friction, coming to rest: the books close, and the rod does no work. */
     @Test
     void aFallingRodComesToRest() {
-        ContactPlane ground = new ContactPlane("ground", Plane.ground(0), 0.3, new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-3),
+        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3, new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-3),
                 1e-3);
         Case rod = new Case(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {new Vector3(1, 0, 0), new Vector3(1, 0, 0)},
                 new int[] {0, 1});
@@ -258,13 +258,13 @@ class JointContactsTest {
         assertTrue(rod.contacts.getModes().isSticking(0) && rod.contacts.getModes().isSticking(1), "at rest");
         assertEquals(0, ledger.getWork().get("rods"), 2e-7, "the feedback; measured: 2e-8");
         assertEquals(0, ledger.getNumericalError(), 1e-8, "measured: 1e-9");
-        assertTrue(ledger.getWork().get("contact") < -0.1 && ledger.getWork().get("plane") < -1, ledger.getWork().toString());
+        assertTrue(ledger.getWork().get("contact") < -0.1 && ledger.getWork().get("impacts") < -1, ledger.getWork().toString());
     }
 
     /** By steps that are clamped it ends in the same rest, about. */
     @Test
     void aFallingRodComesToRestByClamping() {
-        ContactPlane ground = new ContactPlane("ground", Plane.ground(0), 0.3, new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-2),
+        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3, new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-2),
                 1e-2);
         Case rod = new Case(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {new Vector3(1, 0, 0), new Vector3(1, 0, 0)},
                 new int[] {0, 1});

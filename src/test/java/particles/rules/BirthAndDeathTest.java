@@ -27,9 +27,9 @@ import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.SpringForce;
 import particles.effects.TurbulentWind;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 
 /** Births, deaths, tears, merges and splits: when they come, what they keep, and what the energy ledger says of them. */
 class BirthAndDeathTest {
@@ -121,11 +121,11 @@ class BirthAndDeathTest {
     void birthsDeathsAndImpactsAreBookedOnce() {
         ParticleSystem system = new ParticleSystem();
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(),
-                List.of(new ContactPlane("ground", Plane.ground(0), 0.4, Friction.NONE, 1e-3)));
+        RestingContacts contacts = new RestingContacts(system.getParticles(),
+                List.of(new ContactSurface("ground", Plane.ground(0), 0.4, Friction.NONE, 1e-3)));
         system.addReaction(contacts);
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.01, 4, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new PlaneImpacts(contacts), new RK4Solver());
+        simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
         for (Rule rule : new Rule[] {emitter(100, 1.5, 3), new Lifetimes(), new KillPlane(new Plane(new Vector3(3, 0, 0),
                 new Vector3(-1, 0, 0)))}) {
             simulation.addRule(rule);
@@ -135,7 +135,7 @@ class BirthAndDeathTest {
         simulation.run();
         assertTrue(ledger.getWork().get("emitter") > 2000, ledger.getWork().toString());
         assertTrue(ledger.getWork().get("age") < -100, ledger.getWork().toString());
-        assertTrue(ledger.getWork().get("plane") < -100, ledger.getWork().toString());
+        assertTrue(ledger.getWork().get("impacts") < -100, ledger.getWork().toString());
         assertTrue(ledger.getWork().get("kill") < -10, ledger.getWork().toString());
         assertEquals(0, ledger.getNumericalError(), 1e-9 * ledger.getWork().get("emitter"));
     }

@@ -24,9 +24,9 @@ import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 
 /** Spheres as obstacles, from outside and from inside: impacts, rest, sliding along and off, nobody gets through. */
 class SphereImpactsTest {
@@ -34,20 +34,20 @@ class SphereImpactsTest {
     private static final Sphere BALL = new Sphere(Vector3.ZERO, 1, false);
     private static final Sphere HOLLOW = new Sphere(Vector3.ZERO, 1, true);
 
-    private static ContactPlane solid(Sphere sphere, double restitution, Friction friction) {
-        return new ContactPlane("sphere", sphere, restitution, friction, 1e-6);
+    private static ContactSurface solid(Sphere sphere, double restitution, Friction friction) {
+        return new ContactSurface("sphere", sphere, restitution, friction, 1e-6);
     }
 
-    private static PlaneContacts contacts(ParticleSystem system, ContactPlane... solids) {
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(), List.of(solids));
+    private static RestingContacts contacts(ParticleSystem system, ContactSurface... solids) {
+        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(solids));
         system.addReaction(contacts);
         return contacts;
     }
 
-    private static Simulation exact(ParticleSystem system, PlaneContacts contacts, double deltaT, double duration) {
+    private static Simulation exact(ParticleSystem system, RestingContacts contacts, double deltaT, double duration) {
         Supplier<DESolver> solver = RK4Solver::new;
         Simulation simulation = new Simulation(system, solver.get(), deltaT, duration, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new PlaneImpacts(contacts), solver.get());
+        simulation.addEventRule(new ExactImpacts(contacts), solver.get());
         return simulation;
     }
 
@@ -103,9 +103,9 @@ class SphereImpactsTest {
         assertEquals(1e10 + 9e8 + 4e8, s[3] * s[3] + s[4] * s[4] + s[5] * s[5], 0.05);
         for (boolean hollow : new boolean[] {false, true}) {
             ParticleSystem clamped = oneParticle(hollow ? Vector3.ZERO : new Vector3(-3, 0, 0), new Vector3(1e5, 0, 0));
-            PlaneContacts contacts = contacts(clamped, solid(hollow ? HOLLOW : BALL, 0.5, Friction.NONE));
+            RestingContacts contacts = contacts(clamped, solid(hollow ? HOLLOW : BALL, 0.5, Friction.NONE));
             Simulation simulation = new Simulation(clamped, new RK4Solver(), 0.01, 0.01, Double.POSITIVE_INFINITY);
-            simulation.addRule(new PlaneCollisions(contacts));
+            simulation.addRule(new ClampedImpacts(contacts));
             simulation.run();
             assertEquals(hollow ? 1 : -1, entry(clamped, 0), 1e-12);
             assertEquals(-5e4, entry(clamped, 3), 1e-9);
@@ -121,7 +121,7 @@ class SphereImpactsTest {
         double v0 = 0.5;
         ParticleSystem system = oneParticle(new Vector3(0, 1, 0), new Vector3(v0, 0, 0));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        PlaneContacts contacts = contacts(system, solid(BALL, 0, Friction.NONE));
+        RestingContacts contacts = contacts(system, solid(BALL, 0, Friction.NONE));
         Simulation simulation = exact(system, contacts, 0.005, 0.9);
         List<Double> heights = new ArrayList<>();
         simulation.addObserver(new Observer() {
@@ -146,7 +146,7 @@ class SphereImpactsTest {
         ParticleSystem system = oneParticle(new Vector3(Math.sin(Math.PI / 4), -Math.cos(Math.PI / 4), 0), Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         double period = 2 * Math.PI / Math.sqrt(G) * 1.039973343196804;
-        PlaneContacts contacts = contacts(system, solid(HOLLOW, 0, Friction.NONE));
+        RestingContacts contacts = contacts(system, solid(HOLLOW, 0, Friction.NONE));
         exact(system, contacts, period / 400, period / 4).run();
         assertEquals(0, entry(system, 0), 1e-8);
         assertEquals(-1, entry(system, 1), 1e-12);
@@ -159,7 +159,7 @@ class SphereImpactsTest {
         for (double angle : new double[] {0.25, 0.35}) {
             ParticleSystem system = oneParticle(new Vector3(Math.sin(angle), Math.cos(angle), 0), Vector3.ZERO);
             system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-            PlaneContacts contacts = contacts(system, solid(BALL, 0, new Friction(Friction.Law.COULOMB, 0.3, 0.3, 0)));
+            RestingContacts contacts = contacts(system, solid(BALL, 0, new Friction(Friction.Law.COULOMB, 0.3, 0.3, 0)));
             exact(system, contacts, 0.01, 0.1).run();
             if (Math.tan(angle) < 0.3) {
                 assertEquals(Math.sin(angle), entry(system, 0), 1e-15);
@@ -174,8 +174,8 @@ class SphereImpactsTest {
     void restInAWedgeOfBallAndWall() {
         ParticleSystem system = oneParticle(new Vector3(0.9, 0.9, 0), Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        PlaneContacts contacts = contacts(system, solid(BALL, 0.3, Friction.NONE),
-                new ContactPlane("wall", new Plane(new Vector3(0.95, 0, 0), new Vector3(-1, 0, 0)), 0.3, Friction.NONE, 1e-6));
+        RestingContacts contacts = contacts(system, solid(BALL, 0.3, Friction.NONE),
+                new ContactSurface("wall", new Plane(new Vector3(0.95, 0, 0), new Vector3(-1, 0, 0)), 0.3, Friction.NONE, 1e-6));
         exact(system, contacts, 0.01, 5).run();
         assertEquals(0.95, entry(system, 0), 1e-9);
         assertEquals(Math.sqrt(1 - 0.95 * 0.95), entry(system, 1), 1e-9);
@@ -198,12 +198,12 @@ class SphereImpactsTest {
         ParticleSystem system = oneParticle(new Vector3(0, 2, 0), Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addEffect(new LinearDrag(system.getParticles(), 0.5, Wind.STILL));
-        PlaneContacts contacts = contacts(system, solid(BALL, 0.5, Friction.NONE));
+        RestingContacts contacts = contacts(system, solid(BALL, 0.5, Friction.NONE));
         if (atImpact) {
             exact(system, contacts, deltaT, 1.1).run();
         } else {
             Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, 1.1, Double.POSITIVE_INFINITY);
-            simulation.addRule(new PlaneCollisions(contacts));
+            simulation.addRule(new ClampedImpacts(contacts));
             simulation.run();
         }
         return entry(system, 1);
@@ -216,7 +216,7 @@ class SphereImpactsTest {
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         double period = 2 * Math.PI / Math.sqrt(G) * 1.039973343196804;
         Simulation simulation = new Simulation(system, new RK4Solver(), period / 400, period / 4, Double.POSITIVE_INFINITY);
-        simulation.addRule(new PlaneCollisions(contacts(system, solid(HOLLOW, 0, Friction.NONE))));
+        simulation.addRule(new ClampedImpacts(contacts(system, solid(HOLLOW, 0, Friction.NONE))));
         simulation.run();
         assertEquals(0, entry(system, 0), 1e-8);
         assertEquals(-1, entry(system, 1), 1e-12);

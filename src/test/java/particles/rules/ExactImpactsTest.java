@@ -27,32 +27,32 @@ import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 
 /** Impacts, rest and the ends of contact, sliding and sticking at their exact times. */
-class PlaneImpactsTest {
+class ExactImpactsTest {
     private static final double G = 9.81;
     /** Contact times of the reference values, h0 = 1, r = 0.5. */
     private static final double[] CONTACTS = {0.451523640986, 0.903047281971, 1.128809102464, 1.241690012711, 1.298130467834,
             1.326350695396};
 
-    private static ContactPlane ground(double restitution, Friction friction) {
-        return new ContactPlane("ground", Plane.ground(0), restitution, friction, 1e-6);
+    private static ContactSurface ground(double restitution, Friction friction) {
+        return new ContactSurface("ground", Plane.ground(0), restitution, friction, 1e-6);
     }
 
-    private static PlaneContacts contacts(ParticleSystem system, ContactPlane... planes) {
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(), List.of(planes));
+    private static RestingContacts contacts(ParticleSystem system, ContactSurface... planes) {
+        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(planes));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
         return contacts;
     }
 
-    private static Simulation simulation(ParticleSystem system, PlaneContacts contacts, Supplier<DESolver> solver, double deltaT,
+    private static Simulation simulation(ParticleSystem system, RestingContacts contacts, Supplier<DESolver> solver, double deltaT,
                                          double duration) {
         Simulation simulation = new Simulation(system, solver.get(), deltaT, duration, Double.POSITIVE_INFINITY);
-        simulation.addEventRule(new PlaneImpacts(contacts), solver.get());
+        simulation.addEventRule(new ExactImpacts(contacts), solver.get());
         return simulation;
     }
 
@@ -81,7 +81,7 @@ class PlaneImpactsTest {
     @Test
     void bouncesComeAtTheirTimesAndEndInRest() {
         ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
-        PlaneContacts contacts = contacts(system, ground(0.5, Friction.NONE));
+        RestingContacts contacts = contacts(system, ground(0.5, Friction.NONE));
         Simulation simulation = simulation(system, contacts, RK4Solver::new, 0.01, 3);
         Watch watch = new Watch();
         simulation.addObserver(watch);
@@ -158,14 +158,14 @@ class PlaneImpactsTest {
 
     private static double heightAfterBounces(Supplier<DESolver> solver, double deltaT, boolean atImpact) {
         ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
-        PlaneContacts contacts = contacts(system, ground(0.5, Friction.NONE));
+        RestingContacts contacts = contacts(system, ground(0.5, Friction.NONE));
         system.addEffect(new LinearDrag(system.getParticles(), 0.5, Wind.STILL));
         Simulation simulation;
         if (atImpact) {
             simulation = simulation(system, contacts, solver, deltaT, 1.15);
         } else {
             simulation = new Simulation(system, solver.get(), deltaT, 1.15, Double.POSITIVE_INFINITY);
-            simulation.addRule(new PlaneCollisions(contacts));
+            simulation.addRule(new ClampedImpacts(contacts));
         }
         simulation.run();
         return entry(system, 1);
@@ -174,9 +174,9 @@ class PlaneImpactsTest {
     @Test
     void aFastParticleDoesNotTunnelThroughTwoWalls() {
         ParticleSystem system = oneParticle(new Vector3(0.3, 5, 0), new Vector3(1e4, 0, 0));
-        PlaneContacts contacts = contacts(system,
-                new ContactPlane("left", new Plane(Vector3.ZERO, new Vector3(1, 0, 0)), 1, Friction.NONE, 1e-6),
-                new ContactPlane("right", new Plane(new Vector3(1, 0, 0), new Vector3(-1, 0, 0)), 1, Friction.NONE, 1e-6));
+        RestingContacts contacts = contacts(system,
+                new ContactSurface("left", new Plane(Vector3.ZERO, new Vector3(1, 0, 0)), 1, Friction.NONE, 1e-6),
+                new ContactSurface("right", new Plane(new Vector3(1, 0, 0), new Vector3(-1, 0, 0)), 1, Friction.NONE, 1e-6));
         simulation(system, contacts, RK4Solver::new, 0.01, 0.1).run();
         double x = entry(system, 0);
         assertTrue(x >= 0 && x <= 1, "x = " + x);
@@ -189,7 +189,7 @@ class PlaneImpactsTest {
     @Test
     void slidingStopsAtItsTime() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(1.2, 0, 1.6));
-        PlaneContacts contacts = contacts(system, ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
+        RestingContacts contacts = contacts(system, ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
         Simulation simulation = simulation(system, contacts, RK4Solver::new, 0.1, 2);
         Watch watch = new Watch();
         simulation.addObserver(watch);
@@ -204,7 +204,7 @@ class PlaneImpactsTest {
     @Test
     void slidingByTheLecturesLawStopsAtTheThreshold() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 0));
-        PlaneContacts contacts = contacts(system, ground(0, new Friction(Friction.Law.SLIDE, 0.1, 0.3, 0.1)));
+        RestingContacts contacts = contacts(system, ground(0, new Friction(Friction.Law.SLIDE, 0.1, 0.3, 0.1)));
         Simulation simulation = simulation(system, contacts, RK4Solver::new, 0.01, 5);
         Watch watch = new Watch();
         simulation.addObserver(watch);
@@ -218,7 +218,7 @@ class PlaneImpactsTest {
     void upAndDownASlope() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(1, 1, 0));
         double root = Math.sqrt(0.5);
-        ContactPlane slope = new ContactPlane("slope", new Plane(Vector3.ZERO, new Vector3(-1, 1, 0)), 0,
+        ContactSurface slope = new ContactSurface("slope", new Plane(Vector3.ZERO, new Vector3(-1, 1, 0)), 0,
                 new Friction(Friction.Law.COULOMB, 0.2, 0.2, 0), 1e-6);
         simulation(system, contacts(system, slope), RK4Solver::new, 0.01, 1).run();
         double turn = Math.sqrt(2) / (G * root * 1.2);
@@ -231,7 +231,7 @@ class PlaneImpactsTest {
     @Test
     void contactLetsGoAndStickingBreaksAtTheirTimes() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
-        PlaneContacts contacts = contacts(system, ground(0.5, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
+        RestingContacts contacts = contacts(system, ground(0.5, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
         double gust = 6;
         system.addEffect(new LinearDrag(system.getParticles(), 1, new GustyWind(Vector3.ZERO,
                 new Vector3(gust, 0, 0), 4)));
@@ -241,7 +241,7 @@ class PlaneImpactsTest {
         simulation.run();
         assertEquals(Math.asin(0.4 * G / gust) * 2 / Math.PI, watch.times.get(0), 1e-12, "breaks away");
         ParticleSystem lifted = oneParticle(Vector3.ZERO, Vector3.ZERO);
-        PlaneContacts ground = contacts(lifted, ground(0.5, Friction.NONE));
+        RestingContacts ground = contacts(lifted, ground(0.5, Friction.NONE));
         lifted.addEffect(new LinearDrag(lifted.getParticles(), 1, new GustyWind(Vector3.ZERO,
                 new Vector3(0, 20, 0), 4)));
         Simulation flight = simulation(lifted, ground, RK4Solver::new, 0.1, 0.9);
@@ -257,9 +257,9 @@ class PlaneImpactsTest {
     @Test
     void restInASharpGroove() {
         ParticleSystem system = oneParticle(new Vector3(0.3, 2, 0), Vector3.ZERO);
-        PlaneContacts contacts = contacts(system,
-                new ContactPlane("right", new Plane(Vector3.ZERO, new Vector3(-2, 1, 0)), 0.4, Friction.NONE, 1e-6),
-                new ContactPlane("left", new Plane(Vector3.ZERO, new Vector3(2, 1, 0.3)), 0.4, Friction.NONE, 1e-6));
+        RestingContacts contacts = contacts(system,
+                new ContactSurface("right", new Plane(Vector3.ZERO, new Vector3(-2, 1, 0)), 0.4, Friction.NONE, 1e-6),
+                new ContactSurface("left", new Plane(Vector3.ZERO, new Vector3(2, 1, 0.3)), 0.4, Friction.NONE, 1e-6));
         simulation(system, contacts, RK4Solver::new, 0.01, 6).run();
         assertEquals(0, new Plane(Vector3.ZERO, new Vector3(-2, 1, 0)).distance(entry(system, 0), entry(system, 1),
                 entry(system, 2)), 1e-9);

@@ -9,11 +9,11 @@ import particles.Obstacle;
  * @param obstacle    where it is
  * @param restitution r: the normal component of the velocity is multiplied by -r at an impact; 0 ... 1
  * @param friction    how it rubs particles that rest on it
- * @param restSpeed   a particle that would leave the plane slower than this stays in contact (m/s), 0 or more
+ * @param restSpeed   a particle that would leave the surface slower than this stays in contact (m/s), 0 or more
  */
-public record ContactPlane(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed) {
+public record ContactSurface(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed) {
     /** @throws IllegalArgumentException if a number is out of its range */
-    public ContactPlane {
+    public ContactSurface {
         if (!(restitution >= 0 && restitution <= 1)) {
             throw new IllegalArgumentException("the restitution of '" + name + "' has to be in 0 ... 1, not " + restitution);
         }

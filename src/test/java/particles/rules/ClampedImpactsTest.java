@@ -22,28 +22,28 @@ import particles.Simulation;
 import particles.Vector3;
 import particles.effects.Gravity;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactPlane;
+import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.reactions.PlaneContacts;
+import particles.reactions.RestingContacts;
 
 /** Bounces, rest, sliding and sticking on planes against closed forms. */
-class PlaneCollisionsTest {
+class ClampedImpactsTest {
     private static final double G = 9.81;
 
-    private static PlaneCollisions planes(ParticleSystem system, ContactPlane... planes) {
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(), List.of(planes));
+    private static ClampedImpacts planes(ParticleSystem system, ContactSurface... planes) {
+        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(planes));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
-        return new PlaneCollisions(contacts);
+        return new ClampedImpacts(contacts);
     }
 
-    private static ContactPlane ground(double restitution, Friction friction) {
-        return new ContactPlane("ground", Plane.ground(0), restitution, friction, 1e-3);
+    private static ContactSurface ground(double restitution, Friction friction) {
+        return new ContactSurface("ground", Plane.ground(0), restitution, friction, 1e-3);
     }
 
-    private static ContactPlane slope(double degrees, Friction friction) {
+    private static ContactSurface slope(double degrees, Friction friction) {
         double a = Math.toRadians(degrees);
-        return new ContactPlane("slope", new Plane(Vector3.ZERO, new Vector3(-Math.sin(a), Math.cos(a), 0)), 0, friction, 1e-3);
+        return new ContactSurface("slope", new Plane(Vector3.ZERO, new Vector3(-Math.sin(a), Math.cos(a), 0)), 0, friction, 1e-3);
     }
 
     /**
@@ -53,7 +53,7 @@ class PlaneCollisionsTest {
     @Test
     void bouncesComeAtTheirTimes() {
         ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
-        PlaneCollisions rule = planes(system, ground(0.5, Friction.NONE));
+        ClampedImpacts rule = planes(system, ground(0.5, Friction.NONE));
         double[] expected = {0.451523640986, 0.903047281971, 1.128809102464, 1.241690012711};
         int[] seen = {0};
         Simulation simulation = new Simulation(system, new RK4Solver(), 1e-4, 1.26, Double.POSITIVE_INFINITY);
@@ -107,7 +107,7 @@ class PlaneCollisionsTest {
     @Test
     void coulombFrictionStops() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(0, 0, 2));
-        PlaneCollisions rule = planes(system, ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
+        ClampedImpacts rule = planes(system, ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
         double end = 2 / (0.3 * G);
         run(system, new RK4Solver(), 0.001, end - 0.01, rule);
         assertEquals(0.3 * G * 0.01, entry(system, 5), 1e-10, "not at rest before its time");
@@ -146,7 +146,7 @@ class PlaneCollisionsTest {
     void aParticleInAGrooveStaysAtRest() {
         for (Friction friction : List.of(Friction.NONE, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0))) {
             ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
-            PlaneCollisions rule = planes(system, slope(30, friction), slope(-40, friction));
+            ClampedImpacts rule = planes(system, slope(30, friction), slope(-40, friction));
             run(system, new RK4Solver(), 0.01, 60, rule);
             for (int k = 0; k < 6; k++) {
                 assertEquals(0, entry(system, k), 1e-12);
@@ -158,10 +158,10 @@ class PlaneCollisionsTest {
     @Test
     void contactDoesNotHoldBack() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(), List.of(ground(0.5, Friction.NONE)));
+        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(ground(0.5, Friction.NONE)));
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, 2, 0)));
         system.addReaction(contacts);
-        PlaneCollisions rule = new PlaneCollisions(contacts);
+        ClampedImpacts rule = new ClampedImpacts(contacts);
         rule.start(system);
         assertEquals(Mode.SLIDING, contacts.getModes().get(0, 0));
         run(system, new RK4Solver(), 0.01, 1, rule);
@@ -172,12 +172,12 @@ class PlaneCollisionsTest {
     @Test
     void frictionOnlyTakesEnergy() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 1));
-        PlaneContacts contacts = new PlaneContacts(system.getParticles(),
+        RestingContacts contacts = new RestingContacts(system.getParticles(),
                 List.of(ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0))));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.01, 0.5, Double.POSITIVE_INFINITY);
-        simulation.addRule(new PlaneCollisions(contacts));
+        simulation.addRule(new ClampedImpacts(contacts));
         simulation.addObserver(new Observer() {
             @Override
             public void moved(Motion motion) {

@@ -8,23 +8,23 @@ import particles.Particles;
 import particles.Reaction;
 
 /**
- * The contact force on particles that rest on planes, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
- * the plane pushes back just as hard as it is pressed, lambda = -(N . F), and rubs with lambda times the friction law.
- * Several planes on one particle share the load ({@link NormalForces}). The surface of a sphere pushes by m v_t&sup2;/R less
+ * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
+ * the surface pushes back just as hard as it is pressed, lambda = -(N . F), and rubs with lambda times the friction law.
+ * Several surfaces on one particle share the load ({@link NormalForces}). The surface of a sphere pushes by m v_t&sup2;/R less
  * where it curves away from the particle, and more where it curves towards it: (N . a) is what the circle needs, not 0.
  *
- * <p>Whether a particle touches a plane, and whether it slides or sticks there, does not change within a step:
- * {@code particles.rules.PlaneCollisions} decides it between steps. So the force is a smooth function of the state
+ * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step:
+ * {@code particles.rules.ClampedImpacts} decides it between steps. So the force is a smooth function of the state
  * while a solver works.
  */
-public final class PlaneContacts implements Reaction {
+public final class RestingContacts implements Reaction {
 
     private static final int STRIDE = Particles.STRIDE;
 
     /** What is left of a speed by the time when it is to be 0 (m/s). */
     private static final double ROUNDING = 1e-9;
 
-    private final List<ContactPlane> planes;
+    private final List<ContactSurface> surfaces;
     private final ContactModes modes;
     private final boolean flat;
     private Optional<RigidConstraints> coupled = Optional.empty();
@@ -32,22 +32,22 @@ public final class PlaneContacts implements Reaction {
     private final ContactResponse response;
 
     /**
-     * @param particles whom the planes hold
-     * @param planes    the planes
+     * @param particles whom the surfaces hold
+     * @param surfaces  the surfaces
      */
-    public PlaneContacts(Particles particles, List<ContactPlane> planes) {
-        this.planes = List.copyOf(planes);
-        modes = new ContactModes(particles, planes.size());
-        flat = this.planes.stream().allMatch(plane -> plane.obstacle().isFlat());
-        response = new ContactResponse(particles, this.planes, modes, sliding);
+    public RestingContacts(Particles particles, List<ContactSurface> surfaces) {
+        this.surfaces = List.copyOf(surfaces);
+        modes = new ContactModes(particles, surfaces.size());
+        flat = this.surfaces.stream().allMatch(surface -> surface.obstacle().isFlat());
+        response = new ContactResponse(particles, this.surfaces, modes, sliding);
     }
 
-    /** @return the planes, in the order in which {@link #getModes} counts them */
-    public List<ContactPlane> getPlanes() {
-        return planes;
+    /** @return the surfaces, in the order in which {@link #getModes} counts them */
+    public List<ContactSurface> getSurfaces() {
+        return surfaces;
     }
 
-    /** @return who touches which plane, for rules to decide */
+    /** @return who touches which surface, for rules to decide */
     public ContactModes getModes() {
         return modes;
     }
@@ -63,7 +63,7 @@ public final class PlaneContacts implements Reaction {
     }
 
     /**
-     * Whether a plane holds on to a particle until a rule says that it lets go. Without that the plane stops pushing wherever
+     * Whether a surface holds on to a particle until a rule says that it lets go. Without that the surface stops pushing wherever
      * N . F turns positive, as on the slide; then the force has a kink there, and a step across it loses its order.
      *
      * @param holdsOn true where a rule finds the exact time of letting go
@@ -98,13 +98,13 @@ public final class PlaneContacts implements Reaction {
      * impulses that rods and other touched surfaces pass on, without friction. What stuck slides from now on, and what was
      * lifted off touches no more.
      *
-     * @param plane    the surface's index
+     * @param surface    the surface's index
      * @param particle the particle's index
      * @param leaving  the speed with which it leaves (m/s)
      * @param state    the state, in which velocities are changed
      */
-    public void strike(int plane, int particle, double leaving, double[] state) {
-        coupled.orElseThrow().strike(plane, particle, leaving, state);
+    public void strike(int surface, int particle, double leaving, double[] state) {
+        coupled.orElseThrow().strike(surface, particle, leaving, state);
     }
 
     /**
@@ -138,9 +138,9 @@ public final class PlaneContacts implements Reaction {
      */
     public boolean isSlow(int particle, double[] state) {
         double limit = -1;
-        for (int p = 0; p < planes.size(); p++) {
-            if (modes.get(p, particle) != ContactModes.Mode.FREE && planes.get(p).friction().staticCoefficient() > 0) {
-                limit = Math.max(limit, Math.max(ROUNDING, planes.get(p).friction().threshold()));
+        for (int p = 0; p < surfaces.size(); p++) {
+            if (modes.get(p, particle) != ContactModes.Mode.FREE && surfaces.get(p).friction().staticCoefficient() > 0) {
+                limit = Math.max(limit, Math.max(ROUNDING, surfaces.get(p).friction().threshold()));
             }
         }
         int v = STRIDE * particle + 3;
@@ -164,7 +164,7 @@ public final class PlaneContacts implements Reaction {
 
     @Override
     public boolean dependsOnVelocity() {
-        return planes.stream().anyMatch(plane -> plane.friction().law() != Friction.Law.NONE);
+        return surfaces.stream().anyMatch(surface -> surface.friction().law() != Friction.Law.NONE);
     }
 
     /** {@inheritDoc} They are known for planes; a curved surface's normal changes with the place. */
@@ -212,7 +212,7 @@ public final class PlaneContacts implements Reaction {
      * @param particle its index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
-     * @return what the planes it touches withstand minus the force along them (N); negative if they cannot hold it, and
+     * @return what the surfaces it touches withstand minus the force along them (N); negative if they cannot hold it, and
      *         where nothing presses it on
      */
     public double holdMargin(int particle, double[] state, double[] force) {
@@ -221,17 +221,17 @@ public final class PlaneContacts implements Reaction {
     }
 
     /**
-     * How hard a particle is pressed onto a plane that it touches.
+     * How hard a particle is pressed onto a surface that it touches.
      *
-     * @param plane    the plane's index
+     * @param surface    the surface's index
      * @param particle the particle's index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
-     * @return the plane's push (N); where it does not push, minus the force that pulls the particle off
+     * @return the surface's push (N); where it does not push, minus the force that pulls the particle off
      */
-    public double pressure(int plane, int particle, double[] state, double[] force) {
-        return isCoupled(particle) ? coupled.get().pressure(plane, particle, state, force)
-                : response.pressure(plane, particle, state, force);
+    public double pressure(int surface, int particle, double[] state, double[] force) {
+        return isCoupled(particle) ? coupled.get().pressure(surface, particle, state, force)
+                : response.pressure(surface, particle, state, force);
     }
 
     /**

@@ -16,23 +16,23 @@ import particles.Rule;
 import particles.Vector3;
 import particles.reactions.ContactModes;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactPlane;
-import particles.reactions.PlaneContacts;
+import particles.reactions.ContactSurface;
+import particles.reactions.RestingContacts;
 
 /**
- * Particles bounce off planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and v_t' = v_t. "Should
- * back-off simulation until it's just on the plane. But usually don't bother!" - this rule does not bother: a particle found
- * below the plane after a step is put onto it.
+ * Particles bounce off planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and
+ * v_t' = v_t. "Should back-off simulation until it's just on the plane. But usually don't bother!" - this rule does not
+ * bother: a particle found below a surface after a step is put onto it.
  *
  * <p>It also decides what happens where bounces get smaller and smaller. A particle that would leave slower than the
- * plane's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step cannot
+ * surface's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step cannot
  * resolve), stays in contact. In contact it slides, or sticks once it is slower than the friction's threshold or has turned
  * round within a step, provided that static friction can hold it.
  */
-public final class PlaneCollisions implements Rule {
+public final class ClampedImpacts implements Rule {
     private static final int STRIDE = Particles.STRIDE;
 
-    private final PlaneContacts contacts;
+    private final RestingContacts contacts;
     private final ContactModes modes;
     private double[] before = {};
     private double[] force = {};
@@ -41,28 +41,28 @@ public final class PlaneCollisions implements Rule {
     private final double[] points = new double[12];
     private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
 
-    /** @param contacts the planes, and what touches them */
-    public PlaneCollisions(PlaneContacts contacts) {
+    /** @param contacts the surfaces, and what touches them */
+    public ClampedImpacts(RestingContacts contacts) {
         this.contacts = contacts;
         this.modes = contacts.getModes();
     }
 
     @Override
     public String getName() {
-        return "plane";
+        return "impacts";
     }
 
-    /** Particles that begin on a plane and do not move away from it or into it rest on it from the start. */
+    /** Particles that begin on a surface and do not move away from it or into it rest on it from the start. */
     @Override
     public void start(ParticleSystem system) {
         beforeStep(system);
         double[] state = system.getOwnState();
-        for (int p = 0; p < contacts.getPlanes().size(); p++) {
-            ContactPlane plane = contacts.getPlanes().get(p);
+        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
+            ContactSurface surface = contacts.getSurfaces().get(p);
             for (int i = 0; i < system.getParticles().count(); i++) {
-                if (!system.getParticles().isFixed(i) && Math.abs(distance(plane, state, i)) <= slack(state, i)
-                        && Math.abs(normalSpeed(plane, state, i)) <= plane.restSpeed()) {
-                    stopAlong(normal(plane, state, i), state, i);
+                if (!system.getParticles().isFixed(i) && Math.abs(distance(surface, state, i)) <= slack(state, i)
+                        && Math.abs(normalSpeed(surface, state, i)) <= surface.restSpeed()) {
+                    stopAlong(normal(surface, state, i), state, i);
                     touch(p, i);
                 }
             }
@@ -93,7 +93,7 @@ public final class PlaneCollisions implements Rule {
             if (system.getParticles().isFixed(i)) {
                 continue;
             }
-            for (int p = 0; p < contacts.getPlanes().size(); p++) {
+            for (int p = 0; p < contacts.getSurfaces().size(); p++) {
                 changed |= modes.get(p, i) == Mode.FREE ? collide(p, i, state, deltaT)
                         : keepInContact(system, p, i, state);
             }
@@ -115,23 +115,23 @@ public final class PlaneCollisions implements Rule {
         }
     }
 
-    /** A particle that was free: an impact if it is below the plane now. */
+    /** A particle that was free: an impact if it is below the surface now. */
     private boolean collide(int p, int i, double[] state, double deltaT) {
-        ContactPlane plane = contacts.getPlanes().get(p);
-        if (!plane.obstacle().isFlat()) {
-            stopFlight(plane, i, state, deltaT);
+        ContactSurface surface = contacts.getSurfaces().get(p);
+        if (!surface.obstacle().isFlat()) {
+            stopFlight(surface, i, state, deltaT);
         }
-        double depth = distance(plane, state, i);
+        double depth = distance(surface, state, i);
         if (depth >= 0) {
             return false;
         }
-        Vector3 normal = normal(plane, state, i);
+        Vector3 normal = normal(surface, state, i);
         moveAlong(normal, state, STRIDE * i, -depth);
-        double approach = normalSpeed(plane, state, i);
+        double approach = normalSpeed(surface, state, i);
         if (approach < 0) {
-            double leaving = -plane.restitution() * approach;
+            double leaving = -surface.restitution() * approach;
             double gained = Math.abs(approach - normal.dot(velocity(before, i)));
-            if (leaving <= Math.max(plane.restSpeed(), gained)) {
+            if (leaving <= Math.max(surface.restSpeed(), gained)) {
                 stop(normal, p, i, state);
                 touch(p, i);
             } else if (contacts.isCoupled(i)) {
@@ -143,27 +143,27 @@ public final class PlaneCollisions implements Rule {
         return true;
     }
 
-    /** A particle that was in contact: it may leave, be pressed in by another plane, begin or cease to slide. */
+    /** A particle that was in contact: it may leave, be pressed in by another surface, begin or cease to slide. */
     private boolean keepInContact(ParticleSystem system, int p, int i, double[] state) {
-        ContactPlane plane = contacts.getPlanes().get(p);
-        if (!plane.obstacle().isFlat()) {
+        ContactSurface surface = contacts.getSurfaces().get(p);
+        if (!surface.obstacle().isFlat()) {
             addUpForces(system, state);
             if (contacts.pressure(p, i, state, force) < 0) {
                 modes.set(p, i, Mode.FREE);
                 return true;
             }
-            putOn(plane, state, i);                     // the solver's error, which would let it drift off
+            putOn(surface, state, i);                     // the solver's error, which would let it drift off
             return false;
         }
-        double depth = distance(plane, state, i);
+        double depth = distance(surface, state, i);
         if (depth > slack(state, i)) {
             modes.set(p, i, Mode.FREE);
             return true;
         }
         if (depth < -slack(state, i)) {
-            moveAlong(normal(plane, state, i), state, STRIDE * i, -depth);
-            if (normalSpeed(plane, state, i) < 0) {
-                stopAlong(normal(plane, state, i), state, i);
+            moveAlong(normal(surface, state, i), state, STRIDE * i, -depth);
+            if (normalSpeed(surface, state, i) < 0) {
+                stopAlong(normal(surface, state, i), state, i);
             }
             return true;
         }
@@ -184,9 +184,9 @@ public final class PlaneCollisions implements Rule {
             return true;
         }
         boolean stopping = now.dot(velocity(before, i)) <= 0;
-        for (int p = 0; p < contacts.getPlanes().size(); p++) {
+        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
             if (modes.get(p, i) != Mode.FREE) {
-                stopping |= now.length() <= contacts.getPlanes().get(p).friction().threshold();
+                stopping |= now.length() <= contacts.getSurfaces().get(p).friction().threshold();
             }
         }
         if (!stopping || !canHold(system, i, state)) {
@@ -204,10 +204,10 @@ public final class PlaneCollisions implements Rule {
     }
 
     /** Takes a particle that flew through a ball within the step back to where it went in, so that it is found there. */
-    private void stopFlight(ContactPlane plane, int i, double[] state, double deltaT) {
+    private void stopFlight(ContactSurface surface, int i, double[] state, double deltaT) {
         bezier(before, state, deltaT, i, points);
-        int count = plane.obstacle().separation(points, coefficients);
-        if (Math.abs(distance(plane, before, i)) <= slack(before, i)) {
+        int count = surface.obstacle().separation(points, coefficients);
+        if (Math.abs(distance(surface, before, i)) <= slack(before, i)) {
             return;
         }
         double u = crossing.of(coefficients, count);
@@ -216,7 +216,7 @@ public final class PlaneCollisions implements Rule {
                 state[STRIDE * i + c] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
                         + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
             }
-            moveAlong(normal(plane, state, i), state, STRIDE * i, -distance(plane, state, i) - slack(state, i));
+            moveAlong(normal(surface, state, i), state, STRIDE * i, -distance(surface, state, i) - slack(state, i));
         }
     }
 

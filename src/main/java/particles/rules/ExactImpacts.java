@@ -18,30 +18,30 @@ import particles.Particles;
 import particles.Vector3;
 import particles.reactions.ContactModes;
 import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactPlane;
-import particles.reactions.PlaneContacts;
+import particles.reactions.ContactSurface;
+import particles.reactions.RestingContacts;
 
 /**
- * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on the plane", done.
- * At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than the plane's rest speed while it is
- * pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at their times too. Nothing is
+ * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on the
+ * plane", done. At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than the surface's rest
+ * speed while it is pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at their times too. Nothing is
  * ever lifted, so that no energy is added and the solver keeps its order from impact to impact.
  */
-public final class PlaneImpacts implements EventRule {
+public final class ExactImpacts implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
     /** Relative to what is compared: what is less is the rounding of a few operations. */
     private static final double ROUNDING = 1e-13;
     private static final int MOST_SWEEPS = 100;
 
-    private final PlaneContacts contacts;
+    private final RestingContacts contacts;
     private final ContactModes modes;
     private final ContactEvents contactEvents;
     private final FirstCrossing crossing = new FirstCrossing();
     private final double[] points = new double[12];
     private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
 
-    /** @param contacts the planes, and what touches them */
-    public PlaneImpacts(PlaneContacts contacts) {
+    /** @param contacts the surfaces, and what touches them */
+    public ExactImpacts(RestingContacts contacts) {
         this.contacts = contacts;
         this.modes = contacts.getModes();
         this.contactEvents = new ContactEvents(contacts);
@@ -50,18 +50,18 @@ public final class PlaneImpacts implements EventRule {
 
     @Override
     public String getName() {
-        return "plane";
+        return "impacts";
     }
 
-    /** Particles that begin on a plane and neither leave it nor move into it rest on it from the start. */
+    /** Particles that begin on a surface and neither leave it nor move into it rest on it from the start. */
     @Override
     public void start(ParticleSystem system) {
         double[] state = system.getOwnState();
         for (int i = 0; i < system.getParticles().count(); i++) {
-            for (int p = 0; p < contacts.getPlanes().size() && !system.getParticles().isFixed(i); p++) {
-                ContactPlane plane = contacts.getPlanes().get(p);
-                if (Math.abs(distance(plane, state, i)) <= slack(state, i)
-                        && Math.abs(normalSpeed(plane, state, i)) <= plane.restSpeed()) {
+            for (int p = 0; p < contacts.getSurfaces().size() && !system.getParticles().isFixed(i); p++) {
+                ContactSurface surface = contacts.getSurfaces().get(p);
+                if (Math.abs(distance(surface, state, i)) <= slack(state, i)
+                        && Math.abs(normalSpeed(surface, state, i)) <= surface.restSpeed()) {
                     rest(system, p, i);
                 }
             }
@@ -85,11 +85,11 @@ public final class PlaneImpacts implements EventRule {
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
         double[] state = system.getOwnState();
-        for (int p = 0; p < contacts.getPlanes().size() && modes.isAnyTouching(); p++) {
-            ContactPlane plane = contacts.getPlanes().get(p);
-            for (int i = 0; i < system.getParticles().count() && !plane.obstacle().isFlat(); i++) {
+        for (int p = 0; p < contacts.getSurfaces().size() && modes.isAnyTouching(); p++) {
+            ContactSurface surface = contacts.getSurfaces().get(p);
+            for (int i = 0; i < system.getParticles().count() && !surface.obstacle().isFlat(); i++) {
                 if (modes.get(p, i) != Mode.FREE) {
-                    putOn(plane, state, i);
+                    putOn(surface, state, i);
                     contacts.stopEntering(i, state);
                 }
             }
@@ -103,9 +103,9 @@ public final class PlaneImpacts implements EventRule {
         Optional<Event> first = contactEvents.find(motion);
         double earliest = first.isPresent() ? first.get().time() : Double.POSITIVE_INFINITY;
         for (int i = 0; i < particles.count(); i++) {
-            for (int p = 0; p < contacts.getPlanes().size() && !particles.isFixed(i); p++) {
+            for (int p = 0; p < contacts.getSurfaces().size() && !particles.isFixed(i); p++) {
                 if (modes.get(p, i) == Mode.FREE) {
-                    double time = meeting(contacts.getPlanes().get(p), i, motion);
+                    double time = meeting(contacts.getSurfaces().get(p), i, motion);
                     if (time < earliest) {
                         earliest = time;
                         first = Optional.of(new Impact(time, p, i));
@@ -116,14 +116,14 @@ public final class PlaneImpacts implements EventRule {
         return first;
     }
 
-    /** When particle i first goes below the plane, by the cubic between the motion's ends; infinite if it does not. */
-    private double meeting(ContactPlane plane, int i, Motion motion) {
+    /** When particle i first goes below the surface, by the cubic between the motion's ends; infinite if it does not. */
+    private double meeting(ContactSurface surface, int i, Motion motion) {
         double h = motion.getEndTime() - motion.getStartTime();
         double[] begin = motion.getStartState();
         bezier(begin, motion.getEndState(), h, i, points);
-        int count = plane.obstacle().separation(points, coefficients);
-        if (Math.abs(distance(plane, begin, i)) <= slack(begin, i)) {
-            if (normalSpeed(plane, begin, i) < -roundingOf(begin, i)) {
+        int count = surface.obstacle().separation(points, coefficients);
+        if (Math.abs(distance(surface, begin, i)) <= slack(begin, i)) {
+            if (normalSpeed(surface, begin, i) < -roundingOf(begin, i)) {
                 return motion.getStartTime();
             }
             double least = -ROUNDING * (1 + points[0] * points[0] + points[1] * points[1] + points[2] * points[2]);
@@ -159,24 +159,24 @@ public final class PlaneImpacts implements EventRule {
 
         @Override
         public double value(ParticleSystem system) {
-            return distance(contacts.getPlanes().get(p), system.getOwnState(), i);
+            return distance(contacts.getSurfaces().get(p), system.getOwnState(), i);
         }
 
         @Override
         public void act(ParticleSystem system) {
-            ContactPlane plane = contacts.getPlanes().get(p);
+            ContactSurface surface = contacts.getSurfaces().get(p);
             double[] state = system.getOwnState();
-            Vector3 normal = normal(plane, state, i);
-            moveAlong(normal, state, STRIDE * i, -distance(plane, state, i));
+            Vector3 normal = normal(surface, state, i);
+            moveAlong(normal, state, STRIDE * i, -distance(surface, state, i));
             double rounding = roundingOf(state, i);
-            double approach = normalSpeed(plane, state, i);
-            double leaving = -plane.restitution() * approach;
+            double approach = normalSpeed(surface, state, i);
+            double leaving = -surface.restitution() * approach;
             if (contacts.isCoupled(i)) {
-                strike(system, Math.max(0, leaving), leaving <= plane.restSpeed());
+                strike(system, Math.max(0, leaving), leaving <= surface.restSpeed());
                 return;
             }
             moveAlong(normal, state, STRIDE * i + 3, Math.max(0, leaving) - approach);
-            if (leaving <= plane.restSpeed()) {
+            if (leaving <= surface.restSpeed()) {
                 rest(system, p, i);
             }
             stayOutOfAll(rounding, state);
@@ -193,11 +193,11 @@ public final class PlaneImpacts implements EventRule {
             contacts.beginStep(system);
         }
 
-        /** A push by one plane must not drive the particle into another one on which it rests, but may lift it off. */
+        /** A push by one surface must not drive the particle into another one on which it rests, but may lift it off. */
         private void stayOutOfAll(double rounding, double[] state) {
             contacts.stopEntering(i, state);
-            for (int q = 0; q < contacts.getPlanes().size(); q++) {
-                ContactPlane other = contacts.getPlanes().get(q);
+            for (int q = 0; q < contacts.getSurfaces().size(); q++) {
+                ContactSurface other = contacts.getSurfaces().get(q);
                 if (q != p && modes.get(q, i) != Mode.FREE
                         && normalSpeed(other, state, i) > Math.max(other.restSpeed(), rounding)) {
                     modes.set(q, i, Mode.FREE);
@@ -206,9 +206,9 @@ public final class PlaneImpacts implements EventRule {
             double fastest = Double.POSITIVE_INFINITY;
             for (int sweep = 0; sweep < MOST_SWEEPS && fastest > 0; sweep++) {
                 fastest = 0;                            // what is left is too slow to leave: none in the end, along all of them
-                for (int q = 0; q < contacts.getPlanes().size(); q++) {
+                for (int q = 0; q < contacts.getSurfaces().size(); q++) {
                     if (modes.get(q, i) != Mode.FREE) {
-                        ContactPlane other = contacts.getPlanes().get(q);
+                        ContactSurface other = contacts.getSurfaces().get(q);
                         fastest = Math.max(fastest, Math.abs(normalSpeed(other, state, i)) - rounding);
                         stopAlong(normal(other, state, i), state, i);
                     }
@@ -217,10 +217,10 @@ public final class PlaneImpacts implements EventRule {
         }
     }
 
-    /** Lets a particle stay on a plane if it is pressed on; then it may stick as well. */
+    /** Lets a particle stay on a surface if it is pressed on; then it may stick as well. */
     private void rest(ParticleSystem system, int p, int i) {
         double[] state = system.getOwnState();
-        stopAlong(normal(contacts.getPlanes().get(p), state, i), state, i);
+        stopAlong(normal(contacts.getSurfaces().get(p), state, i), state, i);
         modes.set(p, i, Mode.SLIDING);
         modes.setWhereTouching(i, Mode.SLIDING);
         if (contactEvents.pressure(system, p, i) > 0) {
