@@ -2,11 +2,14 @@ package deSolvers.problems;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 
 /** Evaluations against achieved error, for comparing two methods at the same error. */
 public final class WorkCurve {
+    private static final int ERRORS = 21;
+
     private final List<double[]> points = new ArrayList<>();        // (log10 error, log10 evaluations)
 
     /**
@@ -48,14 +51,33 @@ public final class WorkCurve {
      * @return the ratio; below 1 where this one is cheaper
      */
     public double over(WorkCurve other) {
+        double sum = 0;
+        for (double difference : differences(other)) {
+            sum += difference;
+        }
+        return StrictMath.pow(10, sum / ERRORS);
+    }
+
+    /**
+     * The same at the error where this one compares worst.
+     *
+     * @param other the curve to compare with
+     * @return the largest ratio at any error that both reach
+     */
+    public double worstOver(WorkCurve other) {
+        return StrictMath.pow(10, Arrays.stream(differences(other)).max().orElseThrow());
+    }
+
+    /** log10 of the ratio, at errors that are evenly spaced on a logarithmic scale. */
+    private double[] differences(WorkCurve other) {
         double low = Math.max(lowest(), other.lowest());
         double high = Math.min(highest(), other.highest());
-        double sum = 0;
-        for (int i = 0; i <= 20; i++) {
-            double error = low + (high - low) * i / 20;
-            sum += at(error) - other.at(error);
+        double[] differences = new double[ERRORS];
+        for (int i = 0; i < ERRORS; i++) {
+            double error = low + (high - low) * i / (ERRORS - 1);
+            differences[i] = at(error) - other.at(error);
         }
-        return StrictMath.pow(10, sum / 21);
+        return differences;
     }
 
     private double lowest() {
