@@ -73,6 +73,17 @@ final class ForceSum {
         }
     }
 
+    boolean dependOnVelocity() {
+        boolean depend = false;
+        for (int e = 0; e < effects.size(); e++) {
+            depend |= effects.get(e).dependsOnVelocity();
+        }
+        for (int r = 0; r < reactions.size(); r++) {
+            depend |= reactions.get(r).dependsOnVelocity();
+        }
+        return depend;
+    }
+
     void addReactions(double[] state, double time, double[] force) {
         for (int r = 0; r < reactions.size(); r++) {
             Reaction reaction = reactions.get(r);

@@ -91,12 +91,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         }
         particles.shrinkTo(stay);
         anchors.reindex(newIndex);
-        for (Effect effect : effects) {
-            effect.reindex(newIndex);
-        }
-        for (Reaction reaction : reactions) {
-            reaction.reindex(newIndex);
-        }
+        effects.forEach(effect -> effect.reindex(newIndex));
+        reactions.forEach(reaction -> reaction.reindex(newIndex));
         return newIndex;
     }
 
@@ -114,6 +110,16 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
                     + "' is free; only a fixed one can follow a given motion");
         }
         anchors.add(particle, motion, state, time);
+    }
+
+    void remember(Memory memory) {
+        particles.remember(memory);
+        state = memory.keep(state, getStateSize());
+        time = memory.keep(time);
+        evaluations = memory.keep(evaluations);
+        anchors.remember(memory);
+        effects.forEach(effect -> effect.remember(memory));
+        reactions.forEach(reaction -> reaction.remember(memory));
     }
 
     /** @return the indices of the particles that are fixed to points that move */
@@ -173,17 +179,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /** Asked anew each time: a spring force that has damped springs only since it was added counts too. */
     @Override
     public boolean accelerationDependsOnVelocity() {
-        for (int k = 0; k < effects.size(); k++) {
-            if (effects.get(k).dependsOnVelocity()) {
-                return true;
-            }
-        }
-        for (int k = 0; k < reactions.size(); k++) {
-            if (reactions.get(k).dependsOnVelocity()) {
-                return true;
-            }
-        }
-        return false;
+        return forces.dependOnVelocity();
     }
 
     @Override

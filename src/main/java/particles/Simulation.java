@@ -16,15 +16,20 @@ public final class Simulation {
     private static final double ROUNDING = 1e-6;
     /** Far more than any sequence of ever smaller bounces has before it ends in rest. */
     private static final int MOST_EVENTS = 100_000;
+    /** Few enough to lose little, so many that a solver which begins anew after each costs nothing to speak of. */
+    public static final int CHECKPOINT_STEPS = 500;
 
     private final ParticleSystem system;
     private final DESolver solver;
     private final double deltaT;
     private final double duration;
-    private final double energyLimit;
+    private final EnergyLimit energyLimit;
     private final List<Rule> rules = new ArrayList<>();
     private final List<EventRule> eventRules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
+    private double startTime;
+    private long checkpointSteps = CHECKPOINT_STEPS;
+    private Runnable checkpoint = () -> { };
     private final Motion motion = new Motion();
     private EventLocator locator;
     private long steps;
@@ -45,14 +50,11 @@ public final class Simulation {
         if (!(duration >= 0) || !(duration <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("the duration has to be 0 or more and finite, not " + duration);
         }
-        if (!(energyLimit > 0)) {
-            throw new IllegalArgumentException("the energy limit has to be positive, not " + energyLimit);
-        }
         this.system = system;
         this.solver = solver;
         this.deltaT = deltaT;
         this.duration = duration;
-        this.energyLimit = energyLimit;
+        this.energyLimit = new EnergyLimit(energyLimit);
     }
 
     /** @param rule to act after every step, after those added before */
@@ -91,14 +93,31 @@ public final class Simulation {
      *                             until then stands
      */
     public void run() {
-        double endTime = system.getTime() + duration;
-        for (Rule rule : rules) {
-            rule.start(system);
-        }
-        for (Observer observer : observers) {
-            observer.started(system);
-        }
-        double left = duration;
+        start();
+        goOn();
+    }
+
+    /**
+     * Runs to the end from a checkpoint of an earlier run of the same scene, with the bits of that run.
+     *
+     * @param memory the checkpoint, to be read
+     * @throws SimulationException as {@link #run}
+     */
+    public void resume(Memory memory) {
+        start();
+        remember(memory);
+        goOn();
+    }
+
+    private void start() {
+        startTime = system.getTime();
+        rules.forEach(rule -> rule.start(system));
+        observers.forEach(observer -> observer.started(system));
+    }
+
+    private void goOn() {
+        double endTime = startTime + duration;
+        double left = endTime - system.getTime();
         while (left > ROUNDING * deltaT) {
             double before = left;
             step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
@@ -107,10 +126,37 @@ public final class Simulation {
                 throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at t = "
                         + system.getTime(), null);
             }
+            if (steps % checkpointSteps == 0) {
+                solver.reset();
+                checkpoint.run();
+            }
         }
-        for (Observer observer : observers) {
-            observer.finished(system);
+        observers.forEach(observer -> observer.finished(system));
+    }
+
+    /**
+     * Says where a run may be interrupted. The solver begins anew there in any run, so that one which is continued has the bits
+     * of one that is not.
+     *
+     * @param everySteps after how many steps, 1 or more; {@link #CHECKPOINT_STEPS} where nothing is said. Another number
+     *                   gives other bits with solvers that remember earlier steps
+     * @param checkpoint is told each time, and may pass a memory to {@link #remember}
+     */
+    public void setCheckpoints(int everySteps, Runnable checkpoint) {
+        if (everySteps < 1) {
+            throw new IllegalArgumentException("checkpoints every " + everySteps + " steps");
         }
+        checkpointSteps = everySteps;
+        this.checkpoint = checkpoint;
+    }
+
+    /** @param memory where all goes to that the rest of the run depends on, its observers' files included */
+    public void remember(Memory memory) {
+        steps = memory.keep(steps);
+        events = memory.keep(events);
+        system.remember(memory);
+        rules.forEach(rule -> rule.remember(memory));
+        observers.forEach(observer -> observer.remember(memory));
     }
 
     private void step(double h) {
@@ -146,7 +192,7 @@ public final class Simulation {
         if (changed) {
             solver.reset();
         }
-        checkEnergy();
+        energyLimit.check(system);
     }
 
     private void move(double h, boolean observed) {
@@ -216,31 +262,6 @@ public final class Simulation {
         return false;
     }
 
-    /** Blow-up shows in the kinetic energy within a step or two, and that is cheap to add up. */
-    private void checkEnergy() {
-        double[] state = system.getOwnState();
-        double energy = system.getKineticEnergy(state);
-        if (energy <= energyLimit) {
-            return;
-        }
-        int fastest = fastest(state);
-        throw new SimulationException(system.getTime(), fastest, "the kinetic energy is " + energy + " J, beyond the limit of "
-                + energyLimit + " J; the fastest particle is '" + system.getParticles().id(fastest) + "'", null);
-    }
-
-    private int fastest(double[] state) {
-        int fastest = 0;
-        double most = -1;
-        for (int i = 0, v = 3; i < system.getParticles().count(); i++, v += Particles.STRIDE) {
-            double square = state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2];
-            if (!system.getParticles().isFixed(i) && !(square <= most)) {
-                most = square;
-                fastest = i;
-            }
-        }
-        return fastest;
-    }
-
     /** @return the system */
     public ParticleSystem getSystem() {
         return system;
@@ -258,7 +279,7 @@ public final class Simulation {
 
     /** @return the kinetic energy beyond which the run has blown up (J) */
     public double getEnergyLimit() {
-        return energyLimit;
+        return energyLimit.joules();
     }
 
     /** @return how many events were located so far */

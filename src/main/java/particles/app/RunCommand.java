@@ -33,9 +33,14 @@ final class RunCommand extends ProgramCommand {
             description = "Whether pictures are drawn (default: true).")
     private boolean frames;
 
+    @Option(names = "--resume", arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
+            description = "Whether an interrupted run is continued (default: false).")
+    private boolean resume;
+
     private final Path scenes;
     private final OptionStyle style;
     private final StopRequest stop;
+    private final CheckpointPace pace;
 
     /**
      * @param scenes the folder in which scenes are looked for
@@ -43,9 +48,15 @@ final class RunCommand extends ProgramCommand {
      * @param stop   tells the run when it has to end early
      */
     RunCommand(Path scenes, OptionStyle style, StopRequest stop) {
+        this(scenes, style, stop, CheckpointPace.USUAL);
+    }
+
+    /** @param pace how often the run is written down to be continued */
+    RunCommand(Path scenes, OptionStyle style, StopRequest stop, CheckpointPace pace) {
         this.scenes = scenes;
         this.style = style;
         this.stop = stop;
+        this.pace = pace;
     }
 
     @Override
@@ -55,7 +66,7 @@ final class RunCommand extends ProgramCommand {
         override(overrides, "solver", solver);
         override(overrides, "deltaT", deltaT);
         override(overrides, "duration", duration);
-        new RunJob(file, overrides, folderFor(file), frames, style, stop).run(lines);
+        new RunJob(file, overrides, folderFor(file), frames, style, stop, pace).run(lines, resume);
     }
 
     private void override(Overrides overrides, String name, String value) {

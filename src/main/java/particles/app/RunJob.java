@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import particles.SimulationException;
+import particles.output.Checkpoint;
 import particles.output.OutputFolder;
 import particles.output.RunSummaryWriter;
 import particles.scene.Overrides;
@@ -20,6 +21,7 @@ final class RunJob {
     private final boolean frames;
     private final OptionStyle style;
     private final StopRequest stop;
+    private final CheckpointPace pace;
 
     /**
      * @param file      the scene
@@ -28,27 +30,34 @@ final class RunJob {
      * @param frames    whether pictures are drawn
      * @param style     how options are typed, for messages
      * @param stop      tells when the run has to end early
+     * @param pace      how often the run is written down to be continued
      */
-    RunJob(Path file, Overrides overrides, Path results, boolean frames, OptionStyle style, StopRequest stop) {
+    RunJob(Path file, Overrides overrides, Path results, boolean frames, OptionStyle style, StopRequest stop,
+           CheckpointPace pace) {
         this.file = file;
         this.overrides = overrides;
         this.results = results;
         this.frames = frames;
         this.style = style;
         this.stop = stop;
+        this.pace = pace;
     }
 
     /**
      * Runs the scene.
      *
-     * @param out where progress and the summary are printed
+     * @param out    where progress and the summary are printed
+     * @param resume whether to go on where an earlier run was interrupted
      * @throws Failure if the run ended early; what it made until then is complete
      */
-    void run(PrintWriter out) {
+    void run(PrintWriter out, boolean resume) {
         SceneDescription described = SceneReader.read(file);
         Scene scene = SceneBuilder.build(described, overrides);
         RunFiles files = new RunFiles(scene.output(), frames);
-        try (OutputFolder folder = OutputFolder.open(results, files.names())) {
+        Checkpoints checkpoints = new Checkpoints(file, scene, frames);
+        Optional<Checkpoint> earlier = resume ? Optional.of(checkpoints.find(results, style)) : Optional.empty();
+        try (OutputFolder folder = resume ? OutputFolder.reopen(results, files.names())
+                : OutputFolder.open(results, files.names())) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);
             RunObservers observers = new RunObservers(scene, folder);
@@ -59,7 +68,8 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
-                early = simulate(scene);
+                checkpoints.writeTo(folder, pace, System::nanoTime);
+                early = simulate(scene, earlier);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), scene, observers.energy(), progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
@@ -69,19 +79,21 @@ final class RunJob {
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });
+            folder.remove(Checkpoint.FILE);
         }
     }
 
     /** @return why it ended early, if it did */
-    private Optional<String> simulate(Scene scene) {
+    private Optional<String> simulate(Scene scene, Optional<Checkpoint> earlier) {
         try {
-            scene.simulation().run();
+            earlier.ifPresentOrElse(from -> scene.simulation().resume(from.getMemory()), scene.simulation()::run);
             return Optional.empty();
         } catch (SimulationException e) {
             return Optional.of(new BlowUpMessage(scene, style).of(e));
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
-                    + Digits.few(scene.simulation().getDuration()) + " s");
+                    + Digits.few(scene.simulation().getDuration()) + " s"
+                    + (Checkpoint.isIn(results) ? "; " + style.option("resume") + "=true continues it" : ""));
         }
     }
 }

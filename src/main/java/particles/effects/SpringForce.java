@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import particles.Effect;
 import particles.ForceDerivatives;
+import particles.Memory;
 import particles.Particles;
 import particles.SpringView;
 import particles.Vector3;
@@ -154,6 +155,11 @@ public final class SpringForce implements Effect, SpringView {
     @Override
     public void reindex(int[] newIndex) {
         table.reindex(newIndex);
+    }
+
+    @Override
+    public void remember(Memory memory) {
+        table.remember(memory);
     }
 
     /**

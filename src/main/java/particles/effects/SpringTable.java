@@ -1,6 +1,7 @@
 package particles.effects;
 
 import java.util.Arrays;
+import particles.Memory;
 import particles.Particles;
 
 /**
@@ -19,7 +20,7 @@ final class SpringTable {
 
     void add(int i, int j, double stiffness, double restLength, double damping) {
         if (count == from.length) {
-            setCapacity(count + count / 2);
+            setCapacity(Math.max(8, count + count / 2));
         }
         from[count] = Particles.STRIDE * i;
         to[count] = Particles.STRIDE * j;
@@ -64,6 +65,17 @@ final class SpringTable {
             }
         }
         count = stay;
+        owners = 0;
+    }
+
+    void remember(Memory memory) {
+        count = memory.keep(count);
+        from = memory.keep(from, count);
+        to = memory.keep(to, count);
+        stiffness = memory.keep(stiffness, count);
+        restLength = memory.keep(restLength, count);
+        damping = memory.keep(damping, count);
+        arranged = memory.keep(arranged);
         owners = 0;
     }
 

@@ -1,6 +1,7 @@
 package particles.output;
 
 import java.util.List;
+import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -63,6 +64,18 @@ public final class FrameObserver implements Observer, AutoCloseable {
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         structure++;
+    }
+
+    /** All frames so far are written before they are counted as made; films are made of them again. */
+    @Override
+    public void remember(Memory memory) {
+        int drawn = index;
+        worker.await();
+        index = memory.keep(index);
+        if (memory.isReading()) {
+            structure++;
+            worker.resume(drawn, index);
+        }
     }
 
     @Override

@@ -3,6 +3,7 @@ package particles.output;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 
 /**
  * Draws and writes frames on a thread of its own, beside the simulation. A few copies of states go round between the
@@ -11,15 +12,12 @@ import java.util.concurrent.BlockingQueue;
 final class FrameWorker implements AutoCloseable {
     private static final int STATES = 3;
 
-    private record Job(int index, FrameState state) {
-    }
-
-    private static final Job END = new Job(-1, new FrameState());
+    private static final Runnable END = () -> { };
 
     private final FrameRenderer renderer;
     private final List<FrameSink> sinks;
     private final BlockingQueue<FrameState> free = new ArrayBlockingQueue<>(STATES);
-    private final BlockingQueue<Job> waiting = new ArrayBlockingQueue<>(STATES + 1);
+    private final BlockingQueue<Runnable> waiting = new ArrayBlockingQueue<>(STATES + 2);
     private final Thread thread;
     private volatile Throwable failure;
     private boolean reported;
@@ -47,7 +45,36 @@ final class FrameWorker implements AutoCloseable {
     }
 
     void draw(int index, FrameState state) {
-        waiting.add(new Job(index, state));
+        waiting.add(() -> {
+            if (failure == null) {
+                attempt(() -> render(index, state));
+            }
+            free.add(state);
+        });
+    }
+
+    /** Waits until the frames so far are drawn and written. */
+    void await() {
+        CountDownLatch done = new CountDownLatch(1);
+        waiting.add(done::countDown);
+        await(done);
+        reportFailure();
+    }
+
+    /** Gives frames that are there from an earlier run to those who need them. */
+    void resume(int first, int next) {
+        EarlierFrames earlier = sinks.stream().filter(EarlierFrames.class::isInstance).map(EarlierFrames.class::cast)
+                .findFirst().orElseThrow();
+        waiting.add(() -> sinks.forEach(sink -> attempt(() -> sink.resume(first, next, earlier))));
+        await();
+    }
+
+    private static void await(CountDownLatch done) {
+        try {
+            done.await();
+        } catch (InterruptedException e) {
+            throw interrupted(e);
+        }
     }
 
     /** Waits until all frames are drawn and written. */
@@ -86,11 +113,8 @@ final class FrameWorker implements AutoCloseable {
 
     private void work() {
         try {
-            for (Job job = waiting.take(); job != END; job = waiting.take()) {
-                if (failure == null) {
-                    draw(job);
-                }
-                free.add(job.state());
+            for (Runnable job = waiting.take(); job != END; job = waiting.take()) {
+                job.run();
             }
         } catch (InterruptedException e) {
             failure = interrupted(e);
@@ -100,13 +124,11 @@ final class FrameWorker implements AutoCloseable {
         }
     }
 
-    private void draw(Job job) {
-        attempt(() -> {
-            int[] rgb = renderer.render(job.state());
-            for (FrameSink sink : sinks) {
-                sink.add(job.index(), rgb);
-            }
-        });
+    private void render(int index, FrameState state) {
+        int[] rgb = renderer.render(state);
+        for (FrameSink sink : sinks) {
+            sink.add(index, rgb);
+        }
     }
 
     /** Whatever it is, out of memory included, it belongs to the thread that can end the run. */

@@ -5,6 +5,7 @@ import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -25,11 +26,12 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     public static final String FILE = "trajectory.csv";
     private static final String HEADER = "time,particle,x,y,z,vx,vy,vz\n";
 
-    private final OutputFile file;
-    private final Writer out;
+    private final OutputFolder folder;
     private final long stride;
+    private OutputFile file;
+    private Writer out;
     private long step;
-    private boolean open = true;
+    private boolean open;
     private ParticleSystem unwritten;       // whose present state is not in the file yet
 
     /**
@@ -41,10 +43,18 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         if (stride < 1) {
             throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
         }
+        this.folder = folder;
         this.stride = stride;
-        file = folder.create(FILE);
+        if (!folder.isReopened()) {             // there the file is opened when it is known how much of it stands
+            begin(folder.create(FILE));
+            attempt(() -> out.write(HEADER));
+        }
+    }
+
+    private void begin(OutputFile whole) {
+        open = true;
+        file = whole;
         out = new OutputStreamWriter(file, StandardCharsets.UTF_8);
-        attempt(() -> out.write(HEADER));
     }
 
     /**
@@ -71,6 +81,17 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
             write(motion.getSystem(), motion.getStartState(), motion.getStartTime());
         }
         step++;
+    }
+
+    @Override
+    public void remember(Memory memory) {
+        step = memory.keep(step);
+        if (memory.isReading()) {
+            begin(folder.goOn(FILE, memory.keep(0L)));
+        } else {
+            attempt(out::flush);
+            memory.keep(file.sync());
+        }
     }
 
     @Override

@@ -1,6 +1,7 @@
 package particles.reactions;
 
 import java.util.Optional;
+import particles.Memory;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
@@ -199,7 +200,9 @@ public final class RigidConstraints implements Reaction, SpringView {
             largest = Math.max(largest, Math.abs(right[row]));
         }
         if (left > CONTRADICTION * largest) {
-            throw contradiction(linkage, time);
+            int particle = rows.first(linkage.members()[0]);
+            throw new SimulationException(time, particle, "the rods and wires that hang together with particle '"
+                    + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can keep them all", null);
         }
     }
 
@@ -251,10 +254,10 @@ public final class RigidConstraints implements Reaction, SpringView {
         return projection.velocities(state, particles.inverseMasses()) | moved;
     }
 
-    private SimulationException contradiction(Linkage linkage, double time) {
-        int particle = rows.first(linkage.members()[0]);
-        return new SimulationException(time, particle, "the rods and wires that hang together with particle '"
-                + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can keep them all", null);
+    @Override
+    public void remember(Memory memory) {
+        rows.remember(memory);
+        arranged = false;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package particles.rules;
 
 import java.util.Arrays;
+import particles.Memory;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Rule;
@@ -88,6 +89,12 @@ public final class EvenSamples implements Rule {
         }
         system.removeParticles(Arrays.copyOf(gone, system.getParticles().count()));
         return true;
+    }
+
+    @Override
+    public void remember(Memory memory) {
+        made = memory.keep(made);
+        random.remember(memory);
     }
 
     private boolean mayChange(ParticleSystem system, int i) {

@@ -1,0 +1,39 @@
+package particles;
+
+/**
+ * The kinetic energy beyond which a run has blown up, which shows within a step or two and is cheap to add up.
+ *
+ * @param joules positive; may be infinite
+ */
+record EnergyLimit(double joules) {
+    EnergyLimit {
+        if (!(joules > 0)) {
+            throw new IllegalArgumentException("the energy limit has to be positive, not " + joules);
+        }
+    }
+
+    /** @throws SimulationException if the system is beyond it; names the fastest particle */
+    void check(ParticleSystem system) {
+        double[] state = system.getOwnState();
+        double energy = system.getKineticEnergy(state);
+        if (energy <= joules) {
+            return;
+        }
+        int fastest = fastest(system.getParticles(), state);
+        throw new SimulationException(system.getTime(), fastest, "the kinetic energy is " + energy + " J, beyond the limit of "
+                + joules + " J; the fastest particle is '" + system.getParticles().id(fastest) + "'", null);
+    }
+
+    private static int fastest(Particles particles, double[] state) {
+        int fastest = 0;
+        double most = -1;
+        for (int i = 0, v = 3; i < particles.count(); i++, v += Particles.STRIDE) {
+            double square = state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2];
+            if (!particles.isFixed(i) && !(square <= most)) {
+                most = square;
+                fastest = i;
+            }
+        }
+        return fastest;
+    }
+}
