@@ -190,7 +190,7 @@ class RunCommandTest {
     @Test
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
         assertEnds(ExitCode.BAD_INPUT, "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
-                + " -Pduration, -Pout, -Pframes, -Phelp", "--deltat=1");
+                + " -Pduration, -Pout, -Pframes, -Presume, -Phelp", "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)", "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
         assertEnds(ExitCode.BAD_INPUT, "option -Pframes: 'maybe' is not a boolean", "--frames=maybe");
