@@ -1,0 +1,99 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import particles.output.Checkpoint;
+
+/** The results of a run, looked at from outside: each file is whole, and folders have equal files. */
+final class WholeFiles {
+    private static final byte[] PNG_END = {'I', 'E', 'N', 'D', (byte) 0xae, 0x42, 0x60, (byte) 0x82};
+    private static final byte[] GIF_END = {0, 0x3b};
+
+    private WholeFiles() {
+    }
+
+    /** Looks at every file but the hidden parts that a killed program leaves; returns how many there are. */
+    static int assertWhole(Path folder) throws IOException {
+        int count = 0;
+        for (Path file : files(folder)) {
+            String name = file.getFileName().toString();
+            if (name.endsWith(".part")) {
+                continue;
+            }
+            byte[] bytes = Files.readAllBytes(file);
+            if (name.endsWith(".png")) {
+                assertEnds(PNG_END, bytes, name);
+            } else if (name.endsWith(".gif")) {
+                assertEnds(GIF_END, bytes, name);
+            } else if (name.equals("trajectory.csv")) {
+                String text = new String(bytes, StandardCharsets.UTF_8);
+                assertTrue(text.endsWith("\n") && text.lines().allMatch(line -> line.replaceAll("\"[^\"]*\"", "id").split(",").length == 8), name);
+            } else if (name.equals("run.json")) {
+                try (JsonParser json = new JsonFactory().createParser(bytes)) {
+                    json.nextToken();
+                    json.skipChildren();
+                    assertEquals(null, json.nextToken(), name);
+                }
+            } else if (name.equals("checkpoint")) {
+                Checkpoint.read(folder);
+            } else {
+                assertEquals(".desolver-made", name, "an unknown file");
+                assertTrue(new String(bytes, StandardCharsets.UTF_8).endsWith("\n"), name);
+            }
+            count++;
+        }
+        return count;
+    }
+
+    private static void assertEnds(byte[] end, byte[] bytes, String name) {
+        assertTrue(bytes.length >= end.length, name);
+        assertEquals(HexFormat.of().formatHex(end),
+                HexFormat.of().formatHex(Arrays.copyOfRange(bytes, bytes.length - end.length, bytes.length)), name);
+    }
+
+    private static List<Path> files(Path folder) throws IOException {
+        if (!Files.exists(folder)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(Files::isRegularFile).toList();
+        }
+    }
+
+    /** Names and SHA-256 of all files, of run.json without the time that the run took. */
+    static Map<String, String> sums(Path folder) throws IOException {
+        Map<String, String> sums = new TreeMap<>();
+        for (Path file : files(folder)) {
+            byte[] bytes = Files.readAllBytes(file);
+            if (file.endsWith("run.json")) {
+                bytes = new String(bytes, StandardCharsets.UTF_8).replaceAll("\"secondsTaken\" : [^,]*", "")
+                        .getBytes(StandardCharsets.UTF_8);
+            }
+            sums.put(folder.relativize(file).toString(), sha256(bytes));
+        }
+        return sums;
+    }
+
+    private static String sha256(byte[] bytes) {
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError(e);
+        }
+    }
+}
