@@ -11,14 +11,8 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -73,29 +67,6 @@ class ResumeTest {
                 .execute(args.toArray(String[]::new));
     }
 
-    /** What is in a folder: names and sums, of run.json without the time that the run took. */
-    private static Map<String, String> sums(Path folder) throws IOException {
-        Map<String, String> sums = new TreeMap<>();
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.filter(Files::isRegularFile).toList()) {
-                byte[] bytes = Files.readAllBytes(file);
-                if (file.endsWith("run.json")) {
-                    bytes = new String(bytes, "UTF-8").replaceAll("\"secondsTaken\" : [^,]*", "").getBytes("UTF-8");
-                }
-                sums.put(folder.relativize(file).toString(), sha256(bytes));
-            }
-        }
-        return sums;
-    }
-
-    private static String sha256(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError(e);
-        }
-    }
-
     private void assertResumes(int steps, String... options) throws IOException {
         Path whole = top.resolve("whole");
         Path broken = top.resolve("broken");
@@ -103,11 +74,11 @@ class ResumeTest {
         List<String> more = new ArrayList<>(List.of(options));
         assertEquals(ExitCode.STOPPED, run(broken, steps / 3, ALWAYS, more.toArray(String[]::new)), errors.toString());
         assertTrue(errors.toString().contains("-Presume=true continues it"), errors.toString());
-        assertNotEquals(sums(whole), sums(broken));
+        assertNotEquals(WholeFiles.sums(whole), WholeFiles.sums(broken));
         more.add("--resume=true");
         assertEquals(ExitCode.STOPPED, run(broken, steps / 3, ALWAYS, more.toArray(String[]::new)), errors.toString());
         assertEquals(ExitCode.DONE, run(broken, Long.MAX_VALUE, ALWAYS, more.toArray(String[]::new)), errors.toString());
-        assertEquals(sums(whole), sums(broken));
+        assertEquals(WholeFiles.sums(whole), WholeFiles.sums(broken));
     }
 
     @ParameterizedTest
@@ -142,7 +113,7 @@ class ResumeTest {
         String[] options = {"--scene=pendulum", "--frames=false", "--solver=adams", "--deltaT=0.005", "--duration=0.5"};
         assertEquals(ExitCode.DONE, run(top.resolve("often"), Long.MAX_VALUE, ALWAYS, options));
         assertEquals(ExitCode.DONE, run(top.resolve("once"), Long.MAX_VALUE, CheckpointPace.USUAL, options));
-        assertNotEquals(sums(top.resolve("often")).get("trajectory.csv"), sums(top.resolve("once")).get("trajectory.csv"));
+        assertNotEquals(WholeFiles.sums(top.resolve("often")).get("trajectory.csv"), WholeFiles.sums(top.resolve("once")).get("trajectory.csv"));
     }
 
     private void assertRefused(String line, Path out, String... options) {

@@ -1,0 +1,236 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * What may go wrong around the program, with a process of its own each time: there are whole files or none, a clear line
+ * and the right exit code, and what was reached is not lost.
+ */
+@Tag("slow")
+class FaultsTest {
+    /** Long enough for two checkpoints at least. */
+    private static final double LONG = 12;
+    private static final double SHORT = 0.6;
+    private static final boolean KNOWS_ALL_LETTERS = "UTF-8".equals(System.getProperty("sun.jnu.encoding"));
+
+    @TempDir
+    Path top;
+    private Path out;
+
+    @BeforeEach
+    void nameFolder() {
+        out = top.resolve("out");
+    }
+
+    private Path scene(double duration) throws IOException {
+        return FaultScene.write(top.resolve("scene.yaml"), duration);
+    }
+
+    private ChildProgram child() {
+        return new ChildProgram(top.resolve("lines.txt"));
+    }
+
+    private Map<String, String> unbroken(Path scene) throws Exception {
+        Path whole = top.resolve("whole");
+        ChildProgram.End end = child().run("run", "--scene=" + scene, "--out=" + whole);
+        assertEquals(0, end.code(), end.lines());
+        return WholeFiles.sums(whole);
+    }
+
+    private static void assertOneLine(String pattern, ChildProgram.End end) {
+        assertTrue(end.lastLine().matches(pattern), end.lines());
+        assertFalse(end.lines().contains("\tat ") || end.lines().contains("Exception"), end.lines());
+    }
+
+    private void awaitFile(Process process, Path file, ChildProgram child) throws Exception {
+        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(ChildProgram.PATIENCE_SECONDS);
+        while (!Files.exists(file)) {
+            assertTrue(process.isAlive() && System.nanoTime() < end, child.lines());
+            Thread.sleep(10);
+        }
+    }
+
+    @Test
+    void ctrlCEndsWithALineAndWholeFiles() throws Exception {
+        Path scene = scene(LONG);
+        Map<String, String> expected = unbroken(scene);
+        ChildProgram child = child();
+        Process process = child.start("run", "--scene=" + scene, "--out=" + out);
+        awaitFile(process, out.resolve("checkpoint"), child);
+        assertEquals(0, new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor());
+        ChildProgram.End end = child.end(process);
+        assertEquals(130, end.code(), end.lines());
+        assertOneLine("the run was stopped at t = [0-9.]+ s of 12 s; --resume=true continues it", end);
+        for (String name : List.of("trajectory.csv", "run.json", "energy.png", "animation.gif", "checkpoint")) {
+            assertTrue(Files.size(out.resolve(name)) > 0, name);
+        }
+        WholeFiles.assertWhole(out);
+        try (Stream<Path> files = Files.walk(out)) {
+            assertEquals(List.of(), files.filter(file -> file.toString().endsWith(".part")).toList());
+        }
+        assertEquals(0, child().run("run", "--scene=" + scene, "--out=" + out, "--resume").code());
+        assertEquals(expected, WholeFiles.sums(out));
+    }
+
+    /** The system lets no file grow beyond a size, as quotas and full disks do: the trajectory is what meets it. */
+    @Test
+    void aFullDiskEndsTheRunWithALineAndItGoesOnWhenThereIsRoom() throws Exception {
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "needs bash for its ulimit");
+        Path scene = scene(LONG);
+        Map<String, String> expected = unbroken(scene);
+        long kilobytes = Files.size(top.resolve("whole/trajectory.csv")) * 3 / 4 / 1024;
+        ChildProgram.End end = child().startedBy("/bin/bash", "-c", "ulimit -f " + kilobytes + "; exec \"$@\"", "bash")
+                .run("run", "--scene=" + scene, "--out=" + out);
+        assertEquals(1, end.code(), end.lines());
+        assertOneLine("cannot write .*/trajectory.csv: File too large.*", end);
+        WholeFiles.assertWhole(out);
+        assertFalse(Files.exists(out.resolve("trajectory.csv")), "the part that was written is not the file");
+        assertEquals(0, child().run("run", "--scene=" + scene, "--out=" + out, "--resume").code());
+        assertEquals(expected, WholeFiles.sums(out));
+    }
+
+    /** A disk of its own that is full, where this machine lets us have one. */
+    @Test
+    void aDiskWithoutSpaceIsSaidToBeFull() throws Exception {
+        Path disk = Files.createDirectory(top.resolve("disk"));
+        String[] inside = {"unshare", "-rm", "sh", "-c", "mount -t tmpfs -o size=200k tmpfs \"$0\" && \"$@\"; code=$?; ls -A \"$0\"/out >&2; "
+                + "exit $code", disk.toString()};
+        assumeTrue(mayMount(inside), "this machine lets us mount nothing");
+        Path scene = scene(LONG);
+        ChildProgram.End end = child().startedBy(inside).run("run", "--scene=" + scene, "--out=" + disk.resolve("out"));
+        assertEquals(1, end.code(), end.lines());
+        assertTrue(end.lines().matches("(?s).*cannot write \\S+: the disk is full\n.*"), end.lines());
+        assertFalse(end.lines().contains("Exception"), end.lines());
+    }
+
+    private static boolean mayMount(String... inside) throws Exception {
+        String[] command = Stream.concat(Stream.of(inside), Stream.of("true")).toArray(String[]::new);
+        try {
+            Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+            process.getInputStream().readAllBytes();
+            return process.waitFor() == 0;
+        } catch (IOException e) {
+            return false;                               // there is no such command here
+        }
+    }
+
+    @Test
+    void aFolderThatCannotBeIsSaid() throws Exception {
+        Path scene = scene(SHORT);
+        Path file = Files.writeString(top.resolve("file"), "mine");
+        ChildProgram.End end = child().run("run", "--scene=" + scene, "--out=" + file.resolve("out"));
+        assertEquals(1, end.code(), end.lines());
+        assertOneLine("cannot create the folder .*: a file is where a folder should be", end);
+        assertEquals("mine", Files.readString(file));
+        assumeTrue(Files.isDirectory(Path.of("/proc/self")), "needs a folder in which not even root may write");
+        end = child().run("run", "--scene=" + scene, "--out=/proc/desolver");
+        assertEquals(1, end.code(), end.lines());
+        assertOneLine("cannot create the folder /proc/desolver: .+", end);
+    }
+
+    @Test
+    void aFolderThatVanishesEndsTheRunWithALine() throws Exception {
+        Path scene = scene(10_000);
+        ChildProgram child = child();
+        Process process = child.start("run", "--scene=" + scene, "--out=" + out);
+        awaitFile(process, out.resolve("frames/frame-00003.png"), child);
+        Files.move(out, top.resolve("elsewhere"));
+        ChildProgram.End end = child.end(process);
+        assertEquals(1, end.code(), end.lines());
+        assertOneLine("cannot write .*: its folder is not there", end);
+        assertFalse(Files.exists(out), "it does not come back");
+    }
+
+    /** Nothing is written where scenes are: they may be on a disk that cannot be written, and are not touched. */
+    @Test
+    void scenesMayBeReadOnly() throws Exception {
+        Path folder = Files.createDirectory(top.resolve("read only"));
+        Path scene = FaultScene.write(folder.resolve("scene.yaml"), SHORT);
+        Map<String, String> before = WholeFiles.sums(folder);
+        assertTrue(scene.toFile().setWritable(false) && folder.toFile().setWritable(false));
+        ChildProgram.End end = child().run("run", "--scene=" + scene, "--out=" + out);
+        assertTrue(folder.toFile().setWritable(true));
+        assertEquals(0, end.code(), end.lines());
+        assertEquals(before, WholeFiles.sums(folder));
+    }
+
+    /** Pictures need letters; numbers do not. */
+    @Test
+    void withoutFontsThereAreNumbersAndAClearLine() throws Exception {
+        Path none = Files.writeString(top.resolve("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
+        Path scene = scene(SHORT);
+        ChildProgram.End end = child().environment("FONTCONFIG_FILE", none.toString())
+                .jvm("-Dsun.java2d.fontpath=" + top, "-Duser.home=" + top, "-Dsun.awt.fontconfig=" + top.resolve("none"))
+                .run("run", "--scene=" + scene, "--out=" + out);
+        WholeFiles.assertWhole(out);
+        assertTrue(Files.exists(out.resolve("trajectory.csv")) && Files.exists(out.resolve("run.json")), end.lines());
+        if (end.code() != 0) {                          // a Java that brings fonts of its own draws all the same
+            assertEquals(1, end.code(), end.lines());
+            assertOneLine("cannot draw .*: Java finds no font on this machine.*", end);
+        }
+    }
+
+    /** Commas for points, Arabic digits, a dotless i, other calendars: numbers in files and lines are always the same. */
+    @ParameterizedTest
+    @ValueSource(strings = {"-Duser.language=de -Duser.country=DE", "-Duser.language=tr -Duser.country=TR",
+            "-Duser.language=ar -Duser.country=EG -Duser.extensions=u-nu-arab",
+            "-Duser.language=th -Duser.country=TH -Duser.variant=TH", "-Duser.timezone=Pacific/Kiritimati", "-Dfile.encoding=UTF-16"})
+    void languageAndTimeZoneChangeNothing(String options) throws Exception {
+        Path scene = scene(SHORT);
+        Map<String, String> expected = unbroken(scene);
+        String usual = child().run("run", "--scene=" + scene, "--out=" + out).lines();
+        ChildProgram.End end = child().jvm("-Dstdout.encoding=UTF-8", "-Dstderr.encoding=UTF-8").jvm(options.split(" "))
+                .run("run", "--scene=" + scene, "--out=" + out);
+        assertEquals(0, end.code(), end.lines());
+        assertEquals(expected, WholeFiles.sums(out));
+        if (!options.contains("UTF-16")) {              // in which Java 17 prints too
+            assertEquals(withoutTime(usual), withoutTime(end.lines()));
+        }
+    }
+
+    private static String withoutTime(String lines) {
+        return lines.replaceAll("took [0-9.]+ s", "took");
+    }
+
+    @Test
+    void foldersMayHaveSpacesAndAnyLetters() throws Exception {
+        assumeTrue(KNOWS_ALL_LETTERS, "this Java cannot even name such files");
+        Path folder = top.resolve("Übung 1, Lösung — 物理");
+        Path expected = top.resolve("plain");
+        FaultScene.write(top.resolve("scene.yaml"), SHORT);
+        ChildProgram.End end = child().run("run", "--scene=" + top.resolve("scene.yaml"), "--out=" + expected);
+        assertEquals(0, end.code(), end.lines());
+        Path scene = FaultScene.write(Files.createDirectory(folder).resolve("scene.yaml"), SHORT);
+        end = child().environment("LC_ALL", "C.UTF-8").run("run", "--scene=" + scene, "--out=" + folder.resolve("größe 2"));
+        assertEquals(0, end.code(), end.lines());
+        assertEquals(WholeFiles.sums(expected), WholeFiles.sums(folder.resolve("größe 2")));
+    }
+
+    /** A system whose language knows no umlauts may have no such files: that is a line, and nothing else is written. */
+    @Test
+    void lettersThatTheSystemDoesNotKnowAreALine() throws Exception {
+        assumeTrue(KNOWS_ALL_LETTERS, "this Java cannot even name such files");
+        Path scene = scene(SHORT);
+        ChildProgram.End end = child().environment("LC_ALL", "C").run("run", "--scene=" + scene, "--out=" + top.resolve("\u00fcbung"));
+        assertEquals(2, end.code(), end.lines());
+        assertTrue(end.lastLine().endsWith("is no folder's name: Malformed input or input contains unmappable characters"),
+                end.lines());
+    }
+}
