@@ -10,16 +10,33 @@ public final class FiniteCheck {
      * @return the index of the first one that is NaN or infinite, or -1
      */
     public static int firstNonFinite(double[] values) {
-        double even = 0;                                // 0 times a finite number is 0, times any other NaN; two sums, since
-        double odd = 0;                                 // each addition waits for the one before
         int n = values.length;
-        for (int i = 0; i + 1 < n; i += 2) {
-            even += values[i] * 0;
-            odd += values[i + 1] * 0;
+        double a = 0;                                   // 0 times a finite number is 0, times any other NaN; eight sums, since
+        double b = 0;                                   // each addition waits for the one before
+        double c = 0;
+        double d = 0;
+        double e = 0;
+        double f = 0;
+        double g = 0;
+        double h = 0;
+        int last = n & ~7;
+        for (int i = 0; i < last; i += 8) {
+            a = Math.fma(values[i], 0, a);
+            b = Math.fma(values[i + 1], 0, b);
+            c = Math.fma(values[i + 2], 0, c);
+            d = Math.fma(values[i + 3], 0, d);
+            e = Math.fma(values[i + 4], 0, e);
+            f = Math.fma(values[i + 5], 0, f);
+            g = Math.fma(values[i + 6], 0, g);
+            h = Math.fma(values[i + 7], 0, h);
         }
-        if (even + odd + (n % 2 == 1 ? values[n - 1] * 0 : 0) == 0) {
-            return -1;
+        for (int i = last; i < n; i++) {
+            a = Math.fma(values[i], 0, a);
         }
+        return (a + b) + (c + d) + ((e + f) + (g + h)) == 0 ? -1 : find(values);
+    }
+
+    private static int find(double[] values) {
         int i = 0;
         while (Double.isFinite(values[i])) {
             i++;

@@ -18,8 +18,8 @@ import java.util.Arrays;
  * and no finite factor makes an infinity or a NaN finite again. Only when the check fails is the cause looked for.
  */
 public final class GuardedStep implements DEStateSource, AutoCloseable {
-    /** Below this many doubles copying them is cheaper than exchanging arrays. */
-    private static final int DIRECT_FROM = 64;
+    /** Below this many doubles copying the new state in is cheaper than exchanging arrays. */
+    private static final int EXCHANGE_FROM = 64;
 
     private final DESolver solver;
     private DEStateSource client;
@@ -57,9 +57,12 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
             this.client = client;
             arrays = client instanceof ArrayStateSource ? (ArrayStateSource) client : null;
         }
-        direct = arrays != null && client.getStateSize() >= DIRECT_FROM;
+        direct = arrays != null;
         if (direct) {
-            stateFound = arrays.getStateArray();
+            double[] state = arrays.getStateArray();
+            if (stateFound != state) {                  // each reference that is stored costs the garbage collector's note
+                stateFound = state;
+            }
         } else {
             copyState();
         }
@@ -113,7 +116,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite; the client is then as it was found
      */
     public double[] handOver(double[] newState) {
-        if (!direct || deltaT == 0) {
+        if (!direct || newState.length < EXCHANGE_FROM || deltaT == 0) {
             finish(newState);
             return newState;
         }
@@ -136,7 +139,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
             return;                                     // close() puts back what was found
         }
         requireFiniteEnd(newState);
-        setState(newState);
+        client.setState(newState);
         moveClockTo(timeFound + deltaT);
         open = false;
     }

@@ -37,13 +37,25 @@ final class BlockLayout {
      * @param result receives (x', v'); may be {@code state}
      */
     static void kickDrift(double[] state, double[] dSdt, int d, double kick, double drift, double[] result) {
+        if (d == 3) {                                   // written out: the inner loop would cost as much as it does
+            for (int x = 0; x < state.length; x += 6) {
+                kickDrift(state, dSdt, x, x + 3, kick, drift, result);
+                kickDrift(state, dSdt, x + 1, x + 4, kick, drift, result);
+                kickDrift(state, dSdt, x + 2, x + 5, kick, drift, result);
+            }
+            return;
+        }
         for (int block = 0; block < state.length; block += 2 * d) {
-            for (int x = block, v = block + d; x < block + d; x++, v++) {
-                double velocity = state[v] + kick * dSdt[v];
-                result[v] = velocity;
-                result[x] = state[x] + drift * velocity;
+            for (int x = block; x < block + d; x++) {
+                kickDrift(state, dSdt, x, x + d, kick, drift, result);
             }
         }
+    }
+
+    private static void kickDrift(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
+        double velocity = state[v] + kick * dSdt[v];
+        result[v] = velocity;
+        result[x] = state[x] + drift * velocity;
     }
 
     /** Changes the velocities by an acceleration, read from the derivative's velocity entries: v += h a. */

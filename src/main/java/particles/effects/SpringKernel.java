@@ -34,15 +34,16 @@ final class SpringKernel {
             double rx = state[j] - state[i];
             double ry = state[j + 1] - state[i + 1];
             double rz = state[j + 2] - state[i + 2];
-            double square = rx * rx + ry * ry + rz * rz;
+            double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
             if (!(square > SMALLEST_SQUARE && square < LARGEST_SQUARE)) {
                 addExtremeForce(table, s, state, force);
                 continue;
             }
             double inverse = 1 / Math.sqrt(square);
-            double stretching = rx * (state[j + 3] - state[i + 3]) + ry * (state[j + 4] - state[i + 4])
-                    + rz * (state[j + 5] - state[i + 5]);
-            double perLength = stiffness[s] * (1 - restLength[s] * inverse) + damping[s] * stretching * inverse * inverse;
+            double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
+                    Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
+            double perLength = Math.fma(damping[s] * stretching, inverse * inverse,
+                    stiffness[s] * Math.fma(-restLength[s], inverse, 1));
             double fx = perLength * rx;
             double fy = perLength * ry;
             double fz = perLength * rz;
