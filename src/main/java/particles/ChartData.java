@@ -10,12 +10,43 @@ import java.util.List;
  * @param yLabel the quantity along y, with its unit
  * @param xLog   whether x is logarithmic
  * @param yLog   whether y is logarithmic
+ * @param rows   what y = 0, 1, 2, ... mean, from above, where y is no quantity; else empty
  * @param series the lines and points
  */
-public record ChartData(String title, String xLabel, String yLabel, boolean xLog, boolean yLog, List<Series> series) {
+public record ChartData(String title, String xLabel, String yLabel, boolean xLog, boolean yLog, List<String> rows,
+                        List<Series> series) {
 
-    /** How a series is drawn; failures are crosses that cannot be taken for results. */
-    public enum Mark { LINE, POINTS, LINE_AND_POINTS, FAILURES }
+    /**
+     * A chart of quantities.
+     *
+     * @param title  the finding, or what is shown
+     * @param xLabel the quantity along x, with its unit
+     * @param yLabel the quantity along y, with its unit
+     * @param xLog   whether x is logarithmic
+     * @param yLog   whether y is logarithmic
+     * @param series the lines and points
+     */
+    public ChartData(String title, String xLabel, String yLabel, boolean xLog, boolean yLog, List<Series> series) {
+        this(title, xLabel, yLabel, xLog, yLog, List.of(), series);
+    }
+
+    /** How a series is drawn. */
+    public enum Mark {
+        /** A line without points. */
+        LINE,
+        /** Points without a line. */
+        POINTS,
+        /** Both. */
+        LINE_AND_POINTS,
+        /** Both; the points are hollow, so that filled ones on top of some of them stand out. */
+        LINE_AND_OPEN_POINTS,
+        /** Thin straight lines, with gaps between them: the spread of a measurement. */
+        BARS,
+        /** Crosses that cannot be taken for results. */
+        FAILURES,
+        /** Rings, for failures of another kind. */
+        GIVEN_UP
+    }
 
     /**
      * One line of a chart.

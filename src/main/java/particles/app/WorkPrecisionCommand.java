@@ -6,13 +6,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
-import particles.DataTable;
 import particles.experiments.CostExercise;
+import particles.experiments.CostExercise.Cost;
 import particles.experiments.ProgressListener;
 import particles.experiments.SolverChoice;
 import particles.experiments.WorkCharts;
 import particles.experiments.WorkPrecision;
 import particles.experiments.WorkPrecision.Curve;
+import particles.experiments.WorkTables;
 import particles.experiments.problems.WorkProblem;
 import particles.experiments.problems.WorkProblems;
 import particles.output.OutputFolder;
@@ -22,9 +23,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle workPrecision}: what precision costs. */
-@Command(name = WorkPrecisionCommand.NAME, description = "Sets the error of solvers against their cost, on several problems.")
+@Command(name = WorkPrecisionCommand.NAME,
+        description = "Sets the error of solvers against their cost, on several problems.")
 final class WorkPrecisionCommand extends ExperimentCommand {
     static final String NAME = "workPrecision";
+
+    private static final String FAILURES = " Below: the runs without a result.";
 
     @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all", description = "Problems, separated by commas:"
             + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
@@ -84,27 +88,37 @@ final class WorkPrecisionCommand extends ExperimentCommand {
             WorkProblem solved = WorkProblems.of(name);
             List<Curve> curves = new ArrayList<>();
             for (SolverChoice choice : choices) {
-                progress.reached((all.size() + (double) curves.size() / choices.size()) / names.size(), choice.label() + " on " + name);
+                progress.reached((all.size() + (double) curves.size() / choices.size()) / names.size(), choice.label()
+                        + " on " + name);
                 curves.add(WorkPrecision.measure(solved, choice));
             }
             all.put(solved, curves);
         }
+        progress.reached(1, "the lecture's exercise");
+        List<Cost> costs = CostExercise.solve();
         List<Picture> pictures = new ArrayList<>();
         all.forEach((solved, curves) -> {
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: " + solved.origin()
-                    + ". Crosses are runs without a result.";
-            pictures.add(Picture.chart(solved.name() + "-evaluations", caption, WorkCharts.byEvaluations(solved, curves)));
-            pictures.add(Picture.chart(solved.name() + "-time", caption, WorkCharts.byTime(solved, curves)));
+                    + ".";
+            pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
+                    + " Filled points are those of the fitted slope."
+                    + FAILURES, WorkCharts.byEvaluations(solved, curves)));
+            pictures.add(Picture.stacked(solved.name() + "-time", caption
+                    + " Times are medians of three runs, bars go from the fastest to the slowest." + FAILURES,
+                    WorkCharts.byTime(solved, curves)));
         });
-        DataTable exercise = CostExercise.table(CostExercise.solve());
-        return new ResultPage(NAME, "Higher order pays the more, the more precision is asked: RK4 costs a quarter of midpoint for an"
-                + " error of 0.1, and a 67th for one in a million", List.of(
-                "Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the one before. Its slope"
-                        + " is the order: with half the step, the error of rk4 falls to a sixteenth. The slope is fitted to the last three"
-                        + " errors between 3e-11 and 0.1.",
-                "On the stiff chain the explicit methods have no result until their step is short enough for the stiffest spring,"
-                        + " and the implicit ones may fall short of their order there, since the stages see the stiff forces; the table has"
-                        + " slope and order side by side."),
-                pictures, List.of(exercise, WorkCharts.slopes(all), WorkCharts.runs(all)));
+        return new ResultPage(NAME, CostExercise.finding(costs), List.of(
+                "Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the one"
+                        + " before. Its slope is the order: with half the step, the error of rk4 falls to a sixteenth."
+                        + " Slopes are fitted only where they are those of the method: over the last three or more errors"
+                        + " in a row that are less than 0.1, above the last digits, and on a straight line, which says that"
+                        + " the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. Points that are"
+                        + " fitted are filled.",
+                "The stiff chain does nothing but follow its shaken wall. Explicit solvers have no result until their step"
+                        + " is short enough for the stiffest spring, and are then more accurate than anybody asked."
+                        + " Implicit ones take long steps, but see only the stages of a step: there radau has the order of"
+                        + " its stages, 3, and not 5, until the step is as short as the time of the springs. Its steps are"
+                        + " equal here, as those of the others."),
+                pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
     }
 }

@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import particles.DataTable;
 import particles.experiments.problems.Oscillator;
 
@@ -63,11 +64,25 @@ public final class CostExercise {
 
     /**
      * @param costs from {@link #solve}
+     * @return the answer in a sentence
+     */
+    public static String finding(List<Cost> costs) {
+        Cost rough = costs.get(0);
+        Cost fine = costs.get(costs.size() - 1);
+        return String.format(Locale.ROOT,
+                "Higher order pays the more, the more precision is asked: midpoint costs %.2g times what RK4"
+                + " costs for an error of %s, and %.2g times for %s", (double) rough.midpoint() / rough.rk4(), rough.error(),
+                (double) fine.midpoint() / fine.rk4(), Double.toString(fine.error()).replace(".0E", "e"));
+    }
+
+    /**
+     * @param costs from {@link #solve}
      * @return the answer to the exercise
      */
     public static DataTable table(List<Cost> costs) {
         List<List<Object>> rows = new ArrayList<>();
-        costs.forEach(cost -> rows.add(List.of(cost.error(), cost.midpoint(), cost.rk4(), (double) cost.midpoint() / cost.rk4())));
+        costs.forEach(cost -> rows.add(List.of(cost.error(), cost.midpoint(), cost.rk4(),
+                (double) cost.midpoint() / cost.rk4())));
         return new DataTable("exercise", "The lecture's exercise: evaluations for similar accuracy, midpoint against RK4",
                 List.of(DataTable.column("error"), DataTable.column("midpoint"), DataTable.column("rk4"),
                         new DataTable.Column("midpoint / rk4", 3)), rows);

@@ -148,7 +148,7 @@ public final class StiffGallery {
     private static double exponent(List<Cost> costs, boolean stable) {
         List<Cost> fit = costs.stream().filter(c -> c.stiffness() >= FIT_FROM
                 && !Double.isNaN(stable ? c.toBeStable() : c.toOnePercent())).toList();
-        return WorkPrecision.slope(fit.stream().mapToDouble(Cost::stiffness).toArray(),
+        return PowerLaw.exponent(fit.stream().mapToDouble(Cost::stiffness).toArray(),
                 fit.stream().mapToDouble(c -> stable ? c.toBeStable() : c.toOnePercent()).toArray());
     }
 }

@@ -1,22 +1,23 @@
 package particles.experiments;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
+import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import particles.ChartData;
 import particles.ChartData.Mark;
 import particles.ChartData.Series;
-import particles.DataTable;
 import particles.experiments.WorkPrecision.Curve;
+import particles.experiments.WorkPrecision.Failure;
 import particles.experiments.WorkPrecision.Point;
 import particles.experiments.problems.WorkProblem;
 
-/** Work-precision diagrams and their tables. */
+/** Work-precision diagrams: the errors above, the runs without a result below, each solver in a row of its own. */
 public final class WorkCharts {
-    /** Where runs without a result are drawn: above all errors. */
-    private static final double FAILED = 30;
+    private static final String ROUGH = "1e-2";
+    private static final String FINE = "1e-6";
 
     private WorkCharts() {
     }
@@ -24,92 +25,149 @@ public final class WorkCharts {
     /**
      * @param problem what was solved
      * @param curves  by whom
-     * @return error against evaluations, with fitted slopes in the legend
+     * @return error against evaluations, with fitted slopes in the legend; below, if there are any, the failures
      */
-    public static ChartData byEvaluations(WorkProblem problem, List<Curve> curves) {
-        return chart(problem.title() + ": " + cheapest(curves), "evaluations of the derivative", problem, curves,
-                Point::evaluations, true);
+    public static List<ChartData> byEvaluations(WorkProblem problem, List<Curve> curves) {
+        List<Series> series = new ArrayList<>();
+        for (Curve curve : curves) {
+            String name = curve.solver().label() + slope(curve);
+            List<Point> open = new ArrayList<>();
+            List<Point> fitted = new ArrayList<>();
+            for (int k = 0; k < curve.points().size(); k++) {
+                if (isResult(curve.points().get(k))) {
+                    open.add(curve.points().get(k));
+                    if (curve.fit().contains(k)) {
+                        fitted.add(curve.points().get(k));
+                    }
+                }
+            }
+            series.add(series(name, Mark.LINE_AND_OPEN_POINTS, open, Point::evaluations));
+            series.add(series(name, Mark.POINTS, fitted, Point::evaluations));
+            unreduced(curve, fitted).ifPresent(series::add);
+        }
+        series.add(new Series("filled: fitted; in brackets: theory", Mark.POINTS, new double[0], new double[0]));
+        String title = problem.title() + ": " + reduction(curves).orElseGet(() -> cheapest(curves, Point::evaluations,
+                "needs the fewest evaluations for", "for"));
+        return charts(new ChartData(title, "evaluations of the derivative", problem.errorLabel(), true, true, series),
+                curves,
+                Point::evaluations);
     }
 
     /**
      * @param problem what was solved
      * @param curves  by whom
-     * @return error against measured time
+     * @return error against measured time, with bars from the fastest to the slowest run; below, if there are any, the
+     * failures
      */
-    public static ChartData byTime(WorkProblem problem, List<Curve> curves) {
-        return chart(problem.title() + ", by the clock", "median time (s)", problem, curves, Point::seconds, false);
-    }
-
-    private static ChartData chart(String title, String label, WorkProblem problem, List<Curve> curves,
-                                   ToDoubleFunction<Point> work, boolean slopes) {
+    public static List<ChartData> byTime(WorkProblem problem, List<Curve> curves) {
         List<Series> series = new ArrayList<>();
-        List<Double> failed = new ArrayList<>();
         for (Curve curve : curves) {
-            List<Point> good = curve.points().stream().filter(point -> point.failure().isEmpty() && point.error() > 0).toList();
-            series.add(new Series(curve.solver().label() + (slopes ? slope(curve) : ""), Mark.LINE_AND_POINTS,
-                    good.stream().mapToDouble(work).toArray(), good.stream().mapToDouble(Point::error).toArray()));
-            curve.points().stream().filter(point -> point.failure().isPresent()).forEach(p -> failed.add(work.applyAsDouble(p)));
+            List<Point> good = curve.points().stream().filter(WorkCharts::isResult).toList();
+            series.add(series(curve.solver().label(), Mark.LINE_AND_POINTS, good, Point::seconds));
+            double[] x = new double[3 * good.size()];
+            double[] y = new double[3 * good.size()];
+            for (int k = 0; k < good.size(); k++) {             // a gap after each bar
+                x[3 * k] = good.get(k).least();
+                x[3 * k + 1] = good.get(k).most();
+                x[3 * k + 2] = Double.NaN;
+                y[3 * k] = y[3 * k + 1] = good.get(k).error();
+                y[3 * k + 2] = Double.NaN;
+            }
+            series.add(new Series(curve.solver().label(), Mark.BARS, x, y));
         }
-        if (!failed.isEmpty()) {
-            double[] x = failed.stream().mapToDouble(Double::doubleValue).toArray();
-            double[] y = failed.stream().mapToDouble(p -> FAILED).toArray();
-            series.add(new Series("no result: unstable or not converged", Mark.FAILURES, x, y));
-        }
-        return new ChartData(title, label, problem.errorLabel(), true, true, series);
+        String title = problem.title() + ", by the clock: " + cheapest(curves, Point::seconds, "is first to", "to");
+        return charts(new ChartData(title, "time, median of three runs (s)", problem.errorLabel(), true, true, series),
+                curves,
+                Point::seconds);
     }
 
-    private static String slope(Curve curve) {
-        return Double.isNaN(curve.slope()) ? ", no slope" : String.format(Locale.ROOT, ", slope %.2f", curve.slope());
+    private static boolean isResult(Point point) {
+        return point.failure().isEmpty() && point.error() > 0;
     }
 
-    /** Who needs the fewest evaluations for a rough and for a fine result. */
-    private static String cheapest(List<Curve> curves) {
-        String rough = cheapest(curves, 1e-2);
-        String fine = cheapest(curves, 1e-6);
-        return rough.equals(fine) ? "an error of 1e-2 or of 1e-6 costs " + rough + " least"
-                : "1e-2 costs " + rough + " least, 1e-6 costs " + fine + " least";
+    private static Series series(String name, Mark mark, List<Point> points, ToDoubleFunction<Point> work) {
+        return new Series(name, mark, points.stream().mapToDouble(work).toArray(),
+                points.stream().mapToDouble(Point::error).toArray());
     }
 
-    private static String cheapest(List<Curve> curves, double error) {
-        String best = "nobody";
-        double least = Double.POSITIVE_INFINITY;
+    /** Below the errors, over the same work: a row for each solver of which a run failed. */
+    private static List<ChartData> charts(ChartData errors, List<Curve> curves, ToDoubleFunction<Point> work) {
+        List<String> rows = new ArrayList<>();
+        List<List<double[]>> failures = List.of(new ArrayList<>(), new ArrayList<>());
         for (Curve curve : curves) {
             for (Point point : curve.points()) {
-                if (point.error() <= error && point.evaluations() < least) {
-                    least = point.evaluations();
-                    best = curve.solver().label();
-                }
+                point.failure().ifPresent(kind -> {
+                    if (!rows.contains(curve.solver().label())) {
+                        rows.add(curve.solver().label());
+                    }
+                    failures.get(kind.ordinal()).add(new double[] {work.applyAsDouble(point), rows.size() - 1});
+                });
             }
         }
-        return best;
+        if (rows.isEmpty()) {
+            return List.of(errors);
+        }
+        List<Series> series = new ArrayList<>();
+        for (Failure kind : Failure.values()) {
+            List<double[]> of = failures.get(kind.ordinal());
+            if (!of.isEmpty()) {
+                boolean unstable = kind == Failure.UNSTABLE;
+                series.add(new Series(unstable ? "unstable" : "did not converge", unstable ? Mark.FAILURES : Mark.GIVEN_UP,
+                        of.stream().mapToDouble(f -> f[0]).toArray(), of.stream().mapToDouble(f -> f[1]).toArray()));
+            }
+        }
+        return List.of(errors, new ChartData("", errors.xLabel(), "no result", true, false, rows, series));
     }
 
-    /**
-     * @param all the curves of each problem
-     * @return fitted slopes beside the solvers' orders
-     */
-    public static DataTable slopes(Map<WorkProblem, List<Curve>> all) {
-        List<List<Object>> rows = new ArrayList<>();
-        all.forEach((problem, curves) -> curves.forEach(curve -> rows.add(List.of(problem.name(), curve.solver().label(),
-                curve.slope(), curve.solver().adaptive() ? "by tolerance" : "by deltaT", curve.expected(), curve.points().size(),
-                curve.points().stream().filter(point -> point.failure().isPresent()).count()))));
-        return new DataTable("slopes", "Fitted slopes beside the orders", List.of(DataTable.column("problem"),
-                DataTable.column("solver"), new DataTable.Column("slope", 3), DataTable.column("varied"), DataTable.column("order"),
-                DataTable.column("runs"), DataTable.column("without result")), rows);
+    /** @return the fitted slope beside that of theory, as the legend says it */
+    static String slope(Curve curve) {
+        double order = curve.solver().order();
+        boolean reduced = curve.expected() < order;
+        String theory = reduced ? String.format(Locale.ROOT, " (theory %.0f, order %.0f)", curve.expected(), order)
+                : Double.isNaN(curve.expected()) ? "" : String.format(Locale.ROOT, " (%.0f)", curve.expected());
+        return Double.isNaN(curve.fit().slope()) ? ", no slope" : String.format(Locale.ROOT, ", %.2f", curve.fit().slope())
+                + theory;
     }
 
-    /**
-     * @param all the curves of each problem
-     * @return every run
-     */
-    public static DataTable runs(Map<WorkProblem, List<Curve>> all) {
-        List<List<Object>> rows = new ArrayList<>();
-        all.forEach((problem, curves) -> curves.forEach(curve -> curve.points().forEach(p -> rows.add(List.of(problem.name(),
-                curve.solver().label(), p.deltaT(), p.tolerance(), p.evaluations(), p.error(), p.seconds(), p.least(), p.most(),
-                p.failure().orElse(""))))));
-        return new DataTable("runs", "Every run; times are medians of three after one to warm up", List.of(DataTable.column("problem"),
-                DataTable.column("solver"), DataTable.column("deltaT (s)"), new DataTable.Column("tolerance", 2),
-                DataTable.column("evaluations"), new DataTable.Column("error", 3), new DataTable.Column("time (s)", 2),
-                new DataTable.Column("fastest (s)", 2), new DataTable.Column("slowest (s)", 2), DataTable.column("why no result")), rows);
+    /** Where an order is reduced: what the errors would be with the whole order, from the first fitted one on. */
+    private static Optional<Series> unreduced(Curve curve, List<Point> fitted) {
+        if (!(curve.expected() < curve.solver().order()) || fitted.isEmpty()) {
+            return Optional.empty();
+        }
+        double first = fitted.get(0).error();
+        double[] y = fitted.stream().mapToDouble(p -> first * Math.pow(p.deltaT() / fitted.get(0).deltaT(),
+                curve.solver().order()))
+                .toArray();
+        return Optional.of(new Series(String.format(Locale.ROOT, "order %.0f, for comparison", curve.solver().order()),
+                Mark.LINE,
+                fitted.stream().mapToDouble(Point::evaluations).toArray(), y));
+    }
+
+    /** What theory foretells of the solvers whose order is reduced, if one of them has a slope. */
+    private static Optional<String> reduction(List<Curve> curves) {
+        return curves.stream().filter(curve -> curve.expected() < curve.solver().order()
+                && !Double.isNaN(curve.fit().slope()))
+                .findFirst().map(curve -> String.format(Locale.ROOT, "%s falls from order %.0f to %.2f (theory: %.0f)",
+                        curve.solver().label(), curve.solver().order(), curve.fit().slope(), curve.expected()));
+    }
+
+    /** Who needs least for a rough and for a fine result. */
+    private static String cheapest(List<Curve> curves, ToDoubleFunction<Point> work, String verb, String preposition) {
+        Optional<String> rough = cheapest(curves, work, Double.parseDouble(ROUGH));
+        Optional<String> fine = cheapest(curves, work, Double.parseDouble(FINE));
+        if (rough.isEmpty()) {
+            return "none has an error of " + ROUGH;
+        }
+        String result = rough.get() + " " + verb + " " + ROUGH;
+        return fine.isEmpty() ? result + ", none has " + FINE
+                : rough.equals(fine) ? result + " and " + FINE : result + ", " + fine.get() + " " + preposition + " " + FINE;
+    }
+
+    private static Optional<String> cheapest(List<Curve> curves, ToDoubleFunction<Point> work, double error) {
+        record Way(String solver, double work) {
+        }
+        return curves.stream().flatMap(curve -> curve.points().stream().filter(point -> point.error() <= error)
+                        .map(point -> new Way(curve.solver().label(), work.applyAsDouble(point))))
+                .min(Comparator.comparingDouble(Way::work)).map(Way::solver);
     }
 }

@@ -4,7 +4,6 @@ import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import particles.experiments.problems.WorkProblem;
@@ -15,43 +14,53 @@ import particles.experiments.problems.WorkProblem;
  */
 public final class WorkPrecision {
     /** An error of so much is no result. */
-    private static final double USELESS = 10;
-    /** Errors between these belong to the method: above, it is not yet small, below, digits run out. */
-    private static final double NOT_YET = 0.1;
-    private static final double FLOOR = 3e-11;
-    private static final int FITTED = 3;
+    static final double USELESS = 10;
     private static final int FEWEST_STEPS = 16;
-    private static final int REPEATS = 3;
-    /** A run that takes longer than this needs no repetition for the clock's sake (s). */
-    private static final double LONG = 0.2;
+    private static final int FEWEST_WHOLE_STEPS = 4;
+    private static final int TIMED = 3;
+    /** A first run that takes longer than this was warmed up by the coarser ones before it (s). */
+    private static final double WARM = 0.05;
+    private static final double LOOSEST = 1e-1;
     private static final double TIGHTEST = 1e-11;
+    /** So loose that an adaptive solver takes each step whole. */
+    private static final double WHOLE_STEPS = 1;
+
+    /** In which way a run has no result. */
+    public enum Failure {
+        /** Its error grew beyond any use, or beyond all numbers. */
+        UNSTABLE,
+        /** An iteration within the step did not converge, or the sub-steps became too short. */
+        NOT_CONVERGED
+    }
 
     /**
      * One run.
      *
-     * @param deltaT      the step (s); for adaptive solvers the whole duration
+     * @param deltaT      the step (s); for tolerances the whole duration
      * @param tolerance   relative and absolute; NaN for fixed steps
      * @param evaluations of the derivative
      * @param error       at the end; NaN where the run failed
-     * @param seconds     the median of three runs, or one long one, after one to warm up
+     * @param seconds     the median of three runs that were warmed up
      * @param least       the fastest of them (s)
      * @param most        the slowest (s)
-     * @param failure     why there is no result, if there is none
+     * @param failure     in which way it failed, if it did
+     * @param why         the failure in words; empty for a result
      */
-    public record Point(double deltaT, double tolerance, long evaluations, double error, double seconds, double least, double most,
-                        Optional<String> failure) {
+    public record Point(double deltaT, double tolerance, long evaluations, double error, double seconds, double least,
+            double most,
+                        Optional<Failure> failure, String why) {
     }
 
     /**
      * One solver's runs.
      *
      * @param solver   which
-     * @param points   from loose to tight
-     * @param slope    of the error over the step, or for adaptive solvers over the evaluations with the sign changed; NaN
-     *                 where too few errors are in range
-     * @param expected the solver's order
+     * @param byStep   whether the steps vary, from run to run by a factor of 2; else the tolerance, by 10
+     * @param points   from coarse to fine
+     * @param fit      of the error over the step, or over the evaluations with the sign changed
+     * @param expected what theory says of the slope; NaN where there is no one order
      */
-    public record Curve(SolverChoice solver, List<Point> points, double slope, double expected) {
+    public record Curve(SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit, double expected) {
     }
 
     private WorkPrecision() {
@@ -63,83 +72,88 @@ public final class WorkPrecision {
      * @return its runs
      */
     public static Curve measure(WorkProblem problem, SolverChoice solver) {
-        List<Point> points = new ArrayList<>();
-        if (solver.adaptive()) {
-            for (double tolerance = 1e-1; tolerance > 0.5 * TIGHTEST; tolerance /= 10) {
-                Point point = point(problem, solver, 1, tolerance);
-                points.add(point);
-                if (point.evaluations() > problem.mostWork() / (solver.implicit() ? 4 : 1)
-                        || point.failure().isPresent() && point.evaluations() > problem.mostWork() / 4) {
-                    break;
-                }
-            }
-        } else {
-            long evaluations = 0;
-            for (int steps = FEWEST_STEPS; 2 * evaluations <= problem.mostWork() / (solver.implicit() ? 12 : 1); steps *= 2) {
-                Point point = point(problem, solver, steps, Double.NaN);
-                points.add(point);
-                evaluations = Math.max(point.evaluations(), 2 * evaluations);
-            }
-        }
-        return new Curve(solver, points, slope(points, solver.adaptive()), solver.order());
+        return measure(problem, solver, TIMED);
     }
 
-    private static Point point(WorkProblem problem, SolverChoice solver, int steps, double tolerance) {
-        double deltaT = problem.duration() / steps;
+    /** @param timed how many runs are for the clock, an odd number; 0 for none, and times of NaN */
+    static Curve measure(WorkProblem problem, SolverChoice solver, int timed) {
+        boolean inStiff = solver.implicit() && problem.stiff().isPresent();
+        boolean byStep = !solver.adaptive() || inStiff;
+        List<Point> points = byStep ? overSteps(problem, solver, timed) : overTolerances(problem, solver, timed);
+        SlopeFit fit = byStep ? SlopeFit.byStep(points, problem, inStiff) : SlopeFit.byWork(points, problem);
+        return new Curve(solver, byStep, points, fit, expected(problem, solver));
+    }
+
+    /** An extrapolation method chooses its order as it goes. */
+    private static double expected(WorkProblem problem, SolverChoice solver) {
+        double order = solver.info().filter(info -> info.family().equals("extrapolation")).isPresent() ? Double.NaN
+                : solver.order();
+        return problem.stiff().map(stiff -> stiff.reduced().getOrDefault(solver.name(), order)).orElse(order);
+    }
+
+    private static List<Point> overSteps(WorkProblem problem, SolverChoice solver, int timed) {
+        List<Point> points = new ArrayList<>();
+        double tolerance = solver.adaptive() ? WHOLE_STEPS : Double.NaN;
+        long budget = solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
+        int steps = solver.implicit() ? FEWEST_WHOLE_STEPS : FEWEST_STEPS;
+        for (long next = steps; next <= budget; steps *= 2) {
+            Point point = point(problem, solver, steps, tolerance, timed);
+            points.add(point);
+            // half the step doubles the work; a run that fails early says little about it
+            next = 2 * (point.failure().isPresent() ? Math.max(next, point.evaluations()) : point.evaluations());
+        }
+        return points;
+    }
+
+    private static List<Point> overTolerances(WorkProblem problem, SolverChoice solver, int timed) {
+        List<Point> points = new ArrayList<>();
+        double tightest = solver.implicit() ? problem.budget().tightestTolerance() : TIGHTEST;
+        for (double tolerance = LOOSEST; tolerance > 0.5 * tightest; tolerance /= 10) {
+            points.add(point(problem, solver, 1, tolerance, timed));
+        }
+        return points;
+    }
+
+    private static Point point(WorkProblem problem, SolverChoice solver, int steps, double tolerance, int timed) {
+        List<Double> seconds = new ArrayList<>();
         DEStateSource source = problem.start().get();
         long start = System.nanoTime();
-        Optional<String> failure = solve(source, solver.create(tolerance), deltaT, steps);
-        double[] seconds = new double[(System.nanoTime() - start) * 1e-9 > LONG ? 1 : REPEATS];
-        double error = problem.error(source);
-        if (failure.isEmpty() && !(error < USELESS)) {
-            failure = Optional.of("unstable: the error is " + error);
+        Optional<DESolverException> thrown = solve(source, solver.create(tolerance), problem.duration() / steps, steps);
+        double first = (System.nanoTime() - start) * 1e-9;
+        if (first > WARM && timed > 0) {
+            seconds.add(first);
         }
-        long evaluations = problem.evaluations().applyAsLong(source);
-        for (int k = 0; k < seconds.length; k++) {             // the run above has warmed up
+        while (seconds.size() < timed) {
             DEStateSource again = problem.start().get();
             DESolver fresh = solver.create(tolerance);
             long begin = System.nanoTime();
-            solve(again, fresh, deltaT, steps);
-            seconds[k] = (System.nanoTime() - begin) * 1e-9;
+            solve(again, fresh, problem.duration() / steps, steps);
+            seconds.add((System.nanoTime() - begin) * 1e-9);
         }
-        Arrays.sort(seconds);
-        return new Point(deltaT, tolerance, evaluations, failure.isPresent() ? Double.NaN : error, seconds[seconds.length / 2], seconds[0],
-                seconds[seconds.length - 1], failure);
+        double[] sorted = timed == 0 ? new double[] {Double.NaN}
+                : seconds.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+        double error = problem.error(source);
+        Optional<Failure> failure = thrown.map(e -> kind(e, solver)).or(() -> error < USELESS ? Optional.empty()
+                : Optional.of(Failure.UNSTABLE));
+        String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error : "");
+        return new Point(problem.duration() / steps, tolerance, problem.evaluations().applyAsLong(source),
+                failure.isPresent() ? Double.NaN : error, sorted[timed / 2], sorted[0], sorted[sorted.length - 1], failure,
+                        why);
     }
 
-    private static Optional<String> solve(DEStateSource source, DESolver solver, double deltaT, int steps) {
+    /** What overflows has an entry that did; an iteration that ends nowhere has none, and sub-steps end by getting short. */
+    private static Failure kind(DESolverException thrown, SolverChoice solver) {
+        return thrown.getEntry() < 0 || solver.adaptive() ? Failure.NOT_CONVERGED : Failure.UNSTABLE;
+    }
+
+    private static Optional<DESolverException> solve(DEStateSource source, DESolver solver, double deltaT, int steps) {
         try {
             for (int n = 0; n < steps; n++) {
                 solver.stepState(source, deltaT);
             }
             return Optional.empty();
         } catch (DESolverException e) {
-            return Optional.of(e.getMessage());
+            return Optional.of(e);
         }
-    }
-
-    /** The straight line through the last errors in range, by least squares in logarithms. */
-    private static double slope(List<Point> points, boolean byEvaluations) {
-        List<Point> fit = points.stream().filter(p -> p.error() < NOT_YET && p.error() > FLOOR).toList();
-        fit = fit.subList(Math.max(0, fit.size() - FITTED), fit.size());
-        return slope(fit.stream().mapToDouble(p -> byEvaluations ? 1.0 / p.evaluations() : p.deltaT()).toArray(),
-                fit.stream().mapToDouble(Point::error).toArray());
-    }
-
-    /** @return the exponent of y as a power of x; NaN for fewer than three points */
-    static double slope(double[] x, double[] y) {
-        if (x.length < 3) {
-            return Double.NaN;
-        }
-        double meanX = Arrays.stream(x).map(StrictMath::log).average().orElse(0);
-        double meanY = Arrays.stream(y).map(StrictMath::log).average().orElse(0);
-        double products = 0;
-        double squares = 0;
-        for (int k = 0; k < x.length; k++) {
-            double dx = StrictMath.log(x[k]) - meanX;
-            products += dx * (StrictMath.log(y[k]) - meanY);
-            squares += dx * dx;
-        }
-        return products / squares;
     }
 }

@@ -1,5 +1,6 @@
 package particles.output;
 
+import java.awt.Shape;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -32,7 +33,8 @@ final class ChartLegend {
             ChartDataset dataset = (ChartDataset) part.getDataset();
             for (int k = 0; k < dataset.getSeriesCount() && dataset.getSeriesCount() > 1; k++) {
                 XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
-                boolean failures = renderer.lookupSeriesShape(k) == ChartStyle.FAILURE;
+                Shape shape = renderer.lookupSeriesShape(k);
+                boolean failures = shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP;
                 if (SolverLook.of(dataset.name(k)).isEmpty() && !failures || named.add(dataset.name(k))) {
                     items.add(item(renderer, dataset.name(k), k));
                 }
@@ -48,7 +50,7 @@ final class ChartLegend {
 
     private static LegendItem item(XYLineAndShapeRenderer renderer, String name, int k) {
         LegendItem item = new LegendItem(name, name, null, null, renderer.getItemShapeVisible(k, 0),
-                renderer.lookupSeriesShape(k), true, renderer.lookupSeriesPaint(k), true,
+                renderer.lookupSeriesShape(k), true, renderer.lookupSeriesFillPaint(k), true,
                 renderer.lookupSeriesOutlinePaint(k), renderer.lookupSeriesOutlineStroke(k),
                 renderer.getItemLineVisible(k, 0), ChartStyle.LEGEND_LINE, renderer.lookupSeriesStroke(k),
                 renderer.lookupSeriesPaint(k));

@@ -6,6 +6,7 @@ import java.awt.Font;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -30,6 +31,9 @@ final class ChartStyle {
     /** For lines so dense that they fill an area. */
     static final Stroke THIN = new BasicStroke(0.7f);
 
+    /** For the spread of a measurement, and around hollow points. */
+    static final Stroke BAR = new BasicStroke(1.2f);
+
     /** A sample of a line in the legend, long enough to show its dashes. */
     static final Shape LEGEND_LINE = new Line2D.Double(-17, 0, 17, 0);
 
@@ -38,10 +42,13 @@ final class ChartStyle {
     private static final List<float[]> DASHES = List.of(new float[0], new float[] {7, 3}, new float[] {2, 2.5f},
             new float[] {9, 3, 2, 3}, new float[] {14, 4}, new float[] {5, 2, 2, 2, 2, 2});
     private static final List<Shape> SHAPES = List.of(disc(3.5), square(3.2), polygon(4.3, -1, 3), polygon(4.3, -1, 4),
-            polygon(4.3, 1, 3), cross(3.2));
+            polygon(4.3, 1, 3), plus(4.2));
 
     /** What did not work: a cross that lies, larger than any mark of a result. */
     static final Shape FAILURE = failure(5.5);
+
+    /** What came to no end: a ring. */
+    static final Shape GIVEN_UP = ring(4.2, 2.2);
 
     private ChartStyle() {
     }
@@ -94,6 +101,14 @@ final class ChartStyle {
         return path;
     }
 
+    /** As one outline, so that it can be hollow. */
+    private static Shape plus(double half) {
+        double thin = half / 2.4;
+        Area plus = new Area(new Rectangle2D.Double(-half, -thin, 2 * half, 2 * thin));
+        plus.add(new Area(new Rectangle2D.Double(-thin, -half, 2 * thin, 2 * half)));
+        return plus;
+    }
+
     private static Shape cross(double half) {
         double thin = half / 3;
         Path2D path = new Path2D.Double();
@@ -106,6 +121,13 @@ final class ChartStyle {
         Path2D path = new Path2D.Double();
         path.append(cross(half), false);
         path.transform(AffineTransform.getRotateInstance(Math.PI / 4));
+        return path;
+    }
+
+    private static Shape ring(double outer, double inner) {
+        Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
+        path.append(disc(outer), false);
+        path.append(disc(inner), false);
         return path;
     }
 }

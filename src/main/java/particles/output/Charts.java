@@ -11,6 +11,7 @@ import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnitSource;
+import org.jfree.chart.axis.SymbolAxis;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.SeriesRenderingOrder;
@@ -38,13 +39,15 @@ final class Charts {
         return finished(data.title(), plot(data));
     }
 
-    /** Charts above each other, over the x axis of the first; the upper one has more room. */
+    /** Charts above each other, over the x axis of the first; the upper one has more room, rows have what they need. */
     static JFreeChart stacked(List<ChartData> data) {
-        CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(),
-                range(new ChartDataset(data.get(0)), true), onlyLines(data.get(0))));
+        Range x = data.stream().map(chart -> range(new ChartDataset(chart), true)).reduce(null, Range::combine);
+        CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(), x,
+                onlyLines(data.get(0))));
         all.setGap(14);
         for (int k = 0; k < data.size(); k++) {
-            all.add(plot(data.get(k)), k == 0 ? 5 : 3);
+            int rows = data.get(k).rows().size();
+            all.add(plot(data.get(k)), rows > 0 ? rows + 1 : k == 0 ? 25 : 15);
         }
         return finished(data.get(0).title(), all);
     }
@@ -84,7 +87,8 @@ final class Charts {
     static XYPlot plot(ChartData data) {
         ChartDataset dataset = new ChartDataset(data);
         XYPlot plot = new XYPlot(dataset, axis(data.xLabel(), data.xLog(), range(dataset, true), onlyLines(data)),
-                axis(data.yLabel(), data.yLog(), range(dataset, false), false), renderer(data));
+                data.rows().isEmpty() ? axis(data.yLabel(), data.yLog(), range(dataset, false), false)
+                        : inStyle(rowAxis(data.rows()), data.yLabel()), renderer(data));
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);     // through dashes the line below is seen
         plot.setBackgroundPaint(Color.WHITE);
         plot.setDomainGridlinePaint(ChartStyle.GRID);
@@ -112,6 +116,10 @@ final class Charts {
             axis.setLowerMargin(0);
             axis.setUpperMargin(0);
         }
+        return inStyle(axis, label);
+    }
+
+    private static ValueAxis inStyle(ValueAxis axis, String label) {
         axis.setLabel(label);
         axis.setLabelFont(ChartStyle.LABEL);
         axis.setLabelPaint(ChartStyle.TEXT);
@@ -138,6 +146,15 @@ final class Charts {
         return axis;
     }
 
+    /** A name for each row, the first one above. */
+    private static ValueAxis rowAxis(List<String> rows) {
+        SymbolAxis axis = new SymbolAxis("", rows.toArray(new String[0]));
+        axis.setGridBandsVisible(false);
+        axis.setInverted(true);
+        axis.setRange(-0.8, rows.size() - 0.2);
+        return axis;
+    }
+
     private static ValueAxis linearAxis(Range range) {
         NumberAxis axis = new DecimalAxis();
         axis.setAutoRangeIncludesZero(false);
@@ -153,21 +170,25 @@ final class Charts {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
         renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
         renderer.setUseOutlinePaint(true);
+        renderer.setUseFillPaint(true);
         boolean ofSolvers = data.series().stream().anyMatch(series -> SolverLook.of(series.name()).isPresent());
         for (int k = 0; k < data.series().size(); k++) {
             Mark mark = data.series().get(k).mark();
             boolean dense = mark == Mark.LINE && k > 0 && isDense(data.series().get(k).y());
             SolverLook look = SolverLook.of(data.series().get(k).name()).orElse(new SolverLook(
                     ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(k), ChartStyle.stroke(k), ChartStyle.shape(k)));
-            renderer.setSeriesLinesVisible(k, mark == Mark.LINE || mark == Mark.LINE_AND_POINTS);
-            renderer.setSeriesShapesVisible(k, mark != Mark.LINE);
-            renderer.setSeriesPaint(k, mark == Mark.FAILURES ? Color.RED.darker()
-                    : dense ? ChartStyle.pale(look.colour()) : look.colour());
-            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : look.stroke());
-            renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE : look.shape());
-            renderer.setSeriesFillPaint(k, look.colour());
-            renderer.setSeriesOutlinePaint(k, Color.WHITE);
-            renderer.setSeriesOutlineStroke(k, new BasicStroke(0.6f));
+            boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
+            boolean open = mark == Mark.LINE_AND_OPEN_POINTS;
+            Color colour = failed ? Color.RED.darker() : look.colour();
+            renderer.setSeriesLinesVisible(k, !failed && mark != Mark.POINTS);
+            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS);
+            renderer.setSeriesPaint(k, dense ? ChartStyle.pale(colour) : colour);
+            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR : look.stroke());
+            renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE
+                    : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : look.shape());
+            renderer.setSeriesFillPaint(k, open ? Color.WHITE : colour);
+            renderer.setSeriesOutlinePaint(k, open ? colour : Color.WHITE);
+            renderer.setSeriesOutlineStroke(k, open ? ChartStyle.BAR : new BasicStroke(0.6f));
         }
         return renderer;
     }

@@ -10,6 +10,9 @@ import particles.DataTable;
 
 /** Writes what an experiment has to show: each picture with its numbers, each table, and a page that says what they mean. */
 public final class ResultPageWriter {
+    /** A longer table is for programs. */
+    private static final int MOST_ROWS = 100;
+
     private ResultPageWriter() {
     }
 
@@ -44,8 +47,13 @@ public final class ResultPageWriter {
         }
         for (DataTable table : page.tables()) {
             lines.addAll(List.of("", "## " + table.title(), ""));
-            lines.addAll(TableText.markdown(table));
-            lines.addAll(List.of("", "With all digits: [" + table.name() + ".csv](" + table.name() + ".csv)."));
+            String link = "[" + table.name() + ".csv](" + table.name() + ".csv).";
+            if (table.rows().size() > MOST_ROWS) {
+                lines.add("All " + table.rows().size() + " rows: " + link);
+            } else {
+                lines.addAll(TableText.markdown(table));
+                lines.addAll(List.of("", "With all digits: " + link));
+            }
         }
         return lines;
     }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -37,6 +38,18 @@ class ResultPageWriterTest {
                 List.of(List.of(1234567.0), List.of(12.3456), List.of(0.0), List.of(-2.0), List.of(1e22), List.of(1.0 / 0)));
         assertEquals(List.of("x", "1230000", "12.3", "0", "-2", "1e22", "\u221e"),
                 TableText.plain(numbers).stream().map(String::strip).toList());
+    }
+
+    @Test
+    void longTablesAreFilesOnly(@TempDir Path path) throws IOException {
+        List<List<Object>> rows = Collections.nCopies(101, List.of("many"));
+        try (OutputFolder folder = OutputFolder.open(path)) {
+            ResultPageWriter.write(folder, new ResultPage("long", "Long", List.of(), List.of(),
+                    List.of(new DataTable("all", "All", List.of(DataTable.column("a")), rows))));
+        }
+        String text = Files.readString(path.resolve("long.md"));
+        assertTrue(text.contains("All 101 rows: [all.csv](all.csv).") && !text.contains("| many |"), text);
+        assertEquals(102, Files.readAllLines(path.resolve("all.csv")).size());
     }
 
     @Test
