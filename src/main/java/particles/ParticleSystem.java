@@ -23,6 +23,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
+    private final List<Effect> effectsToRead = Collections.unmodifiableList(effects);
+    private final List<Reaction> reactionsToRead = Collections.unmodifiableList(reactions);
     private final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();
     private final ParticleJacobian jacobian = new ParticleJacobian(this);
@@ -153,12 +155,12 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /** @return the effects, in the order in which they act; to be read only */
     public List<Effect> getEffects() {
-        return Collections.unmodifiableList(effects);
+        return effectsToRead;
     }
 
     /** @return the reactions, in the order in which they act; to be read only */
     public List<Reaction> getReactions() {
-        return Collections.unmodifiableList(reactions);
+        return reactionsToRead;
     }
 
     /** @return the state itself, for rules: 6 doubles a particle, valid for all particles there are, not to be kept */

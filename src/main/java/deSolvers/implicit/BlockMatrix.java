@@ -76,6 +76,13 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
 
     @Override
     public void add(int i, int j, double[] dFdX, double[] dFdV) {
+        if (i == j) {                                   // has its place in any pattern: contacts come and go without a new one
+            if (!recording && matches) {
+                addTo(pattern.diagonal[i], dFdX, dFdV, -1);
+                addForceScale(i, dFdX, i);
+            }
+            return;
+        }
         int p = next(i, j);
         if (p >= 0) {
             addTo(pattern.slot[p], dFdX, dFdV, -1);

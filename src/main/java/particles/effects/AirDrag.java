@@ -16,6 +16,10 @@ abstract class AirDrag implements Effect {
     final Particles particles;
     final Wind wind;
     private double[] air = {};
+    private final double[] w = new double[3];
+    private final double[] gradient = new double[9];
+    private final double[] dFdX = new double[9];        // stays 0 in wind that is the same everywhere
+    private final double[] dFdV = new double[9];
 
     AirDrag(Particles particles, Wind wind) {
         this.particles = particles;
@@ -99,10 +103,6 @@ abstract class AirDrag implements Effect {
     @Override
     public final void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         double[] air = airAt(state, time, 0, particles.count());
-        double[] w = new double[3];
-        double[] gradient = new double[9];
-        double[] dFdX = new double[9];
-        double[] dFdV = new double[9];
         boolean varies = wind != Wind.STILL && !wind.isUniform();
         for (int i = 0; i < particles.count(); i++) {
             for (int c = 0; c < 3; c++) {

@@ -32,6 +32,10 @@ public final class Cohesion implements Effect {
     private final double depth;
     private final double scale;                         // 1/u0^4
     private final double damping;
+    private final double[] r = new double[3];
+    private final double[] w = new double[3];
+    private final double[] dFdX = new double[9];
+    private final double[] dFdV = new double[9];
     private int[] near = {};
 
     /**
@@ -141,10 +145,6 @@ public final class Cohesion implements Effect {
     @Override
     public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         findNeighbours(state);
-        double[] r = new double[3];
-        double[] w = new double[3];
-        double[] dFdX = new double[9];
-        double[] dFdV = new double[9];
         for (int p = 0; p < particles.count(); p++) {
             int count = grid.findLater(p, near);
             for (int k = 0; k < count; k++) {

@@ -23,6 +23,10 @@ abstract class Penalty implements Effect {
     final Particles particles;
     final double stiffness;
     final double loss;
+    private final double[] normal = new double[3];
+    private final double[] turning = new double[3];
+    private final double[] dFdX = new double[9];
+    private final double[] dFdV = new double[9];
 
     Penalty(Particles particles, double stiffness, double loss) {
         if (!(stiffness >= 0 && stiffness <= Double.MAX_VALUE && loss >= 0 && loss <= Double.MAX_VALUE)) {
@@ -67,7 +71,6 @@ abstract class Penalty implements Effect {
 
     @Override
     public final double getPotentialEnergy(double[] state, double time) {
-        double[] normal = new double[3];
         double energy = 0;
         for (int i = 0; i < particles.count(); i++) {
             double depth = particles.isFixed(i) ? 0 : Math.max(0, depth(state, i, normal));
@@ -79,7 +82,6 @@ abstract class Penalty implements Effect {
     /** {@inheritDoc} The difference between what is given up by the potential and what arrives. */
     @Override
     public final double getDissipatedPower(double[] state, double time) {
-        double[] normal = new double[3];
         double power = 0;
         for (int i = 0; loss > 0 && i < particles.count(); i++) {
             double depth = particles.isFixed(i) ? 0 : depth(state, i, normal);
@@ -103,10 +105,6 @@ abstract class Penalty implements Effect {
 
     @Override
     public final void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        double[] normal = new double[3];
-        double[] turning = new double[3];
-        double[] dFdX = new double[9];
-        double[] dFdV = new double[9];
         for (int i = 0; i < particles.count(); i++) {
             double depth = depth(state, i, normal);
             if (!(depth > 0)) {

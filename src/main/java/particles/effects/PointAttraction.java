@@ -27,6 +27,9 @@ public final class PointAttraction implements Effect {
     private final double cz;
     private final double strength;
     private final double softeningSquare;
+    private final double[] r = new double[3];
+    private final double[] dFdX = new double[9];
+    private final double[] dFdV = new double[9];            // stays 0
 
     /**
      * @param particles on whom it acts
@@ -96,9 +99,6 @@ public final class PointAttraction implements Effect {
     /** {@inheritDoc} dF/dx = -m mu (1 - 3 r r<sup>T</sup>/q&sup2;)/q&sup3; with q&sup2; = |r|&sup2; + s&sup2;. */
     @Override
     public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        double[] r = new double[3];
-        double[] dFdX = new double[9];
-        double[] dFdV = new double[9];
         for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
             r[0] = state[x] - cx;
             r[1] = state[x + 1] - cy;

@@ -1,0 +1,98 @@
+package particles;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import deSolvers.problems.Oscillator;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import particles.effects.Cohesion;
+import particles.effects.LinearDrag;
+import particles.effects.PenaltyPlane;
+import particles.effects.PointAttraction;
+import particles.effects.QuadraticDrag;
+import particles.effects.SpringForce;
+import particles.effects.Wind;
+
+/** No solver that steps by deltaT allocates in a step, on the smallest source or on a system of particles. */
+class AllocationTest {
+    private static final int STEPS = 1000;
+
+    /** Air that rises faster the longer it blows; StrictMath.cos in the winds of scenes allocates from JDK 21 on. */
+    private static final class RisingAir implements Wind {
+        @Override
+        public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
+            Arrays.fill(wind, 3 * from, 3 * to, time);
+        }
+
+        @Override
+        public boolean isUniform() {
+            return true;
+        }
+    }
+
+    private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    static List<String> fixedStepSolvers() {
+        return SolverCatalog.all().stream().filter(solver -> !solver.adaptive()).map(SolverInfo::name).toList();
+    }
+
+    private long allocatedIn(DESolver solver, DEStateSource source, double deltaT) {
+        for (int i = 0; i < STEPS; i++) {
+            solver.stepState(source, deltaT);
+        }
+        long before = threads.getCurrentThreadAllocatedBytes();
+        for (int i = 0; i < STEPS; i++) {
+            solver.stepState(source, deltaT);
+        }
+        return threads.getCurrentThreadAllocatedBytes() - before;
+    }
+
+    /** Measured 0 to 1,104 (the bean's own, and the compiler at work); one boxed number a step would be 16,000. */
+    private static void assertNothing(long bytes) {
+        assertTrue(bytes < 4000, bytes + " bytes in " + STEPS + " steps");
+    }
+
+    @ParameterizedTest
+    @MethodSource("fixedStepSolvers")
+    void aStepOfTheOscillatorAllocatesNothing(String solver) {
+        assertNothing(allocatedIn(SolverCatalog.create(solver), new Oscillator(), 1.0 / 64));
+    }
+
+    @ParameterizedTest
+    @MethodSource("fixedStepSolvers")
+    void aStepOfAClothWithEveryKindOfEffectAllocatesNothing(String solver) {
+        ParticleSystem cloth = Cloth.hanging(6, 20, 0.02);
+        Particles particles = cloth.getParticles();
+        cloth.addEffect(new LinearDrag(particles, 0.01, Wind.STILL));
+        cloth.addEffect(new QuadraticDrag(particles, 0.01, new RisingAir()));
+        cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
+        cloth.addEffect(new PenaltyPlane(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
+        if (!SolverCatalog.info(solver).family().equals("implicit")) {      // whose matrix changes its form with the neighbours
+            cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));
+        }
+        assertNothing(allocatedIn(SolverCatalog.create(solver), cloth, 1.0 / 1024));
+    }
+
+    @ParameterizedTest
+    @MethodSource("fixedStepSolvers")
+    void aStepOfAChainAllocatesNothing(String solver) {
+        ParticleSystem chain = new ParticleSystem();
+        SpringForce springs = new SpringForce(chain.getParticles());
+        for (int i = 0; i < 20; i++) {
+            chain.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, i == 0);
+        }
+        for (int i = 0; i < 19; i++) {
+            springs.addSpring(i, i + 1, 100, 1, 0);
+        }
+        chain.addEffect(springs);
+        assertNothing(allocatedIn(SolverCatalog.create(solver), chain, 1.0 / 256));
+    }
+}
