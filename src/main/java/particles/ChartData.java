@@ -34,8 +34,12 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
     public enum Mark {
         /** A line without points. */
         LINE,
+        /** A wide pale line, below others that may run along it. */
+        BAND,
         /** Points without a line. */
         POINTS,
+        /** Hollow points without a line. */
+        OPEN_POINTS,
         /** Both. */
         LINE_AND_POINTS,
         /** Both; the points are hollow, so that filled ones on top of some of them stand out. */

@@ -1,9 +1,11 @@
 package particles.experiments;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.function.DoublePredicate;
 import particles.ChartData;
 import particles.ChartData.Mark;
 import particles.ChartData.Series;
@@ -13,19 +15,38 @@ import particles.experiments.SceneRun.Setting;
 import particles.scene.Scene;
 import particles.scene.SceneDescription;
 
-/** Phase portraits of a scene: the paths that several solvers give a particle, over the path of a run as good as exact. */
+/**
+ * Phase portraits of a scene: the path that each of several solvers gives a particle, over the path of a run as good as
+ * exact,
+ * each solver in a chart of its own.
+ */
 public final class PhasePortraits {
     private static final double REFERENCE_TOLERANCE = 1e-10;
     private static final long MOST_EVALUATIONS = 20_000_000;
-    private static final String REFERENCE = "reference (tolerance 1e-10)";
+    private static final String REFERENCE = "reference";
+
+    /**
+     * One solver's path of one particle.
+     *
+     * @param solver   its label
+     * @param particle whose path
+     * @param axis     along which
+     * @param off      how far the path gets from the reference's curve at most, in halves of the curve's width and height;
+     * NaN
+     *                 where the reference has no curve
+     * @param whole    whether the run came to its end
+     * @param chart    the path over the reference, both ends marked
+     */
+    public record Portrait(String solver, String particle, Axis axis, double off, boolean whole, ChartData chart) {
+    }
 
     /**
      * What came of the runs.
      *
-     * @param charts one for each particle and axis: a path for each solver and the reference, and the ends of failed runs
-     * @param table  where each solver's particle was at the end, and how far from the reference
+     * @param portraits for each particle and axis, one a solver
+     * @param table     where each solver's particle was at the end, and how far from the reference
      */
-    public record Portraits(List<ChartData> charts, DataTable table) {
+    public record Portraits(List<Portrait> portraits, DataTable table) {
     }
 
     /** One solver's run, with the path of each particle. */
@@ -39,40 +60,83 @@ public final class PhasePortraits {
      * @param scene     a scene, with the step and duration that are wanted
      * @param solvers   whom to compare
      * @param particles their ids
-     * @param axes      along which they are looked at
+     * @param axes      along which they are looked at; none for the one along which each goes farthest
      * @param progress  hears how far it is
      * @return the portraits
      */
-    public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles, List<Axis> axes,
+    public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
+            List<Axis> axes,
                                     ProgressListener progress) {
+        progress.reached(0, "the reference");
+        Setting tight = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(), Optional.of(REFERENCE_TOLERANCE));
+        Run reference = run(scene, tight, REFERENCE, particles);
         List<Run> runs = new ArrayList<>();
         for (SolverChoice solver : solvers) {
-            progress.reached((double) runs.size() / (solvers.size() + 1), solver.label());
+            progress.reached((runs.size() + 1.0) / (solvers.size() + 1), solver.label());
             runs.add(run(scene, new Setting(solver, scene.deltaT(), Optional.empty()), solver.label(), particles));
         }
-        Setting tight = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(), Optional.of(REFERENCE_TOLERANCE));
-        runs.add(run(scene, tight, REFERENCE, particles));
-        List<ChartData> charts = new ArrayList<>();
+        List<Portrait> portraits = new ArrayList<>();
         List<List<Object>> rows = new ArrayList<>();
         for (int p = 0; p < particles.size(); p++) {
-            for (Axis axis : axes) {
-                List<Series> paths = new ArrayList<>();
+            for (Axis axis : axes.isEmpty() ? List.of(reference.paths().get(p).widestAxis()) : axes) {
+                Series exact = path(reference, p, axis);
+                CurveDistance curve = new CurveDistance(exact.x(), exact.y());
                 for (Run run : runs) {
-                    Series path = run.paths().get(p).chart(axis, "").series().get(0);
-                    paths.add(new Series(run.name(), path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y()));
+                    Series path = path(run, p, axis);
+                    boolean whole = run.outcome().failure().isEmpty();
+                    PortraitChart chart = new PortraitChart(run.name(), path, exact, curve, whole);
+                    portraits.add(new Portrait(run.name(), particles.get(p), axis, chart.off(), whole,
+                            chart.data(particles.size() > 1 || axes.size() > 1 ? "'" + particles.get(p) + "', " : "",
+                                    axis)));
+                    rows.add(row(particles.get(p), axis, run, path, exact, chart.off()));
                 }
-                Series exact = paths.get(paths.size() - 1);
-                for (int r = 0; r < runs.size(); r++) {
-                    rows.add(row(particles.get(p), axis, runs.get(r), paths.get(r), exact));
-                }
-                charts.add(chart(scene.title() + ": '" + particles.get(p) + "', " + axis.symbol(), axis, runs, paths));
+                rows.add(row(particles.get(p), axis, reference, exact, exact, 0));
             }
         }
-        return new Portraits(charts, new DataTable("ends", "Where the particle was at the end, and how far from the reference",
+        return new Portraits(portraits, new DataTable("ends",
+                "Where the particle was at the end, and how far its path was from the reference's curve on the way",
                 List.of(DataTable.column("particle"), DataTable.column("axis"), DataTable.column("solver"),
                         DataTable.column("position (m)"), DataTable.column("velocity (m/s)"),
                         new DataTable.Column("position error (m)", 3), new DataTable.Column("velocity error (m/s)", 3),
-                        DataTable.column("evaluations"), DataTable.column("why it ended")), rows));
+                        new DataTable.Column("off the curve (%)", 2), DataTable.column("evaluations"),
+                        DataTable.column("why it ended")), rows));
+    }
+
+    /**
+     * @param scene     its title
+     * @param portraits of it
+     * @return which solvers leave the curve of the reference and which stay on it, in a sentence
+     */
+    public static String finding(String scene, List<Portrait> portraits) {
+        Map<String, Double> worst = new LinkedHashMap<>();
+        portraits.forEach(portrait -> worst.merge(portrait.solver(),
+                portrait.whole() ? portrait.off() : Double.POSITIVE_INFINITY, Math::max));
+        List<String> stopped = named(worst, off -> off == Double.POSITIVE_INFINITY);
+        List<String> leaving = named(worst, off -> off > PortraitChart.LEFT && off < Double.POSITIVE_INFINITY);
+        List<String> staying = named(worst, off -> off <= PortraitChart.LEFT);
+        List<String> parts = new ArrayList<>();
+        if (!stopped.isEmpty()) {
+            parts.add(joined(stopped) + (stopped.size() == 1 ? " blows up" : " blow up"));
+        }
+        if (!leaving.isEmpty()) {
+            parts.add(joined(leaving) + (leaving.size() == 1 ? " leaves the curve" : " leave the curve"));
+        }
+        if (!staying.isEmpty()) {
+            double off = staying.stream().mapToDouble(worst::get).max().orElse(0);
+            parts.add(joined(staying) + (staying.size() == 1 ? " stays" : " stay") + " on it to "
+                    + PortraitChart.percent(off));
+        }
+        return scene + (parts.isEmpty() ? ", in state space" : ": " + String.join(", ", parts));
+    }
+
+    private static List<String> named(Map<String, Double> worst, DoublePredicate which) {
+        return worst.keySet().stream().filter(solver -> which.test(worst.get(solver))).toList();
+    }
+
+    private static String joined(List<String> names) {
+        int last = names.size() - 1;
+        return names.size() > 3 ? names.size() + " solvers"
+                : last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
     }
 
     private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles) {
@@ -81,45 +145,18 @@ public final class PhasePortraits {
         return new Run(name, paths, SceneRun.run(built, MOST_EVALUATIONS, paths));
     }
 
-    private static List<Object> row(String particle, Axis axis, Run run, Series path, Series exact) {
+    private static Series path(Run run, int particle, Axis axis) {
+        Series path = run.paths().get(particle).chart(axis, "").series().get(0);
+        return new Series(run.name(), path.mark() == Mark.POINTS ? Mark.POINTS : Mark.LINE, path.x(), path.y());
+    }
+
+    private static List<Object> row(String particle, Axis axis, Run run, Series path, Series exact, double off) {
         int end = path.x().length - 1;
         int last = exact.x().length - 1;
         boolean whole = run.outcome().failure().isEmpty();
         return List.of(particle, axis.symbol(), run.name(), path.x()[end], path.y()[end],
                 whole ? Math.abs(path.x()[end] - exact.x()[last]) : Double.NaN,
-                whole ? Math.abs(path.y()[end] - exact.y()[last]) : Double.NaN, run.outcome().evaluations(),
+                whole ? Math.abs(path.y()[end] - exact.y()[last]) : Double.NaN, 100 * off, run.outcome().evaluations(),
                 run.outcome().failure().orElse(""));
-    }
-
-    private static ChartData chart(String title, Axis axis, List<Run> runs, List<Series> paths) {
-        List<Series> series = new ArrayList<>();
-        List<double[]> failed = new ArrayList<>();
-        Series exact = paths.get(paths.size() - 1);
-        double reach = 3 * Math.max(largest(exact.x()), largest(exact.y()));
-        for (int r = 0; r < runs.size(); r++) {
-            Series path = paths.get(r);
-            int n = 0;
-            while (n < path.x().length && Math.abs(path.x()[n]) <= reach && Math.abs(path.y()[n]) <= reach) {
-                n++;
-            }
-            // what flies away leaves the picture, and would make everything else in it a dot
-            series.add(new Series(path.name(), path.mark(), Arrays.copyOf(path.x(), n), Arrays.copyOf(path.y(), n)));
-            if (n > 0 && (n < path.x().length || runs.get(r).outcome().failure().isPresent())) {
-                failed.add(new double[] {path.x()[n - 1], path.y()[n - 1]});
-            }
-        }
-        if (!failed.isEmpty()) {
-            series.add(new Series("stopped, or out of the picture", Mark.FAILURES, failed.stream().mapToDouble(f -> f[0]).toArray(),
-                    failed.stream().mapToDouble(f -> f[1]).toArray()));
-        }
-        return new ChartData(title, "position " + axis.symbol() + " (m)", "velocity v" + axis.symbol() + " (m/s)", false, false, series);
-    }
-
-    private static double largest(double[] values) {
-        double largest = 0;
-        for (double value : values) {
-            largest = Math.max(largest, Math.abs(value));
-        }
-        return largest;
     }
 }

@@ -27,15 +27,25 @@ final class ChartLegend {
         } else {
             plots.add(plot);
         }
+        chart.addLegend(of(plots, false));
+    }
+
+    /**
+     * @param plots    the charts that it explains
+     * @param oneLook  whether a name looks the same wherever it stands; else that is so of solvers and failures alone
+     * @return the legend; a name that looks the same is in it once
+     */
+    static LegendTitle of(List<XYPlot> plots, boolean oneLook) {
         LegendItemCollection items = new LegendItemCollection();
-        Set<String> named = new HashSet<>();            // a name looks the same wherever it stands
+        Set<String> named = new HashSet<>();
         for (XYPlot part : plots) {
             ChartDataset dataset = (ChartDataset) part.getDataset();
             for (int k = 0; k < dataset.getSeriesCount() && dataset.getSeriesCount() > 1; k++) {
                 XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
                 Shape shape = renderer.lookupSeriesShape(k);
-                boolean failures = shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP;
-                if (SolverLook.of(dataset.name(k)).isEmpty() && !failures || named.add(dataset.name(k))) {
+                boolean same = oneLook || shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP
+                        || SolverLook.of(dataset.name(k)).isPresent();
+                if (!same || named.add(dataset.name(k))) {
                     items.add(item(renderer, dataset.name(k), k));
                 }
             }
@@ -45,7 +55,7 @@ final class ChartLegend {
         legend.setItemPaint(ChartStyle.TEXT);
         legend.setPosition(RectangleEdge.BOTTOM);
         legend.setItemLabelPadding(new RectangleInsets(2, 4, 2, 14));
-        chart.addLegend(legend);
+        return legend;
     }
 
     private static LegendItem item(XYLineAndShapeRenderer renderer, String name, int k) {

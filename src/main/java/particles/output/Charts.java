@@ -178,12 +178,13 @@ final class Charts {
             SolverLook look = SolverLook.of(data.series().get(k).name()).orElse(new SolverLook(
                     ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(k), ChartStyle.stroke(k), ChartStyle.shape(k)));
             boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
-            boolean open = mark == Mark.LINE_AND_OPEN_POINTS;
+            boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS;
             Color colour = failed ? Color.RED.darker() : look.colour();
-            renderer.setSeriesLinesVisible(k, !failed && mark != Mark.POINTS);
-            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS);
-            renderer.setSeriesPaint(k, dense ? ChartStyle.pale(colour) : colour);
-            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR : look.stroke());
+            renderer.setSeriesLinesVisible(k, !failed && mark != Mark.POINTS && mark != Mark.OPEN_POINTS);
+            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && mark != Mark.BAND);
+            renderer.setSeriesPaint(k, dense || mark == Mark.BAND ? ChartStyle.pale(colour) : colour);
+            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR
+                    : mark == Mark.BAND ? ChartStyle.BAND : look.stroke());
             renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE
                     : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : look.shape());
             renderer.setSeriesFillPaint(k, open ? Color.WHITE : colour);

@@ -26,7 +26,7 @@ final class PanelWriter {
         Lettering.require(folder.getPath().resolve(name));
         List<JFreeChart> charts = panels.stream().map(panel -> panel.phase() ? PhasePlot.of(panel.data(), panel.field())
                 : Charts.of(panel.data())).toList();
-        LegendTitle legend = (LegendTitle) widest(charts).getSubtitle(0);
+        LegendTitle legend = ChartLegend.of(charts.stream().map(JFreeChart::getXYPlot).toList(), true);
         for (JFreeChart chart : charts) {
             chart.removeLegend();
             chart.getTitle().setFont(ChartStyle.LABEL);
@@ -49,12 +49,6 @@ final class PanelWriter {
             }
             legend.draw(g, new Rectangle2D.Double((WIDTH - size.width) / 2, bottom, size.width, size.height));
         });
-    }
-
-    /** The chart with the most series explains the others. */
-    private static JFreeChart widest(List<JFreeChart> charts) {
-        return charts.stream().reduce((a, b) -> b.getXYPlot().getDataset().getSeriesCount()
-                > a.getXYPlot().getDataset().getSeriesCount() ? b : a).orElseThrow();
     }
 
     private static Size2D measure(LegendTitle legend) {

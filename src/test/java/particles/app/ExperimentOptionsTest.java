@@ -1,0 +1,52 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What cannot be measured is refused in one line, before any file is written. */
+class ExperimentOptionsTest {
+    @TempDir
+    Path top;
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {
+        "phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean 'block'?",
+        "phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''",
+        "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be of the letters x, y and z",
+        "phasePlots     | -Psolvers=rk5       | option -Psolvers: no solver is called 'rk5'; did you mean 'rk4'?",
+        "phasePlots     | -Pscene=27          | option -Pscene: no particle of this scene can move when it begins",
+        "phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?",
+        "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean 'kepler'?",
+        "workPrecision  | '-Pproblem= ,'      | option -Pproblem: no problem is named",
+        "workPrecision  | -Psolvers=no.Such   | option -Psolvers: ",
+        "stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 4 to 8",
+        "stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: no solver is called 'rk'",
+        "lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0",
+        "lectureFigures | -Psteps=0           | option -Psteps: 0 has to be from 1 to 200000",
+        "lectureFigures | -Psolver=rk5        | option -Psolver: no solver is called 'rk5'",
+        "energyDrift    | -Pscene=sprng       | there is no scene 'sprng'",
+        "energyDrift    | -PdeltaT=-1         | -PdeltaT: the value is -1; it has to be a number over 0 (s)",
+        "energyDrift    | -Pduration=soon     | -Pduration: "})
+    void whatCannotBeMeasuredIsRefusedInOneLine(String command, String option, String line) {
+        StringWriter out = new StringWriter();
+        StringWriter err = new StringWriter();
+        Path folder = top.resolve("results");
+        ExitCode code = new Program(Main.commands(OptionStyle.GRADLE, new StopRequest()), OptionStyle.GRADLE,
+                new PrintWriter(out),
+                new PrintWriter(err)).execute(command, option.replaceFirst("-P", "--"), "--out=" + folder);
+        assertEquals(ExitCode.BAD_INPUT, code);
+        assertTrue(err.toString().startsWith(line), err.toString());
+        assertEquals(1, err.toString().strip().lines().count(), err.toString());
+        assertEquals("", out.toString());
+        assertFalse(Files.exists(folder), "nothing is written");
+    }
+}
