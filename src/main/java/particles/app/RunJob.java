@@ -52,6 +52,10 @@ final class RunJob {
      */
     void run(PrintWriter out, boolean resume) {
         SceneDescription described = SceneReader.read(file);
+        TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
+            out.println(line);
+            out.flush();
+        });
         Scene scene = SceneBuilder.build(described, overrides);
         RunFiles files = new RunFiles(scene.output(), frames);
         Checkpoints checkpoints = new Checkpoints(file, scene, frames);

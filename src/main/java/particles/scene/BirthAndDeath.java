@@ -64,6 +64,11 @@ final class BirthAndDeath {
         }
 
         @Override
+        double alive(Values values, double duration) {
+            return values.get(RATE) * Math.min(duration, values.find(LIFETIME).orElse(duration));
+        }
+
+        @Override
         Optional<Key<String>> newIds() {
             return Optional.of(ID);
         }
@@ -77,6 +82,11 @@ final class BirthAndDeath {
         @Override
         void build(Values values, SceneAssembly assembly) {
             assembly.add(new KillPlane(new Plane(values.get(POINT), values.get(NORMAL))));
+        }
+
+        @Override
+        boolean removes() {
+            return true;
         }
     };
 

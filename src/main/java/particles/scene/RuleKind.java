@@ -64,6 +64,16 @@ public abstract class RuleKind implements Kind {
         return Optional.empty();
     }
 
+    /** @return how many particles it has brought into being that are there at a time, at most, in a run that lasts so long (s) */
+    double alive(Values values, double duration) {
+        return 0;
+    }
+
+    /** @return whether it takes particles away wherever they come from */
+    boolean removes() {
+        return false;
+    }
+
     /** @return whether it acts on springs only */
     boolean needsSprings() {
         return false;

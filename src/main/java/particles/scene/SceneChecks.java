@@ -54,7 +54,7 @@ final class SceneChecks {
                 .flatMap(values -> CameraFormat.of(values, problems));
         checkPhase();
         Map<Key<?>, Place> places = new HashMap<>();
-        for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION)) {
+        for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.SHAPES)) {
             places.put(key, scene.place(key));
         }
         Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)

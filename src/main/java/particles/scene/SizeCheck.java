@@ -4,13 +4,9 @@ import java.util.List;
 import particles.scene.spec.Problems;
 import particles.scene.spec.Values;
 
-/** Whether a scene fits: into what a scene may have, and into the memory that Java may use. */
+/** Whether a scene has no more than a scene may have, before anything is built. */
 final class SizeCheck {
     private static final long MOST_SPRINGS = 10_000_000;
-    /** Id, state, masses, a solver's work arrays, and what output needs. */
-    private static final long BYTES_PER_PARTICLE = 800;
-    /** The constants, and their copy while arrays grow. */
-    private static final long BYTES_PER_SPRING = 90;
 
     private SizeCheck() {
     }
@@ -27,13 +23,6 @@ final class SizeCheck {
                         + " may have at most " + ShapeDescription.MOST_PARTICLES + " and " + MOST_SPRINGS);
                 return;
             }
-        }
-        long needed = count * BYTES_PER_PARTICLE + springs * BYTES_PER_SPRING;
-        long allowed = Runtime.getRuntime().maxMemory();
-        if (needed > allowed) {
-            problems.add(scene.place(SceneFormat.SHAPES), "the scene needs about " + (needed >> 20)
-                    + " MiB of memory, and Java may"
-                    + " use " + (allowed >> 20) + "; take fewer particles, or start Java with more (-Xmx)");
         }
     }
 }
