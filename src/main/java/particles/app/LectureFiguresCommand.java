@@ -18,7 +18,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle lectureFigures}: the slides' figures, from their captions. */
-@Command(name = LectureFiguresCommand.NAME, description = "The figures of the lecture: Euler, midpoint and RK4 over the vector field.")
+@Command(name = LectureFiguresCommand.NAME,
+        description = "The figures of the lecture: Euler, midpoint and RK4 over the vector field.")
 final class LectureFiguresCommand extends ExperimentCommand {
     static final String NAME = "lectureFigures";
 
@@ -32,7 +33,8 @@ final class LectureFiguresCommand extends ExperimentCommand {
             description = "Its time step (default: ${DEFAULT-VALUE}; one period is 6.283 s).")
     private double deltaT;
 
-    @Option(names = "--steps", paramLabel = "NUMBER", defaultValue = "100", description = "Its steps (default: ${DEFAULT-VALUE}).")
+    @Option(names = "--steps", paramLabel = "NUMBER", defaultValue = "100",
+            description = "Its steps (default: ${DEFAULT-VALUE}).")
     private int steps;
 
     LectureFiguresCommand(OptionStyle style) {
@@ -82,29 +84,36 @@ final class LectureFiguresCommand extends ExperimentCommand {
         }
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", COLUMNS, panels));
-        return new ResultPage(NAME, "Euler triples the velocity in three oscillations, midpoint grows slowly, RK4 decays slowly",
-                List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the circle; it takes 2 pi"
+        return new ResultPage(NAME,
+                "Euler triples the velocity in three oscillations, midpoint grows slowly, RK4 decays slowly",
+                List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the circle; it takes 2"
+                        + " pi"
                         + " seconds to go round, clockwise. The arrows are the vector field that a solver sees.",
                         "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N steps"
-                        + " multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R - h). The table has both,"
-                        + " measured and computed; where they agree, the picture is the method and not a bug."),
+                                + " multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R - h). The"
+                                + " table has both, measured and computed; where they agree, the picture is the method and"
+                                + " not a bug."),
                 pictures, List.of(LectureFigures.table(results)));
     }
 
     private static String title(Result result) {
         Figure figure = result.figure();
-        return figure.solver() + ", deltaT = " + Digits.exact(figure.deltaT()) + " s, " + figure.steps() + " steps: \u00d7\u00a0"
-                + String.format(Locale.ROOT, "%.4g", result.amplitude());
+        return figure.solver() + ", deltaT = " + Digits.exact(figure.deltaT()) + " s, " + figure.steps() + " steps: "
+                + String.format(Locale.ROOT, "amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.2g\u00a0rad",
+                result.amplitude(),
+                result.phaseError()).replace('-', '\u2212');
     }
 
     private static String caption(Result result) {
-        return String.format(Locale.ROOT, "%s, deltaT = %s s, %d steps: the amplitude is multiplied by %.6f, the energy by %.6f,"
+        return String.format(Locale.ROOT,
+                "%s, deltaT = %s s, %d steps: the amplitude is multiplied by %.6f, the energy by %.6f,"
                 + " and the phase %s by %.6f rad.", result.figure().solver(), Digits.exact(result.figure().deltaT()),
                 result.figure().steps(), result.amplitude(), result.amplitude() * result.amplitude(),
                 result.phaseError() > 0 ? "runs ahead" : "lags", Math.abs(result.phaseError()));
     }
 
     private static String fileName(Figure figure) {
-        return figure.solver().replaceAll("[^\\w-]", "-") + "-" + Digits.exact(figure.deltaT()) + "s-" + figure.steps() + "-steps";
+        return figure.solver().replaceAll("[^\\w-]", "-") + "-" + Digits.exact(figure.deltaT()) + "s-" + figure.steps()
+                + "-steps";
     }
 }

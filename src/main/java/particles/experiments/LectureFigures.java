@@ -26,7 +26,8 @@ public final class LectureFigures {
     /** The slides' captions. Of Euler's step they say only what comes of it; 3 periods are 160.6 of these steps. */
     private static final List<Figure> ON_SLIDES = List.of(
             new Figure("euler", 0.11737, 161), new Figure("midpoint", 1, 11), new Figure("midpoint", 0.5, 100),
-            new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100), new Figure("rk4", 0.4, 1250));
+            new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100), new Figure("rk4", 0.4,
+                    1250));
 
     /**
      * Which run.
@@ -49,7 +50,8 @@ public final class LectureFigures {
      * @param x           positions after each step, with the start
      * @param v           velocities
      */
-    public record Result(Figure figure, double amplitude, double phaseError, Optional<Theory> theory, long evaluations, double[] x,
+    public record Result(Figure figure, double amplitude, double phaseError, Optional<Theory> theory, long evaluations,
+            double[] x,
                          double[] v) {
     }
 
@@ -92,28 +94,36 @@ public final class LectureFigures {
         }
         Optional<Theory> theory = StabilityPolynomial.of(figure.solver(), figure.deltaT())
                 .map(r -> new Theory(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
-        return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]), turned - figure.steps() * figure.deltaT(),
+        return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]),
+                turned - figure.steps() * figure.deltaT(),
                 theory, oscillator.getEvaluations(), x, v);
     }
 
     /**
      * @param result a run
      * @param title  of the chart
-     * @return its path, the exact one, and the start
+     * @return its path, the exact one, the start, and where both end
      */
     public static ChartData chart(Result result, String title) {
         int n = result.figure().steps();
         Mark mark = n <= 200 ? Mark.LINE_AND_POINTS : Mark.LINE;
+        double[] end = Oscillator.exactState(n * result.figure().deltaT());
         return new ChartData(title, "position x (m)", "velocity v (m/s)", false, false, List.of(
-                new Series("numerical path", mark, result.x(), result.v()), exact(),
-                new Series("start", Mark.POINTS, new double[] {1}, new double[] {0})));
+                new Series("numerical path", mark, result.x(), result.v()), exact(), point("start", Mark.POINTS, 1, 0),
+                point("end", Mark.POINTS, result.x()[n], result.v()[n]),
+                point("exact end", Mark.OPEN_POINTS, end[0], end[1])));
     }
 
-    /** @return the exact solution alone, which is what the vector field says */
+    private static Series point(String name, Mark mark, double x, double v) {
+        return new Series(name, mark, new double[] {x}, new double[] {v});
+    }
+
+    /** @return the exact solution alone, which is what the vector field says, with the looks that it has in the others */
     public static ChartData exactChart() {
         return new ChartData("Vectors show the vector field (v, \u2212x); each solution is an ellipse", "position x (m)",
-                "velocity v (m/s)", false, false, List.of(exact(),
-                        new Series("start", Mark.POINTS, new double[] {1}, new double[] {0})));
+                "velocity v (m/s)", false, false, List.of(new Series("numerical path", Mark.LINE, new double[0],
+                        new double[0]),
+                        exact(), point("start", Mark.POINTS, 1, 0)));
     }
 
     private static Series exact() {
@@ -159,7 +169,8 @@ public final class LectureFigures {
         for (Result result : results) {
             double amplitude = result.theory().map(Theory::amplitude).orElse(Double.NaN);
             double phase = result.theory().map(Theory::phaseError).orElse(Double.NaN);
-            rows.add(List.of(result.figure().solver(), result.figure().deltaT(), result.figure().steps(), result.evaluations(),
+            rows.add(List.of(result.figure().solver(), result.figure().deltaT(), result.figure().steps(),
+                    result.evaluations(),
                     result.amplitude(), amplitude, result.amplitude() * result.amplitude(), amplitude * amplitude,
                     result.phaseError(), phase));
         }
@@ -167,6 +178,7 @@ public final class LectureFigures {
                 DataTable.column("steps"), DataTable.column("evaluations"), new DataTable.Column("amplitude", 7),
                 new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8), new DataTable.Column("|R|^2N", 8),
                 new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
-        return new DataTable("figures", "Amplitude, energy and phase after the last step: measured, and from R(ih)", columns, rows);
+        return new DataTable("figures", "Amplitude, energy and phase after the last step: measured, and from R(ih)", columns,
+                rows);
     }
 }

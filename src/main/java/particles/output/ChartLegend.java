@@ -43,9 +43,10 @@ final class ChartLegend {
             for (int k = 0; k < dataset.getSeriesCount() && dataset.getSeriesCount() > 1; k++) {
                 XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
                 Shape shape = renderer.lookupSeriesShape(k);
+                boolean nothing = dataset.getItemCount(k) == 0 && !renderer.getItemShapeVisible(k, 0);
                 boolean same = oneLook || shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP
                         || SolverLook.of(dataset.name(k)).isPresent();
-                if (!same || named.add(dataset.name(k))) {
+                if (!nothing && (!same || named.add(dataset.name(k)))) {
                     items.add(item(renderer, dataset.name(k), k));
                 }
             }

@@ -4,9 +4,11 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.Comparator;
 import java.util.List;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.block.RectangleConstraint;
+import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.Size2D;
@@ -26,7 +28,8 @@ final class PanelWriter {
         Lettering.require(folder.getPath().resolve(name));
         List<JFreeChart> charts = panels.stream().map(panel -> panel.phase() ? PhasePlot.of(panel.data(), panel.field())
                 : Charts.of(panel.data())).toList();
-        LegendTitle legend = ChartLegend.of(charts.stream().map(JFreeChart::getXYPlot).toList(), true);
+        LegendTitle legend = ChartLegend.of(charts.stream().map(JFreeChart::getXYPlot)
+                .sorted(Comparator.comparing((XYPlot plot) -> -plot.getDataset().getSeriesCount())).toList(), true);
         for (JFreeChart chart : charts) {
             chart.removeLegend();
             chart.getTitle().setFont(ChartStyle.LABEL);

@@ -1,6 +1,9 @@
 package particles.output;
 
 import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
 import java.util.Arrays;
 import java.util.Optional;
 import org.jfree.chart.JFreeChart;
@@ -10,6 +13,7 @@ import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.Layer;
 import org.jfree.data.Range;
 import particles.ChartData;
+import particles.ChartData.Mark;
 import particles.ChartData.Series;
 import particles.VectorField;
 
@@ -21,6 +25,10 @@ import particles.VectorField;
 final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
     private static final double PATH_HEAD = 11;
+    /** A path of more states than this covers what lies below it, unless it lets that shine through. */
+    private static final int DENSE = 1000;
+    private static final Stroke PATH = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    private static final AffineTransform LARGE = AffineTransform.getScaleInstance(1.6, 1.6);
     /** Where along the path's states the heads stand: early ones show the first turn. */
     private static final double[] HEADS = {0.03, 0.3, 0.6};
 
@@ -31,19 +39,23 @@ final class PhasePlot {
         JFreeChart chart = Charts.of(data);
         XYPlot plot = chart.getXYPlot();
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
-        renderer.setSeriesPaint(0, ChartStyle.colour(1));
+        boolean dense = data.series().get(0).x().length > DENSE;
+        renderer.setSeriesPaint(0, dense ? ChartStyle.pale(ChartStyle.colour(1)) : ChartStyle.colour(1));
         renderer.setSeriesFillPaint(0, ChartStyle.colour(1));
-        renderer.setSeriesStroke(0, new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        renderer.setSeriesStroke(0, dense ? ChartStyle.THIN : PATH);
         renderer.setSeriesShape(0, ChartStyle.disc(2.2));
         for (int k = 1; k < data.series().size(); k++) {
+            boolean open = data.series().get(k).mark() == Mark.OPEN_POINTS;
             renderer.setSeriesPaint(k, ChartStyle.colour(k + 1));
-            renderer.setSeriesFillPaint(k, ChartStyle.colour(k + 1));
-            renderer.setSeriesShape(k, ChartStyle.disc(5.5));
+            renderer.setSeriesFillPaint(k, open ? Color.WHITE : ChartStyle.colour(k + 1));
+            renderer.setSeriesOutlinePaint(k, open ? ChartStyle.colour(k + 1) : Color.WHITE);
+            renderer.setSeriesShape(k, LARGE.createTransformedShape(ChartStyle.shape(k - 1)));
         }
         chart.removeLegend();
         ChartLegend.addTo(chart, plot);
         field.ifPresent(f -> addField(plot, renderer, f));
-        addHeads(renderer, data.series().get(0));
+        data.series().stream().filter(series -> series.x().length > 1).findFirst()
+                .ifPresent(path -> addHeads(renderer, path, data.series().indexOf(path)));
         return chart;
     }
 
@@ -81,13 +93,13 @@ final class PhasePlot {
         axis.setRange(new Range(low - margin, high + margin));
     }
 
-    private static void addHeads(XYLineAndShapeRenderer renderer, Series path) {
+    private static void addHeads(XYLineAndShapeRenderer renderer, Series path, int series) {
         int last = path.x().length - 1;
         for (double place : HEADS) {
             int k = (int) (place * last);
             if (k < last) {
                 renderer.addAnnotation(new ArrowAnnotation(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1],
-                        PATH_HEAD, true, ChartStyle.colour(1)), Layer.FOREGROUND);
+                        PATH_HEAD, true, ChartStyle.colour(series + 1)), Layer.FOREGROUND);
             }
         }
     }

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.ChartData;
+import particles.DataTable;
 import particles.VectorField;
 import particles.experiments.LectureFigures.Figure;
 import particles.experiments.LectureFigures.Result;
@@ -24,7 +25,8 @@ class LectureFiguresTest {
         "rk4,      1,   8,    0.952268, 0.906814,  -0.044631, 32",
         "rk4,      1,   100,  0.542612, 0.294427,  -0.557889, 400",
         "rk4,      0.4, 1250, 0.965755, 0.932682,  -0.100637, 5000"})
-    void figuresHaveTheNumbersOfTheory(String solver, double deltaT, int steps, double amplitude, double energy, double phase,
+    void figuresHaveTheNumbersOfTheory(String solver, double deltaT, int steps, double amplitude, double energy,
+            double phase,
                                        long evaluations) {
         Figure figure = new Figure(solver, deltaT, steps);
         assertTrue(LectureFigures.onSlides().contains(figure), "it is one of the slides' figures");
@@ -35,6 +37,36 @@ class LectureFiguresTest {
         assertEquals(evaluations, result.evaluations());
         assertEquals(result.theory().orElseThrow().amplitude(), result.amplitude(), 3e-11);
         assertEquals(result.theory().orElseThrow().phaseError(), result.phaseError(), 3e-11);
+    }
+
+    /**
+     * The table has measured values and theory side by side; as people are shown them, to six digits or more, they are
+     * equal.
+     */
+    @Test
+    void tableHasEveryFigureOfTheSlidesBesideTheory() {
+        List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
+        DataTable table = LectureFigures.table(results);
+        assertEquals(7, table.rows().size());
+        for (List<Object> row : table.rows()) {
+            for (int c = 4; c < 10; c += 2) {
+                assertEquals((Double) row.get(c + 1), (Double) row.get(c), 1e-10,
+                        table.columns().get(c).name());   // measured 3e-11
+                assertTrue(table.columns().get(c).digits() >= 6);
+            }
+        }
+    }
+
+    /** The angle between both ends is the phase error, clockwise where it is positive. */
+    @ParameterizedTest
+    @CsvSource({"midpoint, 1, 11, 1.178636", "rk4, 0.4, 1250, -0.100637"})
+    void bothEndsAreMarked(String solver, double deltaT, int steps, double phase) {
+        ChartData chart = LectureFigures.chart(LectureFigures.run(new Figure(solver, deltaT, steps)), "a title");
+        ChartData.Series end = chart.series().get(3);
+        ChartData.Series exactEnd = chart.series().get(4);
+        assertEquals(List.of("end", "exact end"), List.of(end.name(), exactEnd.name()));
+        double angle = Math.atan2(exactEnd.y()[0], exactEnd.x()[0]) - Math.atan2(end.y()[0], end.x()[0]);
+        assertEquals(phase, Math.IEEEremainder(angle, 2 * Math.PI), 0.5e-6);
     }
 
     @Test
