@@ -19,7 +19,6 @@ public final class ChartWriter {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 560;
     private static final int STACKED_HEIGHT = 760;
-    private static final int ROW_HEIGHT = 20;
     /** Device pixels for each pixel of the layout, so that print and large screens get sharp lines. */
     private static final int SCALE = 2;
 
@@ -48,7 +47,9 @@ public final class ChartWriter {
     public static void writeStacked(OutputFolder folder, String name, List<ChartData> data) {
         Lettering.require(folder.getPath().resolve(name));
         int rows = data.stream().mapToInt(chart -> chart.rows().size()).max().orElse(0);
-        write(folder, name, Charts.stacked(data), rows == 0 ? STACKED_HEIGHT : HEIGHT + ROW_HEIGHT * (rows + 1));
+        long ofQuantities = data.stream().filter(chart -> chart.rows().isEmpty()).count();
+        write(folder, name, Charts.stacked(data), (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT)
+                + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));
     }
 
     /**

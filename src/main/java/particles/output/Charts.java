@@ -32,6 +32,9 @@ final class Charts {
     /** Lines that go up and down by their range more often than this fill an area; they then let others shine through. */
     private static final int DENSE = 120;
 
+    /** The height of a row, in pixels as the other charts' heights, roughly. */
+    static final int ROW = 17;
+
     private Charts() {
     }
 
@@ -45,9 +48,10 @@ final class Charts {
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(), x,
                 onlyLines(data.get(0))));
         all.setGap(14);
+        long ofQuantities = data.stream().filter(chart -> chart.rows().isEmpty()).count();
         for (int k = 0; k < data.size(); k++) {
             int rows = data.get(k).rows().size();
-            all.add(plot(data.get(k)), rows > 0 ? rows + 1 : k == 0 ? 25 : 15);
+            all.add(plot(data.get(k)), rows > 0 ? ROW * (rows + 1) : k > 0 ? 153 : ofQuantities > 1 ? 255 : 400);
         }
         return finished(data.get(0).title(), all);
     }

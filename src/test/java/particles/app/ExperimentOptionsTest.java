@@ -28,7 +28,7 @@ class ExperimentOptionsTest {
         "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean 'kepler'?",
         "workPrecision  | '-Pproblem= ,'      | option -Pproblem: no problem is named",
         "workPrecision  | -Psolvers=no.Such   | option -Psolvers: ",
-        "stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 4 to 8",
+        "stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 5 to 8",
         "stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: no solver is called 'rk'",
         "lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0",
         "lectureFigures | -Psteps=0           | option -Psteps: 0 has to be from 1 to 200000",
