@@ -59,6 +59,16 @@ public interface Effect extends Remembering {
         return false;
     }
 
+    /**
+     * Whether several threads may call {@link #addForces} at once for different ranges, as they may where it changes nothing
+     * but the forces of its own items.
+     *
+     * @return true if they may
+     */
+    default boolean isConcurrent() {
+        return false;
+    }
+
     /** @return whether the force depends on velocities, as drag and damping do */
     boolean dependsOnVelocity();
 

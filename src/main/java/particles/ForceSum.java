@@ -2,6 +2,7 @@ package particles;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /** Adds up what effects and reactions do. */
 final class ForceSum {
@@ -12,6 +13,7 @@ final class ForceSum {
     private final Particles particles;
     private final List<Effect> effects;
     private final List<Reaction> reactions;
+    private Optional<ParallelForces> parallel = Optional.empty();
 
     ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
         this.particles = particles;
@@ -21,9 +23,30 @@ final class ForceSum {
 
     /** The derivative (v, F/m) of a state. */
     void derivative(double[] state, double time, double[] dSdt) {
+        if (parallel.isPresent() && parallel.get().pays()) {
+            parallel.get().derivative(state, time, dSdt);
+            return;
+        }
         int n = particles.count();
-        for (int from = 0; from < n; from += STRETCH) {
-            int to = Math.min(n, from + STRETCH);
+        begin(state, time, dSdt, 0, n);
+        addOthers(state, time, dSdt);
+        addReactions(state, time, dSdt);
+        divideByMasses(dSdt, 0, n);
+    }
+
+    /** Sets how many threads evaluate large systems; those there were before end. */
+    void setThreads(int threads) {
+        if (threads < 1) {
+            throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
+        }
+        parallel.ifPresent(ParallelForces::close);
+        parallel = threads == 1 ? Optional.empty() : Optional.of(new ParallelForces(this, particles, effects, threads));
+    }
+
+    /** The velocities, and the forces of the effects on single particles, for the particles first ... end - 1. */
+    void begin(double[] state, double time, double[] dSdt, int first, int end) {
+        for (int from = first; from < end; from += STRETCH) {
+            int to = Math.min(end, from + STRETCH);
             for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
                 dSdt[x] = state[x + 3];
                 dSdt[x + 1] = state[x + 4];
@@ -34,10 +57,12 @@ final class ForceSum {
             }
             addPerParticle(state, time, dSdt, from, to);
         }
-        addOthers(state, time, dSdt);
-        addReactions(state, time, dSdt);
+    }
+
+    /** Makes forces accelerations. */
+    void divideByMasses(double[] dSdt, int from, int to) {
         double[] inverseMasses = particles.inverseMasses();
-        for (int i = 0, v = 3; i < n; i++, v += STRIDE) {
+        for (int i = from, v = STRIDE * from + 3; i < to; i++, v += STRIDE) {
             double inverseMass = inverseMasses[i];
             dSdt[v] *= inverseMass;
             dSdt[v + 1] *= inverseMass;

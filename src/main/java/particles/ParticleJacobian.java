@@ -11,6 +11,8 @@ final class ParticleJacobian implements ForceDerivatives {
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
 
     private final ParticleSystem system;
+    private final List<Effect> effects;
+    private final List<Reaction> reactions;
     private double[] force = {};
     private double[] varied = {};
     private final Product productBlocks = new Product();
@@ -18,16 +20,14 @@ final class ParticleJacobian implements ForceDerivatives {
     private double[] direction = {};
     private double[] product = {};
 
-    ParticleJacobian(ParticleSystem system) {
+    ParticleJacobian(ParticleSystem system, List<Effect> effects, List<Reaction> reactions) {
         this.system = system;
+        this.effects = effects;
+        this.reactions = reactions;
     }
 
     /** Whether all effects, and all reactions that hold something, know their blocks. */
     boolean isExact() {
-        return knows(system.getEffects(), system.getReactions());
-    }
-
-    private static boolean knows(List<Effect> effects, List<Reaction> reactions) {
         for (int e = 0; e < effects.size(); e++) {
             if (!effects.get(e).hasForceDerivatives()) {
                 return false;
@@ -44,13 +44,11 @@ final class ParticleJacobian implements ForceDerivatives {
     /** Adds the blocks of all that know theirs. */
     void addBlocks(double[] state, double time, JacobianBlocks blocks) {
         target = blocks;
-        List<Effect> effects = system.getEffects();
         for (int e = 0; e < effects.size(); e++) {
             if (effects.get(e).hasForceDerivatives()) {
                 effects.get(e).addForceDerivatives(state, time, this);
             }
         }
-        List<Reaction> reactions = system.getReactions();
         boolean forceKnown = false;
         for (int r = 0; r < reactions.size(); r++) {
             Reaction reaction = reactions.get(r);

@@ -23,11 +23,9 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
-    private final List<Effect> effectsToRead = Collections.unmodifiableList(effects);
-    private final List<Reaction> reactionsToRead = Collections.unmodifiableList(reactions);
     private final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();
-    private final ParticleJacobian jacobian = new ParticleJacobian(this);
+    private final ParticleJacobian jacobian = new ParticleJacobian(this, effects, reactions);
     private double[] state = {};
     private double time;
     private long evaluations;
@@ -64,7 +62,6 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /**
      * Gives a particle its span of life. Nothing but rules and pictures looks at it.
-     *
      * @param i         its index
      * @param birthTime when it came into being (s)
      * @param deathTime when it is to die of age (s); may be infinite
@@ -148,6 +145,11 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         reactions.add(reaction);
     }
 
+    /** @param threads how many evaluate forces, where that pays, with the same bits; 1 ends all but the caller's */
+    public void setThreads(int threads) {
+        forces.setThreads(threads);
+    }
+
     /** @return what the particles are */
     public Particles getParticles() {
         return particles;
@@ -155,12 +157,12 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /** @return the effects, in the order in which they act; to be read only */
     public List<Effect> getEffects() {
-        return effectsToRead;
+        return Collections.unmodifiableList(effects);
     }
 
     /** @return the reactions, in the order in which they act; to be read only */
     public List<Reaction> getReactions() {
-        return reactionsToRead;
+        return Collections.unmodifiableList(reactions);
     }
 
     /** @return the state itself, for rules: 6 doubles a particle, valid for all particles there are, not to be kept */

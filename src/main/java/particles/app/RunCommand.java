@@ -26,6 +26,10 @@ final class RunCommand extends ProgramCommand {
     @Option(names = "--duration", paramLabel = "SECONDS", description = "Another duration than the scene's.")
     private String duration;
 
+    @Option(names = "--threads", paramLabel = "NUMBER",
+            description = "How many threads may evaluate the forces of a large system (default: one for each processor).")
+    private String threads;
+
     @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results go (default: build/out/NAME).")
     private String out;
 
@@ -66,6 +70,7 @@ final class RunCommand extends ProgramCommand {
         override(overrides, "solver", solver);
         override(overrides, "deltaT", deltaT);
         override(overrides, "duration", duration);
+        override(overrides, "threads", threads);
         new RunJob(file, overrides, folderFor(file), frames, style, stop, pace).run(lines, resume);
     }
 

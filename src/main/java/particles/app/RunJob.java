@@ -89,6 +89,7 @@ final class RunJob {
 
     /** @return why it ended early, if it did */
     private Optional<String> simulate(Scene scene, Optional<Checkpoint> earlier) {
+        scene.system().setThreads(scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             earlier.ifPresentOrElse(from -> scene.simulation().resume(from.getMemory()), scene.simulation()::run);
             return Optional.empty();
@@ -98,6 +99,8 @@ final class RunJob {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(scene.simulation().getDuration()) + " s"
                     + (Checkpoint.isIn(results) ? "; " + style.option("resume") + "=true continues it" : ""));
+        } finally {
+            scene.system().setThreads(1);
         }
     }
 }

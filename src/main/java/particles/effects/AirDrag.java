@@ -49,17 +49,24 @@ abstract class AirDrag implements Effect {
     }
 
     @Override
+    public final boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public final boolean dependsOnVelocity() {
         return true;
     }
 
     /** The air's velocity at the particles from ... to - 1, three entries each; all others are of no meaning. */
     final double[] airAt(double[] state, double time, int from, int to) {
-        if (air.length < 3 * particles.count()) {
-            air = new double[3 * particles.count()];
+        double[] velocities = air;
+        if (velocities.length < 3 * particles.count()) {
+            velocities = new double[3 * particles.count()];
+            air = velocities;                           // of several threads at once, each goes on with its own, and one stays
         }
-        wind.getVelocities(state, time, air, from, to);
-        return air;
+        wind.getVelocities(state, time, velocities, from, to);
+        return velocities;
     }
 
     @Override

@@ -56,6 +56,11 @@ public final class Gravity implements Effect {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public boolean dependsOnVelocity() {
         return false;
     }

@@ -65,6 +65,11 @@ abstract class Penalty implements Effect {
     }
 
     @Override
+    public final boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public final boolean dependsOnVelocity() {
         return loss > 0;
     }

@@ -72,6 +72,11 @@ public final class PointAttraction implements Effect {
     }
 
     @Override
+    public boolean isConcurrent() {
+        return true;
+    }
+
+    @Override
     public boolean dependsOnVelocity() {
         return false;
     }

@@ -2,7 +2,7 @@ package particles.effects;
 
 import java.util.EnumSet;
 import java.util.Set;
-import particles.Effect;
+import particles.DivisibleEffect;
 import particles.ForceDerivatives;
 import particles.Memory;
 import particles.Particles;
@@ -26,7 +26,7 @@ import particles.Vector3;
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides "Spring
  * Force" and "Damped Spring Force".
  */
-public final class SpringForce implements Effect, SpringView {
+public final class SpringForce implements DivisibleEffect, SpringView {
     private final Particles particles;
     private final SpringTable table = new SpringTable();
     private boolean damped;
@@ -87,6 +87,17 @@ public final class SpringForce implements Effect, SpringView {
     @Override
     public boolean dependsOnVelocity() {
         return damped;
+    }
+
+    @Override
+    public int countBlocks() {
+        table.arrange();
+        return table.blocks().count();
+    }
+
+    @Override
+    public int getBlockStart(int block) {
+        return table.blocks().start(block);
     }
 
     @Override

@@ -15,8 +15,10 @@ final class SpringTable {
     double[] stiffness = new double[8];
     double[] restLength = new double[8];
     double[] damping = new double[8];
-    private boolean arranged = true;
+    private boolean arranged;
+    private boolean sorted = true;
     private int owners;                                 // particles at which springs begin, counted when arranged
+    private final SpringBlocks blocks = new SpringBlocks();
 
     void add(int i, int j, double stiffness, double restLength, double damping) {
         if (count == from.length) {
@@ -27,9 +29,9 @@ final class SpringTable {
         this.stiffness[count] = stiffness;
         this.restLength[count] = restLength;
         this.damping[count] = damping;
-        arranged &= count == 0 || from[count - 1] <= from[count];
+        sorted &= count == 0 || from[count - 1] <= from[count];
         count++;
-        owners = 0;
+        arranged = false;
     }
 
     private void setCapacity(int capacity) {
@@ -42,22 +44,21 @@ final class SpringTable {
 
     /** Springs go with either of their ends. */
     void reindex(int[] newIndex) {
-        int stay = 0;
+        boolean[] gone = new boolean[count];
         for (int s = 0; s < count; s++) {
             int i = newIndex[from[s] / Particles.STRIDE];
             int j = newIndex[to[s] / Particles.STRIDE];
-            if (i >= 0 && j >= 0) {
-                move(s, stay);
-                from[stay] = Particles.STRIDE * i;
-                to[stay] = Particles.STRIDE * j;
-                stay++;
-            }
+            gone[s] = i < 0 || j < 0;
+            from[s] = Particles.STRIDE * i;
+            to[s] = Particles.STRIDE * j;
         }
-        count = stay;
-        owners = 0;
+        remove(gone);
     }
 
     void remove(boolean[] gone) {
+        if (arranged) {
+            blocks.remove(gone);
+        }
         int stay = 0;
         for (int s = 0; s < count; s++) {
             if (!gone[s]) {
@@ -76,6 +77,8 @@ final class SpringTable {
         restLength = memory.keep(restLength, count);
         damping = memory.keep(damping, count);
         arranged = memory.keep(arranged);
+        sorted = memory.keep(sorted);
+        blocks.remember(memory);
         owners = 0;
     }
 
@@ -90,19 +93,29 @@ final class SpringTable {
     /**
      * Sorts the springs by the particle where they begin, those of one particle in the order in which they were added: so
      * that its position, velocity and force stay in registers for all of its springs. A counting sort, linear in their number.
+     * Then divides them into blocks.
      */
     void arrange() {
         if (arranged && (owners > 0 || count == 0)) {
             return;
         }
         if (!arranged) {
-            sort();
+            if (!sorted) {
+                sort();
+            }
+            put(blocks.divide(from, to, count));
+            sorted = blocks.count() == 1;
+            arranged = true;
         }
-        arranged = true;
         owners = 0;
         for (int s = 0; s < count; s++) {
             owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
         }
+    }
+
+    /** @return their blocks, once they are arranged */
+    SpringBlocks blocks() {
+        return blocks;
     }
 
     /** @return whether a particle owns enough springs, two or more on average, to take them together */
@@ -126,6 +139,10 @@ final class SpringTable {
         for (int s = 0; s < count; s++) {
             order[place[from[s] / Particles.STRIDE]++] = s;
         }
+        put(order);
+    }
+
+    private void put(int[] order) {
         from = permuted(from, order);
         to = permuted(to, order);
         stiffness = permuted(stiffness, order);

@@ -12,7 +12,7 @@ public interface Wind {
     /**
      * The velocity of the air where particles are.
      *
-     * @param state the particles' state, to be read only
+     * @param state the particles' state, to be read only; several threads may ask at once, for different particles
      * @param time  t (s)
      * @param wind  receives the air's velocity at particle i in the entries 3 i, 3 i + 1, 3 i + 2 (m/s)
      * @param from  first particle

@@ -12,7 +12,7 @@ import particles.scene.spec.Problems;
 public final class Overrides {
     /** The keys of a scene that an option can override. */
     public static final List<String> NAMES = List.of(SceneFormat.SOLVER.name(), SceneFormat.DELTA_T.name(),
-            SceneFormat.DURATION.name());
+            SceneFormat.DURATION.name(), SceneFormat.THREADS.name());
 
     private record Given(String text, String option) {
     }
@@ -40,7 +40,10 @@ public final class Overrides {
         String solver = apply(SceneFormat.SOLVER, SolverFormat.NAME, scene.solver(), places, problems);
         double deltaT = apply(SceneFormat.DELTA_T, SceneFormat.DELTA_T, scene.deltaT(), places, problems);
         double duration = apply(SceneFormat.DURATION, SceneFormat.DURATION, scene.duration(), places, problems);
-        return scene.with(solver, sameSolver ? scene.tolerances() : Optional.empty(), deltaT, duration, Map.copyOf(places));
+        Optional<Integer> threads = given.containsKey(SceneFormat.THREADS.name())
+                ? Optional.of(apply(SceneFormat.THREADS, SceneFormat.THREADS, 1, places, problems)) : scene.threads();
+        return scene.with(solver, sameSolver ? scene.tolerances() : Optional.empty(), deltaT, duration, threads,
+                Map.copyOf(places));
     }
 
     /** @param type the key whose type the option has */

@@ -74,7 +74,7 @@ final class SceneChecks {
                 List.copyOf(scene.get(SceneFormat.RULES)), scene.get(SceneFormat.IMPACT).equals("exact"), camera,
                         LookFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords)),
                 OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)), scene.get(SceneFormat.BLOW_UP_FACTOR),
-                Map.copyOf(places)));
+                scene.find(SceneFormat.THREADS), Map.copyOf(places)));
     }
 
     private void checkParticles() {

@@ -31,6 +31,7 @@ import particles.scene.spec.Place;
  * @param look         how things are drawn
  * @param output       what is written
  * @param blowUpFactor by which factor the kinetic energy may exceed the scene's own energy scale
+ * @param threads      how many threads may evaluate forces, if it says so
  * @param places       where the solver, deltaT and duration stand
  */
 public record SceneDescription(String source, String sha256, String title, String teaches, String solver,
@@ -40,7 +41,7 @@ public record SceneDescription(String source, String sha256, String title, Strin
                                        List<Chosen<EffectKind>> effects,
                                        List<Chosen<RuleKind>> rules,
                                boolean exactImpacts, Optional<Camera> camera, Look look, OutputDescription output,
-                                       double blowUpFactor,
+                                       double blowUpFactor, Optional<Integer> threads,
                                Map<Key<?>, Place> places) {
 
     /**
@@ -54,15 +55,15 @@ public record SceneDescription(String source, String sha256, String title, Strin
      */
     public SceneDescription solvedBy(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
             double otherDuration) {
-        return with(otherSolver, otherTolerances, otherDeltaT, otherDuration, places);
+        return with(otherSolver, otherTolerances, otherDeltaT, otherDuration, threads, places);
     }
 
     SceneDescription with(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
-            double otherDuration, Map<Key<?>, Place> otherPlaces) {
+            double otherDuration, Optional<Integer> otherThreads, Map<Key<?>, Place> otherPlaces) {
         return new SceneDescription(source, sha256, title, teaches, otherSolver, otherTolerances,
                 otherDeltaT, otherDuration, particles,
                 shapes,
                 springs, constraints, effects, rules, exactImpacts, camera, look,
-                output, blowUpFactor, otherPlaces);
+                output, blowUpFactor, otherThreads, otherPlaces);
     }
 }

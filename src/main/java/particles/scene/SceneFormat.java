@@ -12,6 +12,7 @@ import particles.scene.spec.NumberType;
 import particles.scene.spec.Reference;
 import particles.scene.spec.TextType;
 import particles.scene.spec.Values;
+import particles.scene.spec.WholeNumberType;
 
 /** What a scene file may say: the root of everything that reading, messages, schema and reference are made from. */
 public final class SceneFormat {
@@ -22,6 +23,8 @@ public final class SceneFormat {
             "The method that solves the equations of motion.");
     static final Key<Double> DELTA_T = Key.required("deltaT", NumberType.positive("s"), "The time step (s).");
     static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"), "How long the run lasts (s).");
+    static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64), "How many threads may evaluate the"
+            + " forces of a large system; as many as there are processors where it is not given. They change no bits.");
     static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
             ParticleDescription.TYPE),
             List.of(), "Particles, one by one.");
@@ -55,7 +58,7 @@ public final class SceneFormat {
 
     static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION, PARTICLES,
             SHAPES,
-            SPRINGS, RODS, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR);
+            SPRINGS, RODS, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR, THREADS);
 
     private SceneFormat() {
     }

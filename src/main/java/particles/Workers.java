@@ -1,0 +1,120 @@
+package particles;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * A few threads that do a piece of work together with the thread that asks for it, over and over and without allocating.
+ * Between two pieces they watch for the next one for some microseconds, and then sleep until they are woken. They are
+ * daemons, and end when they are closed.
+ */
+final class Workers implements AutoCloseable {
+    /** How often a thread looks before it sleeps: some 20 microseconds, longer than a solver's own arithmetic takes. */
+    private static final int LOOKS = 500;
+
+    /** What is done together. */
+    interface Work {
+        /**
+         * @param part  which part of it, from 0
+         * @param parts how many parts there are, done by as many threads
+         */
+        void run(int part, int parts);
+    }
+
+    private final Thread[] helpers;
+    private final AtomicInteger busy = new AtomicInteger();
+    private volatile int round;
+    private volatile boolean closed;
+    private volatile Throwable failure;
+    private volatile Thread caller;
+    private Work work;                                  // handed over by round
+
+    /** @param threads how many work together, the caller's own included; 2 or more */
+    Workers(int threads) {
+        helpers = new Thread[threads - 1];
+        for (int h = 0; h < helpers.length; h++) {
+            int part = h + 1;
+            helpers[h] = new Thread(() -> help(part), "forces-" + part);
+            helpers[h].setDaemon(true);
+            helpers[h].start();
+        }
+    }
+
+    /** Does all parts of the work, part 0 in this thread; a failure of any of them is thrown when all have ended. */
+    void run(Work work) {
+        this.work = work;
+        caller = Thread.currentThread();
+        busy.set(helpers.length);
+        round++;                                        // only the caller writes it
+        for (Thread helper : helpers) {
+            LockSupport.unpark(helper);
+        }
+        try {
+            work.run(0, helpers.length + 1);
+        } finally {
+            waitForHelpers();
+        }
+        Throwable thrown = failure;
+        if (thrown != null) {
+            failure = null;
+            if (thrown instanceof Error) {
+                throw (Error) thrown;
+            }
+            throw (RuntimeException) thrown;
+        }
+    }
+
+    private void waitForHelpers() {
+        for (int look = 0; busy.get() > 0; look++) {
+            if (look < LOOKS) {
+                Thread.onSpinWait();
+            } else {
+                LockSupport.park(this);
+            }
+        }
+    }
+
+    private void help(int part) {
+        int done = 0;
+        for (int look = 0; !closed; ) {
+            if (round == done) {
+                if (look++ < LOOKS) {
+                    Thread.onSpinWait();
+                } else {
+                    LockSupport.park(this);
+                }
+                continue;
+            }
+            done++;
+            look = 0;
+            try {
+                work.run(part, helpers.length + 1);
+            } catch (RuntimeException | Error e) {
+                failure = e;
+            }
+            if (busy.decrementAndGet() == 0) {
+                LockSupport.unpark(caller);
+            }
+        }
+    }
+
+    /** Ends the threads, and waits until they have ended. */
+    @Override
+    public void close() {
+        closed = true;
+        boolean interrupted = false;
+        for (Thread helper : helpers) {
+            LockSupport.unpark(helper);
+            while (helper.isAlive()) {
+                try {
+                    helper.join();
+                } catch (InterruptedException e) {
+                    interrupted = true;                 // they are about to end in any case
+                }
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}
