@@ -9,14 +9,13 @@ final class BlockJacobi implements LinearOperator {
         this.work = work;
     }
 
-    /** Takes up a matrix; false if a diagonal block is singular. */
-    boolean prepare(BlockMatrix matrix) {
-        BlockPattern pattern = matrix.pattern();
+    /** Takes up a matrix, the values in their pattern; false if a diagonal block is singular. */
+    boolean prepare(BlockPattern pattern, double[] values) {
         if (inverse.length != 9 * pattern.rows) {
             inverse = new double[9 * pattern.rows];
         }
         for (int i = 0; i < pattern.rows; i++) {
-            if (!Block3.invert(matrix.values(), 9 * pattern.diagonal[i], inverse, 9 * i)) {
+            if (!Block3.invert(values, 9 * pattern.diagonal[i], inverse, 9 * i)) {
                 return false;
             }
         }

@@ -130,11 +130,10 @@ final class BlockLU implements LinearOperator {
         return count;
     }
 
-    /** Factorises a matrix whose pattern {@link #fits}; false if a pivot block is singular. */
-    boolean factorise(BlockMatrix matrix) {
+    /** Factorises the matrix with these values in the pattern that {@link #fits}; false if a pivot block is singular. */
+    boolean factorise(double[] a) {
         work.factorisations++;
         work.blockOperations += operations;
-        double[] a = matrix.values();
         for (int i = 0; i < pattern.rows; i++) {
             spread(a, i);
             for (int l = lowerStart[i]; l < lowerStart[i + 1]; l++) {
@@ -196,7 +195,7 @@ final class BlockLU implements LinearOperator {
     @Override
     public void apply(double[] x, double[] y) {
         int n = pattern.rows;
-        work.blockOperations += lowerColumn.length + upperColumn.length + n;
+        work.blockOperations += blocks();
         for (int i = 0; i < n; i++) {
             System.arraycopy(x, 3 * order[i], solution, 3 * i, 3);
             for (int l = lowerStart[i]; l < lowerStart[i + 1]; l++) {
@@ -212,5 +211,15 @@ final class BlockLU implements LinearOperator {
             Block3.multiplyAdd(inverse, 9 * i, solution, 3 * i, y, to);
             System.arraycopy(y, to, solution, 3 * i, 3);
         }
+    }
+
+    /** Blocks of the factors: products of a block with three entries that {@link #apply} takes. */
+    long blocks() {
+        return (long) lowerColumn.length + upperColumn.length + pattern.rows;
+    }
+
+    /** What a factorisation takes, in such products. */
+    long cost() {
+        return 3 * operations;
     }
 }

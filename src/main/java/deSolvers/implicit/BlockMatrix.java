@@ -1,6 +1,5 @@
 package deSolvers.implicit;
 
-import deSolvers.JacobianBlocks;
 import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
@@ -8,23 +7,17 @@ import java.util.Arrays;
  * The sparse matrix A = M - g C - g<sup>2</sup> K of the velocities' equation, with C = dF/dv and K = dF/dx collected block
  * by block from the source. Rows of held particles are those of the unit matrix.
  */
-final class BlockMatrix implements JacobianBlocks, LinearOperator {
+final class BlockMatrix extends BlockCollector implements LinearOperator {
     /** Blocks differ from their mirror images by rounding where the forces have a potential, and by far more elsewhere. */
     private static final double SYMMETRIC = 1e-13;
 
     private final ImplicitWork.Counter work;
-    private BlockPattern pattern = new BlockPattern(0, 0, new int[0], new int[0]);
     private double[] value = {};
     private double gamma;
     private double[] state;
     /** For each row: the sum of |K| |x|, by which rounding of positions enters the forces. */
     private double[] forceScale = {};
     private final double[] product = new double[9];
-    private int cursor;
-    private boolean matches;
-    private boolean recording;
-    private int[] first = {};
-    private int[] second = {};
     private boolean symmetric;
     private boolean definite;
     private final RestoringPart clamp = new RestoringPart();
@@ -51,27 +44,19 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
         this.state = state;
         work.jacobians++;
         fill(source, masses.length);
-        if (!matches || cursor != pattern.pairs() || pattern.rows != masses.length) {
-            recording = true;
-            cursor = 0;
-            source.addJacobianBlocks(this);
-            recording = false;
-            pattern = new BlockPattern(masses.length, cursor, first, second);
-            first = new int[0];
-            second = new int[0];
-            value = new double[9 * pattern.blocks()];
-            forceScale = new double[3 * masses.length];
-            fill(source, masses.length);
-        }
         finish(masses);
     }
 
-    private void fill(JacobianStateSource source, int rows) {
+    @Override
+    void resize() {
+        value = new double[9 * pattern().blocks()];
+        forceScale = new double[3 * pattern().rows];
+    }
+
+    @Override
+    void clear() {
         Arrays.fill(value, 0);
         Arrays.fill(forceScale, 0);
-        cursor = 0;
-        matches = pattern.rows == rows;
-        source.addJacobianBlocks(this);
     }
 
     @Override
@@ -85,7 +70,7 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
         }
         int p = next(i, j);
         if (p >= 0) {
-            addTo(pattern.slot[p], dFdX, dFdV, -1);
+            addTo(pattern().slot[p], dFdX, dFdV, -1);
             addForceScale(i, dFdX, j);
         }
     }
@@ -102,10 +87,10 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
     }
 
     private void addPairBlocks(int p, int i, int j, double[] dFdX, double[] dFdV) {
-        addTo(pattern.diagonal[i], dFdX, dFdV, -1);
-        addTo(pattern.diagonal[j], dFdX, dFdV, -1);
-        addTo(pattern.slot[p], dFdX, dFdV, 1);
-        addTo(pattern.mirrorSlot[p], dFdX, dFdV, 1);
+        addTo(pattern().diagonal[i], dFdX, dFdV, -1);
+        addTo(pattern().diagonal[j], dFdX, dFdV, -1);
+        addTo(pattern().slot[p], dFdX, dFdV, 1);
+        addTo(pattern().mirrorSlot[p], dFdX, dFdV, 1);
         addForceScale(i, dFdX, i);
         addForceScale(i, dFdX, j);
         addForceScale(j, dFdX, i);
@@ -114,34 +99,15 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
 
     @Override
     public void transformRow(int i, double[] matrix) {
-        if (recording || !matches) {
+        if (!hasRows()) {
             return;
         }
-        for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {
-            Block3.multiply(matrix, 0, value, 9 * s, product, 0);
-            System.arraycopy(product, 0, value, 9 * s, 9);
-        }
+        pattern().transformRow(i, matrix, value, product);
         System.arraycopy(forceScale, 3 * i, product, 0, 3);
         for (int c = 0; c < 3; c++) {
             forceScale[3 * i + c] = Math.abs(matrix[3 * c]) * product[0] + Math.abs(matrix[3 * c + 1]) * product[1]
                     + Math.abs(matrix[3 * c + 2]) * product[2];
         }
-    }
-
-    /** The number of the pair that is named next, or -1 if it has no place (yet). */
-    private int next(int i, int j) {
-        if (recording) {
-            if (cursor == first.length) {
-                first = Arrays.copyOf(first, Math.max(64, 2 * cursor));
-                second = Arrays.copyOf(second, Math.max(64, 2 * cursor));
-            }
-            first[cursor] = i;
-            second[cursor] = j;
-            cursor++;
-            return -1;
-        }
-        matches = matches && pattern.isPair(cursor, i, j);
-        return matches ? cursor++ : -1;
     }
 
     private void addTo(int slot, double[] dFdX, double[] dFdV, double sign) {
@@ -164,6 +130,7 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
 
     /** Adds the masses, makes held rows those of the unit matrix, and looks at what came together. */
     private void finish(double[] masses) {
+        BlockPattern pattern = pattern();
         symmetric = true;
         stiffening = 1;
         for (int i = 0; i < pattern.rows; i++) {
@@ -198,6 +165,7 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
 
     @Override
     public void apply(double[] x, double[] y) {
+        BlockPattern pattern = pattern();
         work.blockOperations += pattern.blocks();
         int[] column = pattern.column;
         for (int i = 0, yAt = 0; i < pattern.rows; i++, yAt += 3) {
@@ -218,10 +186,6 @@ final class BlockMatrix implements JacobianBlocks, LinearOperator {
             y[yAt + 1] = y1;
             y[yAt + 2] = y2;
         }
-    }
-
-    BlockPattern pattern() {
-        return pattern;
     }
 
     double[] values() {

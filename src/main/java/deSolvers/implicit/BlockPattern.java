@@ -85,4 +85,12 @@ final class BlockPattern {
     int find(int i, int j) {
         return Arrays.binarySearch(column, rowStart[i], rowStart[i + 1], j);
     }
+
+    /** Multiplies a row of values from the left with a 3 x 3 matrix; {@code work} has room for 9. */
+    void transformRow(int i, double[] matrix, double[] values, double[] work) {
+        for (int s = rowStart[i]; s < rowStart[i + 1]; s++) {
+            Block3.multiply(matrix, 0, values, 9 * s, work, 0);
+            System.arraycopy(work, 0, values, 9 * s, 9);
+        }
+    }
 }

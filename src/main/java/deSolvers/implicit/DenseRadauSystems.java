@@ -41,6 +41,11 @@ final class DenseRadauSystems implements RadauSystems {
     }
 
     @Override
+    public boolean keepsJacobian() {
+        return true;
+    }
+
+    @Override
     public boolean prepare(double h, double mu, double muRe, double muIm) {
         for (int at = 0; at < n * n; at++) {
             double entry = -h * jacobian.data[at];

@@ -125,7 +125,7 @@ final class ImplicitStage {
         }
     }
 
-    private static boolean givesBlocks(DEStateSource client) {
+    static boolean givesBlocks(DEStateSource client) {
         return client instanceof JacobianStateSource && client instanceof SecondOrderStateSource
                 && ((SecondOrderStateSource) client).getDimension() == 3 && client.getStateSize() > 0
                 && ((JacobianStateSource) client).getJacobianBlocks() != JacobianStateSource.Blocks.NONE;

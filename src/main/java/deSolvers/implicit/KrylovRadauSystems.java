@@ -42,6 +42,12 @@ final class KrylovRadauSystems implements RadauSystems {
         derivative.setBase(source, state, slope, h);
     }
 
+    /** Without a matrix the Jacobian is where the source is, and is taken up anew with each sub-step. */
+    @Override
+    public boolean keepsJacobian() {
+        return false;
+    }
+
     @Override
     public boolean prepare(double h, double mu, double muRe, double muIm) {
         this.h = h;

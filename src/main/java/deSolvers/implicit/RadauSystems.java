@@ -19,6 +19,9 @@ interface RadauSystems {
      */
     void setJacobian(GuardedStep source, double[] state, double[] slope, double offset, double h);
 
+    /** Whether a Jacobian, once taken up, may serve later sub-steps too. */
+    boolean keepsJacobian();
+
     /**
      * Prepares the systems for a sub-step.
      *

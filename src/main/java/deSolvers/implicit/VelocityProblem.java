@@ -14,7 +14,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     /** Beyond this condition conjugate gradients need more time than a factorisation of a cloth of some thousand particles. */
     private static final double FACTORISE_ABOVE = 1000;
     /** Factors of more blocks than this (of 72 bytes) are not made; it is the memory for them that ends at some size. */
-    private static final long MOST_BLOCKS = 4_000_000;
+    static final long MOST_BLOCKS = 4_000_000;
     private static final int MOST_GMRES_ITERATIONS = 2000;
     private static final double ROUNDING = 2 * Math.ulp(1.0);
 
@@ -127,11 +127,11 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         if (masses.length <= SMALL || matrix.condition() > FACTORISE_ABOVE) {
             factorise();
         }
-        regular = factorised || blockJacobi.prepare(matrix);
+        regular = factorised || blockJacobi.prepare(matrix.pattern(), matrix.values());
     }
 
     private void factorise() {
-        factorised = factors.fits(matrix.pattern(), MOST_BLOCKS) && factors.factorise(matrix);
+        factorised = factors.fits(matrix.pattern(), MOST_BLOCKS) && factors.factorise(matrix.values());
     }
 
     @Override

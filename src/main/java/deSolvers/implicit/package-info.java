@@ -13,7 +13,13 @@
  *     gradients solve it while it is positive definite and not too ill-conditioned; otherwise GMRES, or a sparse
  *     factorisation in approximate-minimum-degree order (AMDJ).</li>
  * </ul>
- * The derivative of a compressed spring's force is indefinite across the spring. It is used as it is, not clamped, since
+ *
+ * <p>The Radau method splits the system of its three stages into a real and a complex one of the same size as the source
+ * ({@link deSolvers.implicit.RadauChoice} says how they are solved): full matrices for small sources, products and GMRES for
+ * large ones, and for particles that offer their blocks the velocities alone, by GMRES with one sparse real matrix as the
+ * preconditioner of both.
+ *
+ * <p>The derivative of a compressed spring's force is indefinite across the spring. It is used as it is, not clamped, since
  * with the exact matrix Newton's iteration converges fastest; where it loses definiteness, the method changes from conjugate
  * gradients to GMRES. Where Newton's iteration, damped by Deuflhard's monotonicity test, finds no way, a matrix without
  * the outward pushing parts leads down in energy until it does; and where even that fails, the solution is followed from
