@@ -62,8 +62,8 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
     @Override
     public void add(int i, int j, double[] dFdX, double[] dFdV) {
         if (i == j) {                                   // has its place in any pattern: contacts come and go without a new one
-            if (!recording && matches) {
-                addTo(pattern.diagonal[i], dFdX, dFdV, -1);
+            if (hasRows()) {
+                addTo(pattern().diagonal[i], dFdX, dFdV, -1);
                 addForceScale(i, dFdX, i);
             }
             return;

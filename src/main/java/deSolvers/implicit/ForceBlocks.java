@@ -107,6 +107,12 @@ final class ForceBlocks extends BlockCollector {
 
     @Override
     public void add(int i, int j, double[] dFdX, double[] dFdV) {
+        if (i == j) {                                   // has its place in any pattern
+            if (hasRows()) {
+                addTo(pattern().diagonal[i], dFdX, dFdV, 1);
+            }
+            return;
+        }
         int p = next(i, j);
         if (p >= 0) {
             addTo(pattern().slot[p], dFdX, dFdV, 1);
