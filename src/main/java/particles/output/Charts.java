@@ -110,7 +110,7 @@ final class Charts {
     }
 
     private static boolean onlyLines(ChartData data) {
-        return data.series().stream().allMatch(series -> series.mark() == Mark.LINE);
+        return data.series().stream().allMatch(series -> series.mark() == Mark.LINE || series.mark() == Mark.FAILURES);
     }
 
     /** Tight: from the first point to the last, without a margin, as marks need it. */

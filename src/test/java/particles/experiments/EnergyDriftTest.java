@@ -15,6 +15,8 @@ import particles.ChartData;
 import particles.experiments.EnergyDrift.Comparison;
 import particles.experiments.EnergyDrift.Drift;
 import particles.experiments.EnergyDrift.Kind;
+import particles.scene.Overrides;
+import particles.scene.SceneBuilder;
 import particles.scene.SceneDescription;
 import particles.scene.SceneReader;
 
@@ -36,7 +38,8 @@ class EnergyDriftTest {
         assertEquals(0.5, comparison.scale(), 1e-6);                // the energy at the start, by a run to 1e-9
         for (Drift drift : comparison.drifts()) {
             double amplitude = StabilityPolynomial.of(drift.setting().solver().name(), 0.125).orElseThrow().amplitude(200);
-            assertEquals(amplitude * amplitude - 1, drift.end(), 1e-7 * amplitude * amplitude, drift.setting().solver().name());
+            assertEquals(amplitude * amplitude - 1, drift.end(), 1e-7 * amplitude * amplitude,
+                    drift.setting().solver().name());
             assertEquals(Kind.SECULAR, drift.kind());
         }
     }
@@ -62,6 +65,36 @@ class EnergyDriftTest {
         SceneDescription damped = SceneReader.read(Path.of("scenes/03-damped-spring.yaml"));
         Drift drift = compare(damped, "rk4", false).drifts().get(0);
         assertTrue(drift.largest() < 1e-4, "measured " + drift.largest());
+    }
+
+    /**
+     * Bounces that take nine tenths of the energy are physics, and free fall is exact for methods of order 2. Symplectic
+     * Euler
+     * loses m g^2 h^2 / 2 in each step of a fall, whatever the floor does: m g^2 h / 2 a second.
+     */
+    @Test
+    void bouncesArePhysicsAndNoDrift() {
+        SceneDescription ball = SceneReader.read(Path.of("scenes/06-bouncing-ball.yaml"));
+        Comparison comparison = compare(ball.solvedBy("rk4", Optional.empty(), 0.002, 1.5), "rk4, verlet, symplectic-euler",
+                false);
+        for (Drift drift : comparison.drifts().subList(0, 2)) {
+            assertEquals(Kind.ROUNDING, drift.kind(), drift.setting().solver().name());
+            assertTrue(drift.largest() < 2e-13, "measured 2.2e-14, now " + drift.largest());
+        }
+        Drift euler = comparison.drifts().get(2);
+        assertEquals(Kind.SECULAR, euler.kind());
+        double mass = SceneBuilder.build(ball, new Overrides()).system().getParticles().mass(0);
+        assertEquals(1, euler.slope() / (-mass * 9.81 * 9.81 * 0.002 / 2 / comparison.scale()), 0.02);     // measured 1.000
+    }
+
+    /** Drops that come with energy and take it away again: the books change with each, and rk4 does not. */
+    @Test
+    void birthsAndDeathsArePhysicsAndNoDrift() {
+        SceneDescription fountain = SceneReader.read(Path.of("scenes/27-fountain.yaml"));
+        Comparison comparison = compare(fountain.solvedBy("rk4", Optional.empty(), 0.01, 2), "rk4, backward-euler", false);
+        assertTrue(comparison.drifts().get(0).largest() < 2e-10, "measured 2.2e-11, now "
+                + comparison.drifts().get(0).largest());
+        assertEquals(-0.05, comparison.drifts().get(1).slope(), 0.01, "what backward Euler does is seen");
     }
 
     @Test
@@ -96,7 +129,8 @@ class EnergyDriftTest {
 
     @Test
     void listsOfSolversAreChecked() {
-        assertEquals(List.of("rk4", "euler"), SolverChoice.list(" rk4, euler,rk4").stream().map(SolverChoice::label).toList());
+        assertEquals(List.of("rk4", "euler"),
+                SolverChoice.list(" rk4, euler,rk4").stream().map(SolverChoice::label).toList());
         assertEquals(13, SolverChoice.list("all").size());
         String message = assertThrows(NoSuchElementException.class, () -> SolverChoice.list("rk4,eular")).getMessage();
         assertTrue(message.contains("did you mean 'euler'"), message);
