@@ -1,0 +1,79 @@
+package particles.teaching.exercises;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
+import particles.teaching.exercises.Draw.Picks;
+
+/** Collisions: when a ball meets the ground for the n-th time, found by running a scene. */
+final class BouncingBall extends NumericExercise {
+    private static final double EARTH = 9.81;
+
+    BouncingBall() {
+        super("Collisions: the n-th bounce");
+    }
+
+    @Override
+    Question ask(Picks picks) {
+        double height = picks.decimal(50, 300, 2);
+        double g = picks.of(1.62, 3.72, 8.87, 24.79);
+        double r = picks.decimal(55, 90, 2);
+        int bounce = picks.whole(3, 6);
+        double answer = timeOf(bounce, height, g, r);
+        double first = Math.sqrt(2 * height / g);
+        double sum = 1;
+        for (int n = 1; n < bounce; n++) {
+            sum += StrictMath.pow(r, n);
+        }
+        return new Question("On a planet with g = " + Draw.text(g) + " m/s^2 a ball falls from rest, its middle " + Draw.text(height)
+                + " m above where it meets the ground. Each bounce turns the velocity v into -r v with r = " + Draw.text(r)
+                + ".\nWhen does it meet the ground for the " + bounce + (bounce == 3 ? "rd" : "th") + " time?", "s", FOUR_DIGITS, answer, 0, List.of(
+                new Slip(timeOf(bounce - 1, height, g, r), "This is one bounce too early; the first contact counts as 1."),
+                new Slip(timeOf(bounce + 1, height, g, r), "This is one bounce too late; the first contact counts as 1."),
+                new Slip(first * sum, "Between two bounces it flies up and down: each flight counts twice, only the first fall once."),
+                new Slip(first * (2 * sum), "The first fall is only down: it counts once, the later flights twice."),
+                new Slip(timeOf(bounce, height, g, Math.sqrt(r)), "r multiplies the velocity, and a flight's time with it; not the energy or the height."),
+                new Slip(timeOf(bounce, height, g, r * r), "The height goes with r^2, but a flight's time with r."),
+                new Slip(first * (2 * bounce - 1), "The bounces lose energy: each flight is r times as long as the one before."),
+                new Slip(timeOf(bounce, height, EARTH, r), "This is g on Earth."),
+                new Slip(first, "This is the first contact.")));
+    }
+
+    private static double timeOf(int bounce, double height, double g, double r) {
+        double fall = Math.sqrt(2 * height / g);
+        String yaml = String.format(Locale.ROOT, """
+                title: A ball
+                teaches: When it bounces.
+                solver: rk4
+                deltaT: %s
+                duration: %s
+                impact: exact
+                particles: [{id: ball, position: [0, %s, 0]}]
+                effects: [gravity: {acceleration: [0, -%s, 0]}]
+                rules: [ground: {restitution: %s, restSpeed: 1e-9}]
+                """, fall / 16, fall * (2 * bounce + 1), height, g, r);
+        Scene scene = SceneBuilder.build(SceneReader.read("the exercise's scene", yaml.getBytes(StandardCharsets.UTF_8)), new Overrides());
+        Contacts contacts = new Contacts();
+        scene.simulation().addObserver(contacts);
+        scene.simulation().run();
+        return contacts.times.get(bounce - 1);
+    }
+
+    /** Notes when a rule changed something: here, when the ball bounced. */
+    private static final class Contacts implements Observer {
+        private final List<Double> times = new ArrayList<>();
+
+        @Override
+        public void changed(ParticleSystem system, Rule rule) {
+            times.add(system.getTime());
+        }
+    }
+}

@@ -1,0 +1,90 @@
+package particles.teaching.exercises;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.catalog.SolverCatalog;
+import java.util.List;
+import particles.ParticleSystem;
+import particles.Vector3;
+import particles.effects.SpringForce;
+import particles.teaching.exercises.Draw.Picks;
+
+/** The largest step with which RK4 stays stable on a chain between two walls, found by trying. */
+final class LargestStep extends NumericExercise {
+    private static final int STEPS = 600;
+    private static final int HALVINGS = 20;
+    private static final double AMPLITUDE = 1e-6;
+    /** The limits of RK4 on the imaginary and on the real axis, and of the leapfrogs. */
+    private static final double IMAGINARY = 2 * Math.sqrt(2);
+    private static final double REAL = 2.785294;
+    private static final double LEAPFROG = 2;
+
+    LargestStep() {
+        super("The largest stable step of a chain");
+    }
+
+    @Override
+    Question ask(Picks picks) {
+        int count = picks.whole(2, 4);
+        double m = picks.decimal(2, 60, 2);
+        double k = picks.whole(30, 900);
+        double omega = Math.sqrt(k / m);
+        double highest = 2 * omega * StrictMath.sin(count * Math.PI / (2.0 * (count + 1)));
+        double lowest = 2 * omega * StrictMath.sin(Math.PI / (2.0 * (count + 1)));
+        double answer = limit(count, m, k, IMAGINARY / (4 * omega));
+        return new Question(count + " particles of m = " + Draw.text(m) + " kg each stand in a row between two walls, joined to each other and to the"
+                + " walls by " + (count + 1) + " springs of k = " + Draw.text(k) + " N/m, without damping; they move along the row.\nWhat is the largest"
+                + " deltaT with which RK4 is stable?", "s", FOUR_DIGITS, answer, 0, List.of(
+                new Slip(REAL / highest, "2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary one."),
+                new Slip(LEAPFROG / highest, "2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4."),
+                new Slip(IMAGINARY / omega, "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against it."),
+                new Slip(IMAGINARY / (2 * omega), "2 sqrt(k/m) is the limit for a very long chain; this one is short: its highest omega is"
+                        + " 2 sqrt(k/m) sin(n pi/(2(n + 1)))."),
+                new Slip(IMAGINARY / lowest, "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets the limit."),
+                new Slip(2 * Math.PI / highest, "This is the shortest period; the limit is 2.828 over omega, not 2 pi over omega."),
+                new Slip(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),
+                new Slip(IMAGINARY / (highest * m / k), "Mass and stiffness are the wrong way round: omega is the root of k/m.")));
+    }
+
+    /** Between a step that is stable for any chain of such springs and twice that, which is not for any. */
+    private static double limit(int count, double m, double k, double stable) {
+        double low = stable;
+        double high = 4 * stable;
+        for (int halving = 0; halving < HALVINGS; halving++) {
+            double middle = (low + high) / 2;
+            if (grows(count, m, k, middle)) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        return low;
+    }
+
+    private static boolean grows(int count, double m, double k, double deltaT) {
+        ParticleSystem system = new ParticleSystem();
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int i = 0; i < count + 2; i++) {
+            boolean wall = i == 0 || i == count + 1;
+            double aside = wall ? 0 : i % 2 == 0 ? AMPLITUDE : -AMPLITUDE;
+            system.addParticle("p" + i, m, new Vector3(i + aside, 0, 0), Vector3.ZERO, wall);
+            if (i > 0) {
+                springs.addSpring(i - 1, i, k, 1, 0);
+            }
+        }
+        system.addEffect(springs);
+        DESolver solver = SolverCatalog.create("rk4");
+        double before = system.getEnergy(system.getOwnState(), 0);
+        try {
+            for (int n = 0; n < STEPS; n++) {
+                solver.stepState(system, deltaT);
+                if (!(system.getEnergy(system.getOwnState(), 0) < 100 * before)) {
+                    return true;
+                }
+            }
+        } catch (DESolverException e) {
+            return true;                                // it overflowed, or two particles met
+        }
+        return system.getEnergy(system.getOwnState(), 0) > before;
+    }
+}

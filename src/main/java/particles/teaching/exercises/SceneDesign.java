@@ -1,0 +1,188 @@
+package particles.teaching.exercises;
+
+import deSolvers.catalog.SolverCatalog;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import particles.EnergyLedger;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Rule;
+import particles.experiments.EnergyHistory;
+import particles.experiments.SceneRun;
+import particles.experiments.SceneRun.Outcome;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneDescription;
+import particles.scene.SceneException;
+import particles.scene.SceneReader;
+import particles.teaching.exercises.Draw.Picks;
+
+/** Design a scene: a student's scene file is run and held to what was asked for. */
+final class SceneDesign implements Exercise {
+    private static final int MOST_PARTICLES = 500;
+    private static final double ACCURACY = 0.01;
+
+    /**
+     * What is asked for.
+     *
+     * @param particles   that can move, at least
+     * @param springs     at least
+     * @param bounces     at least: steps or impacts in which the ground changed something
+     * @param duration    at least (s)
+     * @param lost        the part of the energy scale that damping, drag and impacts take, at least
+     * @param evaluations of the derivative, at most
+     */
+    private record Wanted(int particles, int springs, int bounces, double duration, double lost, long evaluations) {
+    }
+
+    @Override
+    public String title() {
+        return "Design a scene";
+    }
+
+    private static Wanted wanted(Draw draw) {
+        Picks picks = draw.picks();
+        int particles = picks.whole(3, 9);
+        return new Wanted(particles, particles + picks.whole(0, 4), picks.whole(2, 8), picks.decimal(20, 60, 1), picks.decimal(2, 6, 1),
+                1000L * picks.whole(20, 60));
+    }
+
+    @Override
+    public String text(Draw draw) {
+        Wanted wanted = wanted(draw);
+        StringBuilder text = new StringBuilder("Write a scene file of something that falls, bounces and loses its motion by honest physics."
+                + " The answer is the file's path. It is run, and has to do all of this:");
+        names(wanted).forEach(name -> text.append("\n  - ").append(name));
+        return text.toString();
+    }
+
+    private static List<String> names(Wanted wanted) {
+        return List.of("solver: one of the catalogue, and not euler", "at least " + wanted.particles() + " particles that can move, at most " + MOST_PARTICLES,
+                "at least " + wanted.springs() + " springs", "duration: at least " + Draw.text(wanted.duration()) + " s",
+                "it runs to its end, with at most " + wanted.evaluations() + " evaluations of the derivative",
+                "at least " + wanted.bounces() + " bounces off the ground or another surface",
+                "damping, drag and bounces take at least " + Draw.text(wanted.lost()) + " of the energy scale (the largest energy of motion and springs)",
+                "what no physics explains of the energy is at the end below " + Draw.text(ACCURACY) + " of that scale");
+    }
+
+    @Override
+    public Mark mark(Draw draw, String answer) {
+        if (answer.isBlank()) {
+            return Mark.wrong("The answer is empty; the path of a scene file is wanted, such as my-scene.yaml.");
+        }
+        Scene scene;
+        try {
+            SceneDescription description = SceneReader.read(Path.of(answer.strip()));
+            if (!SolverCatalog.names().contains(description.solver())) {
+                return Mark.wrong("does not hold: " + names(wanted(draw)).get(0) + " (here: " + description.solver() + ")");
+            }
+            scene = SceneBuilder.build(description, new Overrides());
+        } catch (SceneException e) {
+            return new Mark(false, e.getLines());
+        } catch (InvalidPathException e) {
+            return Mark.wrong("'" + answer.strip() + "' is no path of a file: " + e.getReason());
+        }
+        return run(wanted(draw), scene);
+    }
+
+    private static Mark run(Wanted wanted, Scene scene) {
+        int moving = moving(scene.system());
+        List<String> names = names(wanted);
+        Report report = new Report(names);
+        report.hold(0, !scene.description().solver().equals("euler"), scene.description().solver());
+        report.hold(1, moving >= wanted.particles() && moving <= MOST_PARTICLES, moving + " can move");
+        report.hold(2, scene.springs().springCount() >= wanted.springs(), scene.springs().springCount() + " springs");
+        report.hold(3, scene.description().duration() >= wanted.duration(), Draw.text(scene.description().duration()) + " s");
+        if (moving > MOST_PARTICLES) {
+            return report.mark();
+        }
+        EnergyLedger ledger = new EnergyLedger();
+        EnergyHistory history = new EnergyHistory();
+        Bounces bounces = new Bounces();
+        Outcome outcome = SceneRun.run(scene, wanted.evaluations(), List.of(ledger, history, bounces));
+        report.hold(4, outcome.failure().isEmpty(), outcome.failure().orElse(outcome.evaluations() + " evaluations"));
+        if (outcome.failure().isPresent()) {
+            return report.mark();
+        }
+        double scale = history.getScale();
+        double taken = 0;
+        for (double joules : ledger.getWork().values()) {
+            taken -= Math.min(0, joules);
+        }
+        report.hold(5, bounces.count >= wanted.bounces(), bounces.count + " bounces");
+        report.hold(6, scale > 0 && taken / scale >= wanted.lost(), number(scale > 0 ? taken / scale : 0));
+        report.hold(7, scale > 0 && Math.abs(ledger.getNumericalError()) <= ACCURACY * scale,
+                number(scale > 0 ? ledger.getNumericalError() / scale : 0));
+        return report.mark();
+    }
+
+    private static int moving(ParticleSystem system) {
+        Particles particles = system.getParticles();
+        int moving = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            moving += particles.isFixed(i) ? 0 : 1;
+        }
+        return moving;
+    }
+
+    private static String number(double x) {
+        return String.format(Locale.ROOT, "%.3g", x);
+    }
+
+    /** The list of what holds and what does not. */
+    private static final class Report {
+        private final List<String> names;
+        private final List<String> lines = new ArrayList<>();
+        private boolean right = true;
+
+        Report(List<String> names) {
+            this.names = names;
+        }
+
+        void hold(int wanted, boolean holds, String found) {
+            right &= holds;
+            lines.add((holds ? "holds: " : "does not hold: ") + names.get(wanted) + " (here: " + found + ")");
+        }
+
+        /** What could not be looked at any more does not hold. */
+        Mark mark() {
+            for (int k = lines.size(); k < names.size(); k++) {
+                right = false;
+                lines.add("not looked at: " + names.get(k));
+            }
+            return new Mark(right, lines);
+        }
+    }
+
+    /** Counts how often a particle's velocity was turned round by a rule. */
+    private static final class Bounces implements Observer {
+        private int count;
+        private double[] before = {};
+
+        @Override
+        public void moved(Motion motion) {
+            before = motion.getEndState().clone();
+        }
+
+        @Override
+        public void changed(ParticleSystem system, Rule rule) {
+            double[] after = system.getOwnState();
+            if (!rule.getName().contains("impact") || before.length != after.length) {
+                return;
+            }
+            for (int i = 0; i < after.length; i += Particles.STRIDE) {
+                boolean turned = false;
+                for (int k = i + Particles.STRIDE / 2; k < i + Particles.STRIDE; k++) {
+                    turned |= before[k] * after[k] < 0;
+                }
+                count += turned ? 1 : 0;
+            }
+        }
+    }
+}

@@ -1,0 +1,71 @@
+package particles.teaching.exercises;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import particles.experiments.problems.TestProblem;
+
+/** A particle on a spring and a damper, m x'' = -k x - c x', and what solvers make of it. */
+final class Spring extends TestProblem {
+    private static final int FINE = 1000;
+
+    private final double mass;
+    private final double stiffness;
+    private final double damping;
+
+    /**
+     * @param mass      m (kg)
+     * @param stiffness k (N/m); negative pushes away
+     * @param damping   c (N s/m)
+     * @param x         where it starts (m)
+     * @param v         how fast (m/s)
+     */
+    Spring(double mass, double stiffness, double damping, double x, double v) {
+        super(x, v);
+        this.mass = mass;
+        this.stiffness = stiffness;
+        this.damping = damping;
+    }
+
+    @Override
+    protected void accelerate(double[] s, double[] dSdt) {
+        dSdt[1] = (-stiffness * s[0] - damping * s[1]) / mass;
+    }
+
+    @Override
+    public boolean accelerationDependsOnVelocity() {
+        return damping != 0;
+    }
+
+    double x() {
+        return state()[0];
+    }
+
+    double v() {
+        return state()[1];
+    }
+
+    double energy() {
+        double[] s = state();
+        return (mass * s[1] * s[1] + stiffness * s[0] * s[0]) / 2;
+    }
+
+    private double[] state() {
+        double[] s = new double[2];
+        getState(s);
+        return s;
+    }
+
+    /** @return this, after so many steps of a solver of the catalogue */
+    Spring after(String solver, int steps, double deltaT) {
+        DESolver made = SolverCatalog.create(solver);
+        for (int n = 0; n < steps; n++) {
+            made.stepState(this, deltaT);
+        }
+        return this;
+    }
+
+    /** @return this, as it moves in truth: after steps of RK4 so short that no digit which anyone types is wrong */
+    Spring truly(double time) {
+        return after("rk4", FINE, time / FINE);
+    }
+}
