@@ -41,6 +41,9 @@ public final class Main {
                 new CheckSolverCommand(),
                 new NewClassCommand.NewSolver(EXERCISES, style),
                 new NewClassCommand.NewEffect(EXERCISES, style),
-                new CheckEffectCommand());
+                new CheckEffectCommand(),
+                new ExercisesCommand(style),
+                new ExerciseCommand(style),
+                new GradeCommand(EXERCISES, style));
     }
 }

@@ -1,6 +1,9 @@
 package particles.app;
 
+import java.io.File;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,15 +25,60 @@ final class StudentProcess {
      * @throws IOException if no process can be made
      */
     static int run(List<String> args) throws IOException {
+        return await(builder(args, System.getProperty("java.class.path")).inheritIO());
+    }
+
+    /**
+     * How a process ended.
+     *
+     * @param code  its exit code
+     * @param lines what it printed
+     */
+    record Outcome(int code, List<String> lines) {
+    }
+
+    /**
+     * Runs a command in such a process, and keeps what it prints.
+     *
+     * @param args    the command and its options
+     * @param classes where the student's classes are
+     * @return how it ended
+     * @throws IOException if no process can be made
+     */
+    static Outcome runQuietly(List<String> args, Path classes) throws IOException {
+        Path screen = Files.createTempFile("desolver-check", ".txt");
+        try {
+            String path = classes + File.pathSeparator + System.getProperty("java.class.path");
+            ProcessBuilder process = builder(args, path).redirectErrorStream(true).redirectOutput(screen.toFile());
+            try {
+                int code = await(process);
+                return new Outcome(code, lines(screen));
+            } catch (Failure e) {
+                return new Outcome(e.exitCode().code(), e.lines());
+            }
+        } finally {
+            Files.delete(screen);
+        }
+    }
+
+    private static List<String> lines(Path screen) throws IOException {
+        return new String(Files.readAllBytes(screen), StandardCharsets.UTF_8).lines().toList();
+    }
+
+    private static ProcessBuilder builder(List<String> args, String classPath) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx" + MEGABYTES + "m",
-                "-XX:TieredStopAtLevel=1", "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path")));
+                "-XX:TieredStopAtLevel=1", "-Djava.awt.headless=true", "-cp", classPath));
         String startedBy = System.getProperty(OptionStyle.STARTED_BY);
         if (startedBy != null) {                        // null where it was not set
             line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
         }
         line.add(Main.class.getName());
         line.addAll(args);
-        Process process = new ProcessBuilder(line).inheritIO().start();
+        return new ProcessBuilder(line);
+    }
+
+    private static int await(ProcessBuilder builder) throws IOException {
+        Process process = builder.start();
         try {
             if (process.waitFor(SECONDS, TimeUnit.SECONDS)) {
                 return process.exitValue();

@@ -23,20 +23,31 @@ final class AdaptiveStep extends NumericExercise {
         double error = difference("rk4", m, k, x, v, h);
         double factor = bound / error;
         double smallest = error < 1e-6 * x ? Double.POSITIVE_INFINITY : 0;      // roundings on the way would show
-        return new Question("A particle of m = " + Draw.text(m) + " kg on a spring of k = " + Draw.text(k) + " N/m is at x = " + Draw.text(x) + " m with v = "
-                + Draw.text(v) + " m/s. Take two steps of RK4 with deltaT = " + Draw.text(h) + " s, and one of 2 deltaT from the same start; the"
+        return new Question("A particle of m = " + Draw.text(m) + " kg on a spring of k = " + Draw.text(k)
+                + " N/m is at x = " + Draw.text(x) + " m with v = "
+                + Draw.text(v) + " m/s. Take two steps of RK4 with deltaT = " + Draw.text(h)
+                        + " s, and one of 2 deltaT from the same start; the"
                 + " difference of the two x is the error.\nWhich deltaT would make this error " + Draw.text(bound)
                 + " m, if it goes as it does for a short step: with the power of deltaT that belongs to one step of a method of order 4?", "s",
                 FOUR_DIGITS, next(h, factor, 1.0 / ERROR_ORDER), smallest, List.of(
-                new Slip(next(h, factor, 1.0 / (ERROR_ORDER - 1)), "The error over a given time goes with the fourth power; that of one step goes with the fifth."),
-                new Slip(next(h, 1 / factor, 1.0 / ERROR_ORDER), "The fraction is the wrong way round: too large an error needs a shorter step."),
-                new Slip(next(h, factor, 1), "The error does not go with deltaT itself but with its fifth power: take the fifth root."),
-                new Slip(next(h, factor, 1.0 / 2), "The square root belongs to a method of order 1; RK4's error of one step goes with the fifth power."),
-                new Slip(next(h, factor, 1.0 / 3), "The cube root belongs to a method of order 2; RK4's error of one step goes with the fifth power."),
-                new Slip(next(h, RICHARDSON * factor, 1.0 / ERROR_ORDER), "The fifteenth of the difference is the error of the better result; asked is the difference itself."),
-                new Slip(2 * next(h, factor, 1.0 / ERROR_ORDER), "This is 2 deltaT; asked is deltaT, the length of the short steps."),
-                new Slip(next(h, bound / difference("midpoint", m, k, x, v, h), 1.0 / ERROR_ORDER), "The steps are those of the midpoint method; RK4's are wanted."),
-                new Slip(next(h, bound / difference("rk4", 1, k, x, v, h), 1.0 / ERROR_ORDER), "The mass is missing: a = F/m = -(k/m) x.")));
+                new Slip(next(h, factor, 1.0 / (ERROR_ORDER - 1)),
+                        "The error over a given time goes with the fourth power; that of one step goes with the fifth."),
+                new Slip(next(h, 1 / factor, 1.0 / ERROR_ORDER),
+                        "The fraction is the wrong way round: too large an error needs a shorter step."),
+                new Slip(next(h, factor, 1),
+                        "The error does not go with deltaT itself but with its fifth power: take the fifth root."),
+                new Slip(next(h, factor, 1.0 / 2),
+                        "The square root belongs to a method of order 1; RK4's error of one step goes with the fifth power."),
+                new Slip(next(h, factor, 1.0 / 3),
+                        "The cube root belongs to a method of order 2; RK4's error of one step goes with the fifth power."),
+                new Slip(next(h, RICHARDSON * factor, 1.0 / ERROR_ORDER),
+                        "The fifteenth of the difference is the error of the better result; asked is the difference itself."),
+                new Slip(2 * next(h, factor, 1.0 / ERROR_ORDER),
+                        "This is 2 deltaT; asked is deltaT, the length of the short steps."),
+                new Slip(next(h, bound / difference("midpoint", m, k, x, v, h), 1.0 / ERROR_ORDER),
+                        "The steps are those of the midpoint method; RK4's are wanted."),
+                new Slip(next(h, bound / difference("rk4", 1, k, x, v, h), 1.0 / ERROR_ORDER),
+                        "The mass is missing: a = F/m = -(k/m) x.")));
     }
 
     private static double next(double h, double factor, double power) {
@@ -44,6 +55,7 @@ final class AdaptiveStep extends NumericExercise {
     }
 
     private static double difference(String solver, double m, double k, double x, double v, double h) {
-        return Math.abs(new Spring(m, k, 0, x, v).after(solver, 2, h).x() - new Spring(m, k, 0, x, v).after(solver, 1, 2 * h).x());
+        return Math.abs(new Spring(m, k, 0, x, v).after(solver, 2, h).x() - new Spring(m, k, 0, x, v).after(solver, 1,
+                2 * h).x());
     }
 }

@@ -28,7 +28,8 @@ record AnswerText(Optional<Double> value, String problem) {
         }
         String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
         if (text.toLowerCase(java.util.Locale.ROOT).matches("[+-]?(nan|inf|infinity|\u221e).*")) {
-            return refused("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up; " + ALLOWED + ".");
+            return refused("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up; " + ALLOWED
+                    + ".");
         }
         if (text.matches("[+-]?[\\d ']*\\d[.,]\\d+[.,]\\d+.*")) {
             return refused("'" + shown + "' has two points or commas; write no separators of thousands; " + ALLOWED + ".");

@@ -19,14 +19,18 @@ final class EulerSpiral extends NumericExercise {
         double growth = ratio(m, k, h, steps);
         double squared = h * h * k / m;
         return new Question("A particle of m = " + Draw.text(m) + " kg on an undamped spring of k = " + Draw.text(k)
-                + " N/m is pulled aside and released.\nBy which factor have " + steps + " Euler steps of deltaT = " + Draw.text(h)
+                + " N/m is pulled aside and released.\nBy which factor have " + steps + " Euler steps of deltaT = "
+                        + Draw.text(h)
                 + " s multiplied its energy, (m v^2 + k x^2)/2?", "", FOUR_DIGITS, growth, 0, List.of(
                 new Slip(Math.sqrt(growth), "This is the factor of the amplitude; energy goes with its square."),
-                new Slip(growth * growth, "This is squared once too often: 1 + (deltaT omega)^2 is the factor of the energy already."),
+                new Slip(growth * growth,
+                        "This is squared once too often: 1 + (deltaT omega)^2 is the factor of the energy already."),
                 new Slip(ratio(m, k, h, 1), "This is what one step does; each step multiplies again."),
-                new Slip(1 + steps * squared, "What the steps add is itself multiplied by later steps: take the power, not the multiple."),
+                new Slip(1 + steps * squared,
+                        "What the steps add is itself multiplied by later steps: take the power, not the multiple."),
                 new Slip(ratio(1, k, h, steps), "The mass is missing: omega^2 = k/m."),
-                new Slip(StrictMath.pow(1 + h * Math.sqrt(k / m), 2 * steps), "An undamped spring turns in state space: its step is at right angles"
+                new Slip(StrictMath.pow(1 + h * Math.sqrt(k / m), 2 * steps),
+                        "An undamped spring turns in state space: its step is at right angles"
                         + " to the radius. Pythagoras gives 1 + (deltaT omega)^2, not (1 + deltaT omega)^2."),
                 new Slip(1, "In truth the energy stays; wanted is what Euler makes of it.")));
     }

@@ -19,20 +19,26 @@ final class EulerSteps extends NumericExercise {
         double v = picks.decimal(5, 15, 1);
         double h = picks.of(0.1, 0.15, 0.2, 0.25);
         double answer = new Spring(m, k, 0, x, v).after("euler", STEPS, h).x();
-        return new Question("A particle of m = " + Draw.text(m) + " kg hangs on a spring of k = " + Draw.text(k) + " N/m: x'' = -(k/m) x. It is at x = "
-                + Draw.text(x) + " m and moves with v = " + Draw.text(v) + " m/s.\nWhere is it after three Euler steps of deltaT = "
+        return new Question("A particle of m = " + Draw.text(m) + " kg hangs on a spring of k = " + Draw.text(k)
+                + " N/m: x'' = -(k/m) x. It is at x = "
+                + Draw.text(x) + " m and moves with v = " + Draw.text(v)
+                        + " m/s.\nWhere is it after three Euler steps of deltaT = "
                 + Draw.text(h) + " s?", "m", FOUR_DIGITS, answer, 0.1 * x, List.of(
                 new Slip(new Spring(m, k, 0, x, v).after("symplectic-euler", STEPS, h).x(),
                         "The position was moved with the new velocity: that is the simple algorithm (symplectic Euler). Euler uses the"
                                 + " derivative at the start of the step for both."),
-                new Slip(new Spring(m, k, 0, x, v).after("euler", STEPS - 1, h).x(), "These are two steps; three are wanted."),
-                new Slip(new Spring(m, k, 0, x, v).after("euler", STEPS + 1, h).x(), "These are four steps; three are wanted."),
+                new Slip(new Spring(m, k, 0, x, v).after("euler", STEPS - 1, h).x(),
+                        "These are two steps; three are wanted."),
+                new Slip(new Spring(m, k, 0, x, v).after("euler", STEPS + 1, h).x(),
+                        "These are four steps; three are wanted."),
                 new Slip(new Spring(m, k, 0, x, v).after("euler", 1, STEPS * h).x(),
                         "This is one step of three times deltaT; the derivative has to be evaluated anew after each step."),
                 new Slip(new Spring(1, k, 0, x, v).after("euler", STEPS, h).x(), "The mass is missing: a = F/m = -(k/m) x."),
-                new Slip(new Spring(m, -k, 0, x, v).after("euler", STEPS, h).x(), "The spring pulls back: the sign of its force is minus."),
+                new Slip(new Spring(m, -k, 0, x, v).after("euler", STEPS, h).x(),
+                        "The spring pulls back: the sign of its force is minus."),
                 new Slip(new Spring(m, k, 0, x, v).after("midpoint", STEPS, h).x(),
                         "This is the midpoint method; Euler evaluates the derivative once, at the start of the step."),
-                new Slip(new Spring(m, k, 0, x, v).truly(STEPS * h).x(), "This is the exact motion; wanted is what Euler makes of it.")));
+                new Slip(new Spring(m, k, 0, x, v).truly(STEPS * h).x(),
+                        "This is the exact motion; wanted is what Euler makes of it.")));
     }
 }

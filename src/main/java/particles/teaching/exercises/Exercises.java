@@ -4,8 +4,10 @@ import java.util.List;
 
 /** All exercises, in the order of the lecture; the first has the number 1. */
 public final class Exercises {
-    private static final List<Exercise> ALL = List.of(new EulerSteps(), new EulerSpiral(), new MidpointSteps(), new RK4Step(), new CostOfRK4(),
-            new LargestStep(), new SymplecticEnergy(), new NumericalDamping(), new StiffSpring(), new AdaptiveStep(), new BouncingBall(), new SceneDesign());
+    private static final List<Exercise> ALL = List.of(new EulerSteps(), new EulerSpiral(), new MidpointSteps(),
+            new RK4Step(), new CostOfRK4(),
+            new LargestStep(), new SymplecticEnergy(), new NumericalDamping(), new StiffSpring(), new AdaptiveStep(),
+                    new BouncingBall(), new SceneDesign());
 
     private Exercises() {
     }

@@ -32,18 +32,27 @@ final class LargestStep extends NumericExercise {
         double highest = 2 * omega * StrictMath.sin(count * Math.PI / (2.0 * (count + 1)));
         double lowest = 2 * omega * StrictMath.sin(Math.PI / (2.0 * (count + 1)));
         double answer = limit(count, m, k, IMAGINARY / (4 * omega));
-        return new Question(count + " particles of m = " + Draw.text(m) + " kg each stand in a row between two walls, joined to each other and to the"
-                + " walls by " + (count + 1) + " springs of k = " + Draw.text(k) + " N/m, without damping; they move along the row.\nWhat is the largest"
+        return new Question(count + " particles of m = " + Draw.text(m)
+                + " kg each stand in a row between two walls, joined to each other and to the"
+                + " walls by " + (count + 1) + " springs of k = " + Draw.text(k)
+                        + " N/m, without damping; they move along the row.\nWhat is the largest"
                 + " deltaT with which RK4 is stable?", "s", FOUR_DIGITS, answer, 0, List.of(
-                new Slip(REAL / highest, "2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary one."),
-                new Slip(LEAPFROG / highest, "2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4."),
-                new Slip(IMAGINARY / omega, "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against it."),
-                new Slip(IMAGINARY / (2 * omega), "2 sqrt(k/m) is the limit for a very long chain; this one is short: its highest omega is"
+                new Slip(REAL / highest,
+                        "2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary one."),
+                new Slip(LEAPFROG / highest,
+                        "2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4."),
+                new Slip(IMAGINARY / omega,
+                        "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against it."),
+                new Slip(IMAGINARY / (2 * omega),
+                        "2 sqrt(k/m) is the limit for a very long chain; this one is short: its highest omega is"
                         + " 2 sqrt(k/m) sin(n pi/(2(n + 1)))."),
-                new Slip(IMAGINARY / lowest, "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets the limit."),
-                new Slip(2 * Math.PI / highest, "This is the shortest period; the limit is 2.828 over omega, not 2 pi over omega."),
+                new Slip(IMAGINARY / lowest,
+                        "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets the limit."),
+                new Slip(2 * Math.PI / highest,
+                        "This is the shortest period; the limit is 2.828 over omega, not 2 pi over omega."),
                 new Slip(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),
-                new Slip(IMAGINARY / (highest * m / k), "Mass and stiffness are the wrong way round: omega is the root of k/m.")));
+                new Slip(IMAGINARY / (highest * m / k),
+                        "Mass and stiffness are the wrong way round: omega is the root of k/m.")));
     }
 
     /** Between a step that is stable for any chain of such springs and twice that, which is not for any. */

@@ -49,7 +49,8 @@ final class SceneDesign implements Exercise {
     private static Wanted wanted(Draw draw) {
         Picks picks = draw.picks();
         int particles = picks.whole(3, 9);
-        return new Wanted(particles, particles + picks.whole(0, 4), picks.whole(2, 8), picks.decimal(20, 60, 1), picks.decimal(2, 6, 1),
+        return new Wanted(particles, particles + picks.whole(0, 4), picks.whole(2, 8), picks.decimal(20, 60, 1),
+                picks.decimal(2, 6, 1),
                 1000L * picks.whole(20, 60));
     }
 
@@ -63,11 +64,13 @@ final class SceneDesign implements Exercise {
     }
 
     private static List<String> names(Wanted wanted) {
-        return List.of("solver: one of the catalogue, and not euler", "at least " + wanted.particles() + " particles that can move, at most " + MOST_PARTICLES,
+        return List.of("solver: one of the catalogue, and not euler", "at least " + wanted.particles()
+                + " particles that can move, at most " + MOST_PARTICLES,
                 "at least " + wanted.springs() + " springs", "duration: at least " + Draw.text(wanted.duration()) + " s",
                 "it runs to its end, with at most " + wanted.evaluations() + " evaluations of the derivative",
                 "at least " + wanted.bounces() + " bounces off the ground or another surface",
-                "damping, drag and bounces take at least " + Draw.text(wanted.lost()) + " of the energy scale (the largest energy of motion and springs)",
+                "damping, drag and bounces take at least " + Draw.text(wanted.lost())
+                        + " of the energy scale (the largest energy of motion and springs)",
                 "what no physics explains of the energy is at the end below " + Draw.text(ACCURACY) + " of that scale");
     }
 
@@ -98,7 +101,8 @@ final class SceneDesign implements Exercise {
         report.hold(0, !scene.description().solver().equals("euler"), scene.description().solver());
         report.hold(1, moving >= wanted.particles() && moving <= MOST_PARTICLES, moving + " can move");
         report.hold(2, scene.springs().springCount() >= wanted.springs(), scene.springs().springCount() + " springs");
-        report.hold(3, scene.description().duration() >= wanted.duration(), Draw.text(scene.description().duration()) + " s");
+        report.hold(3, scene.description().duration() >= wanted.duration(), Draw.text(scene.description().duration())
+                + " s");
         if (moving > MOST_PARTICLES) {
             return report.mark();
         }

@@ -21,17 +21,24 @@ final class StiffSpring extends NumericExercise {
         double answer = new Spring(m, k, c, x, v).after("backward-euler", 1, h).v();
         double late = (v - h * k / m * x) / (1 + h * c / m);
         double undampedLater = (v * (1 - h * c / m) - h * k / m * x) / (1 + h * h * k / m);
-        return new Question("A particle of m = " + Draw.text(m) + " kg on a stiff spring of k = " + Draw.text(k) + " N/m with a damper of c = " + Draw.text(c)
-                + " N s/m is at x = " + Draw.text(x) + " m and has v = " + Draw.text(v) + " m/s.\nWhat is its velocity after one step of backward Euler with deltaT = "
-                + Draw.text(h) + " s, where force and velocity are those at the end of the step?", "m/s", FOUR_DIGITS, answer, 0.1 * v, List.of(
-                new Slip(new Spring(m, k, c, x, v).after("euler", 1, h).v(), "This is the Euler method: the forces are those at the start of the step."),
+        return new Question("A particle of m = " + Draw.text(m) + " kg on a stiff spring of k = " + Draw.text(k)
+                + " N/m with a damper of c = " + Draw.text(c)
+                + " N s/m is at x = " + Draw.text(x) + " m and has v = " + Draw.text(v)
+                        + " m/s.\nWhat is its velocity after one step of backward Euler with deltaT = "
+                + Draw.text(h) + " s, where force and velocity are those at the end of the step?", "m/s", FOUR_DIGITS,
+                        answer, 0.1 * v, List.of(
+                new Slip(new Spring(m, k, c, x, v).after("euler", 1, h).v(),
+                        "This is the Euler method: the forces are those at the start of the step."),
                 new Slip(late, "The spring's force has to be that at the end of the step too: k (x + deltaT v), with the new v."),
                 new Slip(undampedLater, "The damper's force has to be that at the end of the step too: c times the new v."),
-                new Slip(new Spring(m, k, c, x, v).after("implicit-midpoint", 1, h).v(), "This is the implicit midpoint method: half way, not at the end."),
+                new Slip(new Spring(m, k, c, x, v).after("implicit-midpoint", 1, h).v(),
+                        "This is the implicit midpoint method: half way, not at the end."),
                 new Slip(new Spring(m, k, 0, x, v).after("backward-euler", 1, h).v(), "The damper is missing."),
                 new Slip(new Spring(1, k, c, x, v).after("backward-euler", 1, h).v(), "The mass is missing: a = F/m."),
-                new Slip(new Spring(m, k, c, x, v).after("backward-euler", 1, h).x(), "This is the position; asked is the velocity."),
+                new Slip(new Spring(m, k, c, x, v).after("backward-euler", 1, h).x(),
+                        "This is the position; asked is the velocity."),
                 new Slip(new Spring(m, k, c, x, v).after("backward-euler", 2, h).v(), "These are two steps; one is wanted."),
-                new Slip(new Spring(m, k, c, x, v).truly(h).v(), "This is the exact motion; wanted is what backward Euler makes of it.")));
+                new Slip(new Spring(m, k, c, x, v).truly(h).v(),
+                        "This is the exact motion; wanted is what backward Euler makes of it.")));
     }
 }

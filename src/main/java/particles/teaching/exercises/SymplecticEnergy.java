@@ -25,9 +25,11 @@ final class SymplecticEnergy extends NumericExercise {
         double answer = highest(m, k, h);
         return new Question("A particle of m = " + Draw.text(m) + " kg on an undamped spring of k = " + Draw.text(k)
                 + " N/m is pulled aside and released from rest, and moved by the simple algorithm (symplectic Euler) with deltaT = " + Draw.text(h)
-                + " s.\nWhat is the largest energy, (m v^2 + k x^2)/2, within " + STEPS + " steps, as a multiple of the energy at the start?",
+                + " s.\nWhat is the largest energy, (m v^2 + k x^2)/2, within " + STEPS
+                        + " steps, as a multiple of the energy at the start?",
                 "", FOUR_DIGITS, answer, smallest, List.of(
-                new Slip(1 / (1 + half), "This is the smallest energy of the swing, for a start at the other end of the ellipse's axis."),
+                new Slip(1 / (1 + half),
+                        "This is the smallest energy of the swing, for a start at the other end of the ellipse's axis."),
                 new Slip(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its square."),
                 new Slip(answer - 1, "This is what comes on top; asked is the multiple of the energy at the start, 1 plus that."),
                 new Slip(1 + half, "1 + deltaT omega/2 is right for short steps only: what is kept exactly is k x^2 + m v^2 - deltaT k x v."),

@@ -89,7 +89,8 @@ class ClosedFormsTest {
         hold(5, 1e-12, text -> {
             double t = after(text, "followed for ") * after(text, "omega = ");
             double error = after(text, "may be ");
-            return (double) fewest(t, error, z -> 1 - z * z / 2, z -> z) / (2 * fewest(t, error, ClosedFormsTest::cosine, ClosedFormsTest::sine));
+            return (double) fewest(t, error, z -> 1 - z * z / 2, z -> z) / (2 * fewest(t, error, ClosedFormsTest::cosine,
+                    ClosedFormsTest::sine));
         });
     }
 
@@ -102,7 +103,8 @@ class ClosedFormsTest {
         }
     }
 
-    /** The leading terms of these errors, N h^3/6 and N h^5/120, are right to 3 %, so that who uses them is. Measured 1.6 %. */
+    /** The leading terms of these errors, N h^3/6 and N h^5/120, are right to 3 %,
+            so that who uses them is. Measured 1.6 %. */
     @Test
     void costFollowsTheErrorsLeadingTerms() {
         hold(5, 0.03, text -> {
@@ -118,7 +120,8 @@ class ClosedFormsTest {
     void theChainsFastestMotionSetsTheStep() {
         hold(6, 3e-4, text -> {
             int n = Integer.parseInt(text.substring(0, 1));
-            return 2 * Math.sqrt(2) / (2 * Math.sqrt(after(text, "k = ") / after(text, "m = ")) * StrictMath.sin(n * Math.PI / (2 * (n + 1))));
+            return 2 * Math.sqrt(2) / (2 * Math.sqrt(after(text, "k = ") / after(text,
+                    "m = ")) * StrictMath.sin(n * Math.PI / (2 * (n + 1))));
         });
     }
 
@@ -143,7 +146,8 @@ class ClosedFormsTest {
             double h = after(text, "deltaT = ");
             double m = after(text, "m = ");
             double k = after(text, "k = ");
-            return (after(text, "has v = ") - h * k / m * after(text, "x = ")) / (1 + h * after(text, "c = ") / m + h * h * k / m);
+            return (after(text, "has v = ") - h * k / m * after(text, "x = ")) / (1 + h * after(text, "c = ") / m
+                    + h * h * k / m);
         });
     }
 
@@ -154,7 +158,8 @@ class ClosedFormsTest {
             double h = after(text, "deltaT = ");
             double x = after(text, "x = ");
             double y = after(text, "v = ") / omega;
-            double error = Math.abs(turned(cosine(h * omega), -sine(h * omega), 2, x, y)[0] - turned(cosine(2 * h * omega), -sine(2 * h * omega), 1, x, y)[0]);
+            double error = Math.abs(turned(cosine(h * omega), -sine(h * omega), 2, x, y)[0] - turned(cosine(2 * h * omega),
+                    -sine(2 * h * omega), 1, x, y)[0]);
             return h * StrictMath.pow(after(text, "error ") / error, 0.2);
         });
     }
@@ -187,7 +192,8 @@ class ClosedFormsTest {
                 texts.add(Exercises.all().get(number - 1).text(new Draw(student, number)));
             }
             assertEquals(3, texts.stream().distinct().count(), texts.toString());
-            assertEquals(texts.get(0), Exercises.all().get(number - 1).text(new Draw(" ANN ", number)), "the same at every call");
+            assertEquals(texts.get(0), Exercises.all().get(number - 1).text(new Draw(" ANN ", number)),
+                    "the same at every call");
         }
     }
 

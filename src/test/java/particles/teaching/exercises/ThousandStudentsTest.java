@@ -19,7 +19,8 @@ class ThousandStudentsTest {
     private static final int STUDENTS = 1000;
 
     private static Stream<Integer> numeric() {
-        return IntStream.rangeClosed(1, Exercises.all().size()).boxed().filter(n -> Exercises.all().get(n - 1) instanceof NumericExercise);
+        return IntStream.rangeClosed(1,
+                Exercises.all().size()).boxed().filter(n -> Exercises.all().get(n - 1) instanceof NumericExercise);
     }
 
     private static void hold(int number, int students) {
@@ -28,7 +29,8 @@ class ThousandStudentsTest {
         for (int s = 0; s < students; s++) {
             Question question = exercise.question(new Draw("id-" + s, number));
             assertTrue(question.slips().size() >= 5, "at least five typical mistakes");
-            assertEquals(List.of("This is right."), NumericExercise.mark(question, Double.toString(question.answer())).lines());
+            assertEquals(List.of("This is right."), NumericExercise.mark(question,
+                    Double.toString(question.answer())).lines());
             for (Slip slip : question.slips()) {
                 Mark mark = NumericExercise.mark(question, Double.toString(slip.value()));
                 assertFalse(mark.right(), slip.hint());
@@ -36,8 +38,8 @@ class ThousandStudentsTest {
             }
             answers.add(String.format("%.3g", question.answer()));
         }
-        // a ratio to three digits, or a step's length, repeats among so many; measured 18 % of 1000 for the cost, 28 % and more else
-        assertTrue(answers.size() > students / 10, answers.size() + " different answers");
+        // to three digits; of a thousand students measured 252 (symplectic Euler's energy) to 630
+        assertTrue(answers.size() > students / 5, answers.size() + " different answers");
     }
 
     @TestFactory
@@ -48,13 +50,15 @@ class ThousandStudentsTest {
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> aThousandStudents() {
-        return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.all().get(n - 1).title(), () -> hold(n, STUDENTS)));
+        return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.all().get(n - 1).title(), () -> hold(n,
+                STUDENTS)));
     }
 
     @Test
     void hintsNameDifferentMistakes() {
         numeric().forEach(n -> {
-            List<String> hints = ((NumericExercise) Exercises.all().get(n - 1)).question(new Draw("a", n)).slips().stream().map(Slip::hint).toList();
+            List<String> hints = ((NumericExercise) Exercises.all().get(n - 1)).question(new Draw("a",
+                    n)).slips().stream().map(Slip::hint).toList();
             assertEquals(hints.size(), new HashSet<>(hints).size(), hints.toString());
         });
     }

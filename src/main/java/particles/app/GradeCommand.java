@@ -1,0 +1,166 @@
+package particles.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import particles.DataTable;
+import particles.output.JUnitXml;
+import particles.output.OutputFolder;
+import particles.output.ResultPage;
+import particles.output.ResultPageWriter;
+import particles.teaching.exercises.AnswersFile;
+import particles.teaching.exercises.Draw;
+import particles.teaching.exercises.Exercise;
+import particles.teaching.exercises.Exercises;
+import particles.teaching.exercises.Mark;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle grade -Pstudent=ID}: marks all answers and all solvers of a student, as one report and for autograders. */
+@Command(name = GradeCommand.NAME, description = "Marks all answers and solvers of a student.")
+final class GradeCommand extends ProgramCommand {
+    static final String NAME = "grade";
+    private static final int MOST_LINES = 12;
+
+    @Option(names = "--student", paramLabel = "ID", required = true, description = "The student's id.")
+    private String student;
+
+    @Option(names = "--answers", paramLabel = "FILE", defaultValue = "answers.yaml",
+            description = "The file of answers, lines such as 5: 3.42 (default: answers.yaml).")
+    private Path answers;
+
+    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solver classes that have to pass, separated by commas"
+            + " (default: every ...Solver.java in src/main/java/exercises).")
+    private String solvers;
+
+    @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "build/out/grade",
+            description = "Where the report goes (default: build/out/grade).")
+    private Path results;
+
+    private final Path folder;
+    private final OptionStyle style;
+
+    /**
+     * @param folder where the student's classes are
+     * @param style  how options are typed
+     */
+    GradeCommand(Path folder, OptionStyle style) {
+        this.folder = folder;
+        this.style = style;
+    }
+
+    /** What was looked at, and its mark. */
+    private record Graded(String name, Mark mark) {
+    }
+
+    @Override
+    void run(PrintWriter out) throws IOException {
+        if (student.isBlank()) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("student") + ": the id is empty");
+        }
+        try (OutputFolder files = OutputFolder.open(results, NAME + ".md", "marks.csv", "TEST-" + NAME + ".xml")) {
+            AnswersFile read = AnswersFile.read(answers);
+            List<Graded> graded = new ArrayList<>(exercises(read));
+            graded.addAll(solvers());
+            graded.forEach(item -> {
+                out.println((item.mark().right() ? "mark      " : "no mark   ") + item.name());
+                item.mark().lines().forEach(line -> out.println("            " + line));
+            });
+            long marks = graded.stream().filter(item -> item.mark().right()).count();
+            String title = marks + " of " + graded.size() + " marks for " + student.strip();
+            write(files, title, read.problems(), graded);
+            read.problems().forEach(out::println);
+            out.println(title + "; report: " + results.resolve(NAME + ".md"));
+            if (marks < graded.size()) {
+                throw new Failure(ExitCode.BAD_INPUT, graded.size() - marks == 1 ? "one mark is missing"
+                        : graded.size() - marks + " marks are missing");
+            }
+        }
+    }
+
+    private List<Graded> exercises(AnswersFile read) {
+        List<Graded> graded = new ArrayList<>();
+        for (int number = 1; number <= Exercises.all().size(); number++) {
+            Exercise exercise = Exercises.all().get(number - 1);
+            String answer = read.answers().get(number);
+            graded.add(new Graded(number + ". " + exercise.title(),
+                    answer == null      // null for a number without an answer
+                    ? new Mark(false, List.of("There is no answer in " + answers + "."))
+                    : exercise.mark(new Draw(student, number), beside(number, answer))));
+        }
+        return graded;
+    }
+
+    /** A scene's path counts from the file of answers, so that both can be handed in together. */
+    private String beside(int number, String answer) {
+        return number < Exercises.all().size() || answer.isBlank() ? answer : answers.resolveSibling(answer).toString();
+    }
+
+    private List<Graded> solvers() throws IOException {
+        Path work = Files.createTempDirectory("desolver-grade");
+        try {
+            StudentClasses classes = StudentClasses.in(folder, work);
+            Set<String> names = new LinkedHashSet<>();
+            if (solvers == null) {                      // picocli leaves an option null that was not given
+                names.addAll(classes.named("Solver"));
+            } else {
+                Stream.of(solvers.split(",")).map(name -> name.strip().replaceFirst("^exercises[.]",
+                        "")).filter(name -> !name.isEmpty()).forEach(names::add);
+            }
+            List<Graded> graded = new ArrayList<>();
+            for (String name : names) {
+                graded.add(new Graded("solver " + name, check(classes, name)));
+            }
+            return graded;
+        } finally {
+            delete(work);
+        }
+    }
+
+    private Mark check(StudentClasses classes, String name) throws IOException {
+        Optional<String> wrong = classes.compile(name);
+        if (wrong.isPresent()) {
+            return new Mark(false, List.of(wrong.get()));
+        }
+        StudentProcess.Outcome outcome = StudentProcess.runQuietly(List.of(CheckSolverCommand.NAME, "--solver=exercises."
+                + name, "--inThisProcess",
+                "--out=" + results.resolve(name)), classes.path());
+        List<String> lines = outcome.lines().stream().takeWhile(line -> !line.startsWith("property")).filter(line -> !line.isBlank())
+                .limit(MOST_LINES).toList();
+        return new Mark(outcome.code() == ExitCode.DONE.code(), lines);
+    }
+
+    private static void delete(Path work) throws IOException {
+        List<Path> all;
+        try (Stream<Path> paths = Files.walk(work)) {
+            all = paths.sorted(Comparator.reverseOrder()).toList();
+        }
+        for (Path path : all) {
+            Files.delete(path);
+        }
+    }
+
+    private static void write(OutputFolder files, String title, List<String> problems, List<Graded> graded) {
+        List<List<Object>> rows = new ArrayList<>();
+        List<JUnitXml.Case> cases = new ArrayList<>();
+        for (Graded item : graded) {
+            String first = item.mark().lines().isEmpty() ? "" : item.mark().lines().get(0);
+            rows.add(List.of(item.name(), item.mark().right() ? 1 : 0, String.join("; ", item.mark().lines())));
+            cases.add(new JUnitXml.Case(item.name(), item.mark().right() ? Optional.empty() : Optional.of(first),
+                    item.mark().lines()));
+        }
+        DataTable table = new DataTable("marks", "Marks", List.of(DataTable.column("exercise"), DataTable.column("mark"),
+                DataTable.column("what there is to say")),
+                rows);
+        ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)));
+        JUnitXml.write(files, NAME, cases);
+    }
+}

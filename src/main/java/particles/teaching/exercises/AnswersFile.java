@@ -1,0 +1,49 @@
+package particles.teaching.exercises;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import particles.scene.spec.Key;
+import particles.scene.spec.MappingType;
+import particles.scene.spec.Problems;
+import particles.scene.spec.Reading;
+import particles.scene.spec.SourceText;
+import particles.scene.spec.Values;
+import particles.scene.spec.WordType;
+import particles.scene.spec.YamlText;
+
+/**
+ * A student's answers, a file of lines such as {@code 5: 3.42}: the exercise's number and the answer.
+ *
+ * @param answers  by the exercise's number
+ * @param problems what is wrong with the file, a line each
+ */
+public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
+
+    /** Copies both. */
+    public AnswersFile {
+        answers = Map.copyOf(answers);
+        problems = List.copyOf(problems);
+    }
+
+    /**
+     * @param file where the answers are
+     * @return what can be read of them
+     */
+    public static AnswersFile read(Path file) {
+        Problems problems = new Problems();
+        Reading in = new Reading(file.toString().replace('\\', '/'), problems);
+        List<Key<String>> keys = IntStream.rangeClosed(1,
+                Exercises.all().size()).mapToObj(number -> Key.optional(Integer.toString(number),
+                WordType.of("the answer, a number or a path"), "The answer to this exercise.")).toList();
+        MappingType format = MappingType.of("the file of answers", keys.toArray(new Key<?>[0]));
+        Optional<Values> values = SourceText.read(file, in).flatMap(bytes -> YamlText.compose(bytes,
+                in)).map(root -> format.readRoot(root, in));
+        Map<Integer, String> answers = new TreeMap<>();
+        values.ifPresent(found -> keys.forEach(key -> found.find(key).ifPresent(answer -> answers.put(Integer.valueOf(key.name()), answer))));
+        return new AnswersFile(answers, problems.lines());
+    }
+}
