@@ -11,6 +11,8 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 public final class NumberType extends Type<Double> {
     /** Nothing in a scene is larger, and products of a few such numbers still are finite. */
     private static final double HUGE = 1e30;
+    /** No number that has to be positive is smaller: its inverse is finite, and that of a part of it. */
+    private static final double TINY = 1e-30;
 
     private final double least;
     private final boolean leastAllowed;
@@ -51,14 +53,22 @@ public final class NumberType extends Type<Double> {
             return wrong(node, what, in);
         }
         double value = number.get();
-        if (value <= most && (leastAllowed ? value >= least : value > least)) {
+        if (value <= most && value >= smallest()) {
             return number;
+        }
+        if (value > 0 && value < TINY) {
+            in.problem(node, what + " is " + Wording.describe(node) + "; no number that has to be positive is below 1e-30");
+            return Optional.empty();
         }
         if (Double.isNaN(value) || Math.abs(value) > HUGE) {
             in.problem(node, what + " is " + Wording.describe(node) + "; no number in a scene is beyond 1e30");
             return Optional.empty();
         }
         return wrong(node, what, in);
+    }
+
+    private double smallest() {
+        return leastAllowed ? least : Math.max(TINY, Math.nextUp(least));
     }
 
     /** The number that a node is, in YAML 1.2's core schema: 1e-3, .5, +2, 0x10, but also .inf and .nan. */
@@ -95,7 +105,7 @@ public final class NumberType extends Type<Double> {
     Map<String, Object> schema() {
         Map<String, Object> schema = new LinkedHashMap<>();
         schema.put("type", "number");
-        schema.put(leastAllowed ? "minimum" : "exclusiveMinimum", least);
+        schema.put("minimum", smallest());
         schema.put("maximum", most);
         return schema;
     }

@@ -1,0 +1,102 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.scene.SceneFiles;
+
+/**
+ * A scene has one trajectory: the same bytes in three runs, with and without pictures, with optimising compilers and without,
+ * on the JDK of this test and on the newest one that is found beside it or named by JAVA_HOME_... in the environment, as
+ * continuous integration does, or by the system property desolver.jdk ({@code gradle hardTests -Pjdk=FOLDER}).
+ */
+@Tag("slow")
+class SameBitsTest {
+    private static final Pattern VERSION = Pattern.compile("JAVA_VERSION=\"(\\d+)[^\"]*\"");
+    private static final int OLDEST = 17;
+
+    @TempDir
+    Path top;
+
+    /** By version, from 17 on. */
+    private static TreeMap<Integer, Path> jdks() throws IOException {
+        List<Path> candidates = new ArrayList<>();
+        Path own = Path.of(System.getProperty("java.home"));
+        try (Stream<Path> beside = Files.list(own.toAbsolutePath().getParent())) {
+            beside.forEach(candidates::add);
+        }
+        System.getenv().forEach((name, value) -> {
+            if (name.startsWith("JAVA_HOME")) {
+                candidates.add(Path.of(value));
+            }
+        });
+        String named = System.getProperty("desolver.jdk", "");
+        if (!named.isEmpty()) {
+            candidates.add(Path.of(named));
+            assertTrue(version(Path.of(named)) >= OLDEST, named + " is no JDK from " + OLDEST + " on");
+        }
+        candidates.add(own);
+        TreeMap<Integer, Path> jdks = new TreeMap<>();
+        for (Path candidate : candidates) {
+            jdks.put(version(candidate), candidate);
+        }
+        jdks.headMap(OLDEST).clear();
+        return jdks;
+    }
+
+    /** What a JDK says of itself; 0 for a folder that is none. */
+    private static int version(Path jdk) throws IOException {
+        Path release = jdk.resolve("release");
+        if (!Files.isRegularFile(release) || !Files.exists(jdk.resolve("bin/java"))) {
+            return 0;
+        }
+        Matcher matcher = VERSION.matcher(Files.readString(release));
+        return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
+    }
+
+    private Map<String, String> sums(Path jdk, List<String> jvm, String... options) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(jdk.resolve("bin/java").toString(), "-Djava.awt.headless=true", "-Xmx1g"));
+        command.addAll(jvm);
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), "particles.app.SceneSums",
+                top.resolve("out").toString()));
+        command.addAll(List.of(options));
+        Path lines = top.resolve("lines.txt");
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(lines.toFile()).start();
+        assertEquals(0, process.waitFor(), Files.readString(lines));
+        Map<String, String> sums = new TreeMap<>();
+        for (String line : Files.readAllLines(lines)) {
+            String[] parts = line.split(" ", 2);
+            sums.put(parts[0], parts[1]);
+        }
+        return sums;
+    }
+
+    @Test
+    void everySceneHasOneTrajectory() throws Exception {
+        TreeMap<Integer, Path> jdks = jdks();
+        System.out.println("SameBitsTest: " + jdks);
+        Path own = Path.of(System.getProperty("java.home"));
+        Map<String, String> expected = sums(own, List.of(), "--frames=false");
+        assertEquals(SceneFiles.list(Path.of("scenes")).size(), expected.size(), expected.toString());
+        expected.forEach((scene, sum) -> assertTrue(sum.matches("[0-9a-f]{64}"), scene + ": " + sum));
+        assertEquals(expected.size(), expected.values().stream().distinct().count(), "no two scenes are the same");
+        for (Path jdk : List.of(own, jdks.lastEntry().getValue())) {
+            assertEquals(expected, sums(jdk, List.of("-XX:TieredStopAtLevel=1"), "--frames=false"), jdk + ", one compiler");
+            assertEquals(expected, sums(jdk, List.of(), "--frames=true"), jdk + ", with pictures");
+        }
+        assertEquals(expected, sums(jdks.lastEntry().getValue(), List.of(), "--frames=false"), "the newest JDK");
+    }
+}

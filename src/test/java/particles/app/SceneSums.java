@@ -1,0 +1,61 @@
+package particles.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+import particles.scene.Overrides;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneDescription;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+
+/**
+ * Runs all scenes in this process and prints the SHA-256 of each trajectory, one line a scene, for {@link SameBitsTest} to
+ * compare between processes.
+ */
+final class SceneSums {
+    private static final Path SCENES = Path.of("scenes");
+    /** Particles times steps of a run: a few tenths of a second each. */
+    private static final double MOST_WORK = 1e5;
+    private static final int LEAST_STEPS = 40;
+    private static final int MOST_STEPS = 1500;
+
+    private SceneSums() {
+    }
+
+    /** @param args an empty folder to write to, and further options of {@code run} */
+    public static void main(String[] args) throws IOException {
+        Path out = Path.of(args[0]);
+        List<String> more = List.of(args).subList(1, args.length);
+        for (Path file : SceneFiles.list(SCENES)) {
+            System.out.println(file.getFileName() + " " + sum(file, out, more));
+            try (Stream<Path> files = Files.walk(out)) {
+                files.sorted(Comparator.reverseOrder()).forEach(path -> path.toFile().delete());
+            }
+        }
+    }
+
+    /** As many steps as are affordable, the same in every process. */
+    static double duration(SceneDescription scene) {
+        int particles = SceneBuilder.build(scene, new Overrides()).system().getParticles().count();
+        double steps = Math.min(MOST_STEPS, Math.max(LEAST_STEPS, MOST_WORK / particles));
+        return Math.min(scene.duration(), Math.floor(steps) * scene.deltaT());
+    }
+
+    private static String sum(Path file, Path out, List<String> more) throws IOException {
+        SceneDescription scene = SceneReader.read(file);
+        List<String> args = new ArrayList<>(List.of("run", "--scene=" + file, "--out=" + out));
+        args.addAll(more);
+        args.add("--duration=" + duration(scene));
+        StringWriter lines = new StringWriter();
+        ExitCode code = new Program(List.of(new RunCommand(SCENES, OptionStyle.SHELL, new StopRequest())), OptionStyle.SHELL,
+                new PrintWriter(lines), new PrintWriter(lines)).execute(args.toArray(String[]::new));
+        return code == ExitCode.DONE ? WholeFiles.sums(out).get("trajectory.csv") : code + ": " + lines;
+    }
+}

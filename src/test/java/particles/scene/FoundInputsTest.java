@@ -1,0 +1,46 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What {@link SceneFuzzer} found, each in its smallest form, and a short hunt for more. */
+class FoundInputsTest {
+    private static final int SECONDS = 15;
+
+    private static List<String> linesFor(String scene) {
+        String head = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n";
+        return assertThrows(SceneException.class, () -> SceneBuilder.build(
+                SceneReader.read("x.yaml", (head + scene).getBytes(StandardCharsets.UTF_8)), new Overrides())).getLines();
+    }
+
+    /** A mass whose inverse is infinite, and one of which a half is nothing: both ended in an IllegalArgumentException. */
+    @ParameterizedTest
+    @CsvSource({"4.9e-324", "1e-310", "1e-31"})
+    void massesThatHaveNoInverseAreRefused(String mass) {
+        assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; no number that has to be positive is below 1e-30"),
+                linesFor("particles:\n  - {id: bob, position: [0, 0, 0], mass: " + mass + "}\n"));
+        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; no number that has to be positive is below 1e-30"),
+                linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3, totalMass: " + mass + "}\n"));
+    }
+
+    @Test
+    @Tag("slow")
+    void aShortHuntFindsNothingNew(@TempDir Path found) throws IOException {
+        long seed = Long.getLong("desolver.seed", System.nanoTime());
+        System.out.println("FoundInputsTest: -Ddesolver.seed=" + seed);
+        SceneFuzzer fuzzer = new SceneFuzzer(seed, found);
+        int failures = fuzzer.run(Long.MAX_VALUE, SECONDS);
+        System.out.println(fuzzer);
+        assertEquals(0, failures, "seed " + seed + ": the inputs are above");
+    }
+}

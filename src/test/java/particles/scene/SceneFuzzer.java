@@ -1,0 +1,144 @@
+package particles.scene;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import particles.Motion;
+import particles.Observer;
+import particles.SimulationException;
+
+/**
+ * Scenes by the million, almost right ones, through reader and builder and for a few steps: each is refused with lines, or
+ * stopped as a simulation may be, or runs, and nothing else. Inputs that are refused in new words are mutated further.
+ * {@code gradle fuzz -Pseconds=1200} runs it by itself.
+ */
+final class SceneFuzzer {
+    private static final int STEPS = 3;
+    private static final long SLOW_NANOS = TimeUnit.SECONDS.toNanos(2);
+
+    private final SceneMutator mutator;
+    private final Set<String> words = new HashSet<>();
+    private final Path found;
+    private long executions;
+    private long built;
+    private long stopped;
+    private long slowest;
+    private int failures;
+
+    /** @param found the folder for inputs that end otherwise */
+    SceneFuzzer(long seed, Path found) throws IOException {
+        this.found = found;
+        List<byte[]> seeds = new ArrayList<>();
+        for (Path file : SceneFiles.list(Path.of("scenes"))) {
+            seeds.add(Files.readAllBytes(file));
+        }
+        mutator = new SceneMutator(seeds, new Random(seed));
+    }
+
+    /** Ends a run that goes well. */
+    private static final class Enough extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        Enough() {
+            super("enough", null, false, false);
+        }
+    }
+
+    /** One input; returns whether it ended as documented. */
+    boolean execute(byte[] scene) throws IOException {
+        long begin = threadTime();
+        executions++;
+        try {
+            Scene ready = SceneBuilder.build(SceneReader.read("x.yaml", scene), new Overrides());
+            built++;
+            run(ready);
+        } catch (SceneException e) {
+            String line = e.getLines().get(0).replaceAll("'[^']*'?|[0-9.e+-]+", "?");
+            if (words.add(line.substring(0, Math.min(40, line.length())))) {
+                mutator.keep(scene);
+            }
+        } catch (SimulationException e) {
+            stopped++;
+        } catch (RuntimeException | Error e) {
+            return failed(scene, e);
+        }
+        long time = threadTime() - begin;
+        slowest = Math.max(slowest, time);
+        return time < SLOW_NANOS || failed(scene, new IllegalStateException("it took " + time / 1e9 + " s of computing"));
+    }
+
+    private static long threadTime() {
+        return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+    }
+
+    private static void run(Scene scene) {
+        scene.simulation().addObserver(new Observer() {
+            private int left = STEPS;
+
+            @Override
+            public void moved(Motion motion) {
+                if (--left <= 0) {
+                    throw new Enough();
+                }
+            }
+        });
+        try {
+            scene.simulation().run();
+        } catch (Enough e) {
+            return;                                         // what comes later is for other tests
+        }
+    }
+
+    private boolean failed(byte[] scene, Throwable e) throws IOException {
+        Files.createDirectories(found);
+        Path file = found.resolve("found-" + failures++ + ".yaml");
+        Files.write(file, scene);
+        StackTraceElement[] trace = e.getStackTrace();
+        System.out.println(file + ": " + e + (trace.length > 0 ? " at " + trace[0] : ""));
+        return false;
+    }
+
+    /** Returns how many inputs ended otherwise than documented. */
+    int run(long mostExecutions, double seconds) throws IOException {
+        long end = System.nanoTime() + (long) (seconds * 1e9);
+        while (executions < mostExecutions && System.nanoTime() < end && failures < 100) {
+            execute(mutator.next());
+        }
+        return failures;
+    }
+
+    @Override
+    public String toString() {
+        return String.format(Locale.ROOT, "%d executions: %d built, of which %d stopped; refused in %d ways; %d seeds; the slowest took"
+                + " %.2f s; %d failures", executions, built, stopped, words.size(), mutator.seeds(), slowest / 1e9, failures);
+    }
+
+    /** @param args {@code --seconds=20}, {@code --executions=10000000}, {@code --seed=1}, each may be left out */
+    public static void main(String[] args) throws IOException {
+        TreeMap<String, String> options = new TreeMap<>();
+        for (String arg : args) {
+            String[] parts = arg.split("=", 2);
+            options.put(parts[0], parts.length > 1 ? parts[1] : "");
+        }
+        long seed = Long.parseLong(options.getOrDefault("--seed", Long.toString(System.nanoTime())));
+        double seconds = Double.parseDouble(options.getOrDefault("--seconds", "1200"));
+        long executions = Long.parseLong(options.getOrDefault("--executions", "10000000"));
+        if (!Set.of("--seed", "--seconds", "--executions").containsAll(options.keySet())) {
+            throw new IllegalArgumentException("allowed: -Pseconds, -Pexecutions, -Pseed; not " + options.keySet());
+        }
+        System.out.println("seed " + seed);
+        SceneFuzzer fuzzer = new SceneFuzzer(seed, Path.of("build", "fuzz"));
+        int failures = fuzzer.run(executions, seconds);
+        System.out.println(fuzzer);
+        System.exit(failures == 0 ? 0 : 1);
+    }
+}

@@ -1,0 +1,154 @@
+package particles.scene;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.snakeyaml.engine.v2.api.Dump;
+import org.snakeyaml.engine.v2.api.DumpSettings;
+import org.snakeyaml.engine.v2.api.Load;
+import org.snakeyaml.engine.v2.api.LoadSettings;
+import org.snakeyaml.engine.v2.common.FlowStyle;
+import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
+import org.snakeyaml.engine.v2.schema.CoreSchema;
+
+/**
+ * Makes scenes that are almost right: in the tree of a scene values, keys and whole branches are changed, removed, doubled,
+ * and taken over from other scenes; or in its text a few bytes are.
+ */
+final class SceneMutator {
+    private static final List<Object> VALUES = List.of(0, 1, -1, 2, 3, 0.5, 1e-3, 1e-30, 1e30, 1e31, -1e30, 5e-324, 1e308, 1_000_000,
+            Integer.MAX_VALUE, Long.MIN_VALUE, Double.NaN, Double.NEGATIVE_INFINITY, true, false, "", " ", "~", "a\nb",
+            "rk4", "radau", "verlet", "adams", "backward-euler", "java.lang.String", "particles.scene.Nothing", "cloth[1,2]",
+            "cloth[99999999999]", "left", "top-left", "corners", "#00ff00", "coulomb", "slide", "gravity", "ground", "exact", "clamp",
+            List.of(), List.of(0, 0, 0), List.of(1, 2, 3), List.of(1e-200, 0, 0), List.of(1e30, -1e30, 1e30), List.of(1, 2),
+            Map.of(), Map.of("gravity", Map.of()), Map.of("name", "rk4"), Map.of("law", "coulomb", "coefficient", 0.3));
+    private static final List<String> KEYS = List.of("mass", "totalMass", "fixed", "velocity", "id", "position", "friction", "static",
+            "coefficient", "name", "surface", "restLength", "camera", "drag", "plane", "impact", "rods", "wires", "feedback",
+            "columns", "rows", "layers", "lifetime", "rate", "relativeTolerance", "frameRate", "width", "phase", "axis");
+    private static final String SIGNS = "[]{}:,-#&*!|>'\"%@`? \n\t0123456789.eE+x~";
+    private static final int MOST_BYTES = 20_000;
+    private static final int MOST_COLUMNS = 12;
+
+    private final Random random;
+    private final List<byte[]> seeds;
+    private final int right;
+    private final Load load = new Load(LoadSettings.builder().setSchema(new CoreSchema()).setMaxAliasesForCollections(0).build());
+    private final Dump dump = new Dump(DumpSettings.builder().setDereferenceAliases(true).setDefaultFlowStyle(FlowStyle.FLOW).build());
+
+    /** @param seeds scenes to begin with; those that are found to be of interest can be added */
+    SceneMutator(List<byte[]> seeds, Random random) {
+        this.seeds = new ArrayList<>(seeds.stream().map(this::shrunk).toList());
+        this.random = random;
+        right = this.seeds.size();
+    }
+
+    /** Of interest: others are made of this one too. */
+    void keep(byte[] scene) {
+        if (scene.length < MOST_BYTES) {
+            seeds.add(scene);
+        }
+    }
+
+    int seeds() {
+        return seeds.size();
+    }
+
+    byte[] next() {
+        byte[] seed = seeds.get(random.nextInt(random.nextInt(4) > 0 ? right : seeds.size()));
+        if (random.nextInt(5) == 0) {
+            return damaged(seed);
+        }
+        Object tree = parse(seed);
+        for (int n = random.nextInt(3); n >= 0; n--) {
+            tree = changed(tree, 0);
+        }
+        return write(tree);
+    }
+
+    private byte[] write(Object tree) {
+        return dump.dumpToString(tree).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private Object parse(byte[] scene) {
+        try {
+            Object tree = load.loadFromString(new String(scene, StandardCharsets.UTF_8));
+            return tree == null ? Map.of() : tree;
+        } catch (YamlEngineException | ArithmeticException e) {
+            return Map.of("title", "no YAML any more");
+        }
+    }
+
+    /** Large shapes only take time. */
+    private byte[] shrunk(byte[] scene) {
+        return write(smaller(parse(scene)));
+    }
+
+    private static Object smaller(Object value) {
+        if (value instanceof List<?> list) {
+            return list.stream().map(SceneMutator::smaller).toList();
+        }
+        if (!(value instanceof Map<?, ?> map)) {
+            return value;
+        }
+        Map<Object, Object> copy = new LinkedHashMap<>();
+        map.forEach((key, child) -> copy.put(key, List.of("columns", "rows", "layers", "count").contains(key)
+                && child instanceof Integer many ? (Object) Math.min(many, MOST_COLUMNS) : smaller(child)));
+        return copy;
+    }
+
+    private Object changed(Object value, int depth) {
+        boolean here = depth > 0 && random.nextInt(5) == 0;
+        if (!here && value instanceof Map<?, ?> map && !map.isEmpty()) {
+            Map<Object, Object> copy = new LinkedHashMap<>(map);
+            Object key = pick(List.copyOf(map.keySet()));
+            switch (random.nextInt(12)) {
+                case 0 -> copy.remove(key);
+                case 1 -> copy.put(pick(KEYS), pick(VALUES));
+                case 2 -> copy.put(key, branch(key));
+                default -> copy.put(key, changed(map.get(key), depth + 1));
+            }
+            return copy;
+        }
+        if (!here && value instanceof List<?> list && !list.isEmpty()) {
+            List<Object> copy = new ArrayList<>(list);
+            int at = random.nextInt(list.size());
+            switch (random.nextInt(8)) {
+                case 0 -> copy.remove(at);
+                case 1 -> copy.add(copy.get(at));
+                default -> copy.set(at, changed(list.get(at), depth + 1));
+            }
+            return copy;
+        }
+        if (value instanceof Number number && random.nextInt(3) > 0) {
+            return number.doubleValue() * Math.scalb(random.nextDouble() - 0.2, random.nextInt(60) - 30);
+        }
+        return pick(VALUES);
+    }
+
+    /** What another scene has under the same key, or anything where it has none. */
+    private Object branch(Object key) {
+        Object other = parse(pick(seeds));
+        return other instanceof Map<?, ?> map && map.get(key) != null ? map.get(key) : pick(VALUES);
+    }
+
+    private <T> T pick(List<T> list) {
+        return list.get(random.nextInt(list.size()));
+    }
+
+    private byte[] damaged(byte[] seed) {
+        byte[] bytes = seed.clone();
+        for (int n = random.nextInt(4); n >= 0 && bytes.length > 0; n--) {
+            int at = random.nextInt(bytes.length);
+            int length = Math.min(random.nextInt(12), bytes.length - at);
+            switch (random.nextInt(3)) {
+                case 0 -> bytes[at] = (byte) SIGNS.charAt(random.nextInt(SIGNS.length()));
+                case 1 -> bytes[at] = (byte) random.nextInt(256);
+                default -> System.arraycopy(bytes, at, bytes, random.nextInt(bytes.length - length + 1), length);
+            }
+        }
+        return bytes;
+    }
+}
