@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
@@ -53,27 +54,38 @@ final class SceneFuzzer {
         }
     }
 
-    /** One input; returns whether it ended as documented. */
+    /** One input; returns whether it ended as documented. Reading and building it may take no long time, steps may. */
     boolean execute(byte[] scene) throws IOException {
         long begin = threadTime();
         executions++;
         try {
-            Scene ready = SceneBuilder.build(SceneReader.read("x.yaml", scene), new Overrides());
-            built++;
-            run(ready);
-        } catch (SceneException e) {
-            String line = e.getLines().get(0).replaceAll("'[^']*'?|[0-9.e+-]+", "?");
-            if (words.add(line.substring(0, Math.min(40, line.length())))) {
-                mutator.keep(scene);
+            Optional<Scene> ready = build(scene);
+            long time = threadTime() - begin;
+            slowest = Math.max(slowest, time);
+            if (time > SLOW_NANOS) {
+                return failed(scene, new IllegalStateException("it took " + time / 1e9 + " s of computing to read and build it"));
             }
+            ready.ifPresent(SceneFuzzer::run);
         } catch (SimulationException e) {
             stopped++;
         } catch (RuntimeException | Error e) {
             return failed(scene, e);
         }
-        long time = threadTime() - begin;
-        slowest = Math.max(slowest, time);
-        return time < SLOW_NANOS || failed(scene, new IllegalStateException("it took " + time / 1e9 + " s of computing"));
+        return true;
+    }
+
+    private Optional<Scene> build(byte[] scene) {
+        try {
+            Scene ready = SceneBuilder.build(SceneReader.read("x.yaml", scene), new Overrides());
+            built++;
+            return Optional.of(ready);
+        } catch (SceneException e) {
+            String line = e.getLines().get(0).replaceAll("'[^']*'?|[0-9.e+-]+", "?");
+            if (words.add(line.substring(0, Math.min(40, line.length())))) {
+                mutator.keep(scene);
+            }
+            return Optional.empty();
+        }
     }
 
     private static long threadTime() {
