@@ -6,6 +6,7 @@ import static particles.rules.ContactGeometry.moveAlong;
 import static particles.rules.ContactGeometry.normal;
 import static particles.rules.ContactGeometry.normalSpeed;
 import static particles.rules.ContactGeometry.putOn;
+import static particles.rules.ContactGeometry.putOnAll;
 import static particles.rules.ContactGeometry.slack;
 import static particles.rules.ContactGeometry.stopAlong;
 import static particles.rules.ContactGeometry.velocity;
@@ -94,7 +95,7 @@ public final class ClampedImpacts implements Rule {
                 continue;
             }
             for (int p = 0; p < contacts.getSurfaces().size(); p++) {
-                changed |= modes.get(p, i) == Mode.FREE ? collide(p, i, state, deltaT)
+                changed |= modes.get(p, i) == Mode.FREE ? collide(system, p, i, deltaT)
                         : keepInContact(system, p, i, state);
             }
             changed |= slideOrStick(system, i, state);
@@ -116,7 +117,8 @@ public final class ClampedImpacts implements Rule {
     }
 
     /** A particle that was free: an impact if it is below the surface now. */
-    private boolean collide(int p, int i, double[] state, double deltaT) {
+    private boolean collide(ParticleSystem system, int p, int i, double deltaT) {
+        double[] state = system.getOwnState();
         ContactSurface surface = contacts.getSurfaces().get(p);
         if (!surface.obstacle().isFlat()) {
             stopFlight(surface, i, state, deltaT);
@@ -134,6 +136,7 @@ public final class ClampedImpacts implements Rule {
             if (leaving <= Math.max(surface.restSpeed(), gained)) {
                 stop(normal, p, i, state);
                 touch(p, i);
+                keepOnOthers(system, p, i, deltaT);
             } else if (contacts.isCoupled(i)) {
                 contacts.strike(p, i, leaving, state);
             } else {
@@ -141,6 +144,30 @@ public final class ClampedImpacts implements Rule {
             }
         }
         return true;
+    }
+
+    /**
+     * A particle that came to rest on surface p may touch others: in the bottom of a groove it is put onto all of them. One
+     * that it leaves so slowly that it would be back within half a step is not left.
+     */
+    private void keepOnOthers(ParticleSystem system, int p, int i, double deltaT) {
+        double[] state = system.getOwnState();
+        if (contacts.isCoupled(i)) {
+            return;
+        }
+        addUpForces(system, state);
+        Vector3 acceleration = velocity(force, i).times(1 / system.getParticles().mass(i));
+        for (int q = 0; q < contacts.getSurfaces().size(); q++) {
+            ContactSurface other = contacts.getSurfaces().get(q);
+            if (q != p && modes.get(q, i) != Mode.FREE) {
+                double back = -normal(other, state, i).dot(acceleration) * deltaT / 2;
+                if (normalSpeed(other, state, i) > Math.max(other.restSpeed(), back)) {
+                    modes.set(q, i, Mode.FREE);
+                }
+            }
+        }
+        putOnAll(contacts, i, state, 0);
+        forceKnown = false;
     }
 
     /** A particle that was in contact: it may leave, be pressed in by another surface, begin or cease to slide. */

@@ -24,6 +24,10 @@ import particles.reactions.RestingContacts;
  */
 final class ContactEvents {
     private static final int STRIDE = Particles.STRIDE;
+    /** Relative to a speed: what is less is the rounding of a few operations. */
+    private static final double ROUNDING = 1e-12;
+    /** How many roundings of the clock an event may be off its time. */
+    private static final int CLOCK_ROUNDINGS = 4;
 
     private final RestingContacts contacts;
     private final ContactModes modes;
@@ -81,12 +85,12 @@ final class ContactEvents {
                     : Optional.of(new Change(end, s -> holdMargin(s, i), s -> modes.setWhereTouching(i, Mode.SLIDING)));
         }
         Vector3 before = velocity(motion.getStartState(), i);
+        double speed = before.length();
         double slow = threshold(i);
-        boolean braking = before.length() > slow && slow > 0;
-        ToDoubleFunction<ParticleSystem> moving = braking ? s -> velocity(s.getOwnState(), i).dot(before) / before.length() - slow
-                : s -> velocity(s.getOwnState(), i).dot(before);
-        return before.equals(Vector3.ZERO) || !rubs(i) || moving.applyAsDouble(system) >= 0 ? Optional.empty()
-                : Optional.of(new Change(end, moving, s -> stop(s, i)));
+        boolean braking = slow > 0 && speed > slow * (1 + ROUNDING);
+        ToDoubleFunction<ParticleSystem> moving = s -> velocity(s.getOwnState(), i).dot(before) / speed - (braking ? slow : 0);
+        return speed == 0 || !rubs(i) || moving.applyAsDouble(system) >= 0 ? Optional.empty()
+                : Optional.of(new Change(end, moving, s -> stop(s, i, speed)));
     }
 
     /** The speed across a curved surface that is left here is the solver's error, and would be taken for an impact. */
@@ -117,20 +121,35 @@ final class ContactEvents {
         return threshold;
     }
 
-    /** At the end of sliding: what is left of the velocity is below the threshold, or rounding. */
-    private void stop(ParticleSystem system, int i) {
+    /**
+     * Sliding has slowed down to the threshold, or has turned round: by way of a stop, or by more than a right angle within
+     * the step while it goes on. Only what is as slow as the threshold or as rounding stops; after that it sticks, or slides
+     * off again from rest where it cannot be held. Otherwise nothing changes but the direction that friction opposes.
+     *
+     * @param speed its speed at the beginning of the motion (m/s)
+     */
+    private void stop(ParticleSystem system, int i, double speed) {
         addUpForces(system);
         double[] state = system.getOwnState();
-        if (contacts.holdMargin(i, state, force) >= 0) {
+        double now = velocity(state, i).length();
+        double rounding = rounding(system, i, speed);
+        if (now <= Math.max(rounding, threshold(i) * (1 + ROUNDING)) && contacts.holdMargin(i, state, force) >= 0) {
             moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
             modes.setWhereTouching(i, Mode.STICKING);
             contacts.settle(i, state);
             stickOthers(system);
-        } else if (threshold(i) == 0) {
+        } else if (now <= rounding) {
             moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
             contacts.settle(i, state);
         }
         contacts.beginStep(system);
+    }
+
+    /** A speed that is 0 but for the rounding of a larger one, and of the clock while a force acts (m/s). */
+    private double rounding(ParticleSystem system, int i, double speed) {
+        int f = STRIDE * i + 3;
+        double acceleration = new Vector3(force[f], force[f + 1], force[f + 2]).length() / system.getParticles().mass(i);
+        return ROUNDING * speed + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * acceleration;
     }
 
     /** What hangs on what has come to rest may rest as well; on its own it would not be asked, since it does not slide. */
@@ -145,13 +164,14 @@ final class ContactEvents {
         }
     }
 
-    /** Lets a particle that has just come to rest on a surface stick if it hardly moves along it. */
-    void stickIfSlow(ParticleSystem system, int i) {
-        if (rubs(i) && velocity(system.getOwnState(), i).length() <= threshold(i)) {
-            addUpForces(system);
-            if (contacts.holdMargin(i, system.getOwnState(), force) >= 0) {
-                stop(system, i);
-            }
+    /**
+     * Lets a particle that has just come to rest on a surface stick if it hardly moves along it.
+     *
+     * @param speed its speed before that (m/s)
+     */
+    void stickIfSlow(ParticleSystem system, int i, double speed) {
+        if (rubs(i) && holdMargin(system, i) >= 0) {
+            stop(system, i, speed);
         }
     }
 

@@ -2,13 +2,18 @@ package particles.rules;
 
 import particles.Particles;
 import particles.Vector3;
+import particles.reactions.ContactModes.Mode;
 import particles.reactions.ContactSurface;
+import particles.reactions.RestingContacts;
 
 /** Where particles are with respect to surfaces, and small moves of one particle in a flat state. */
 final class ContactGeometry {
     private static final int STRIDE = Particles.STRIDE;
     /** A particle in contact is on the surface but for rounding, relative to 1 m plus its distance from the origin. */
     private static final double ON_SURFACE = 1e-9;
+    /** Relative to 1 m plus the distance from the origin: how far off all surfaces a particle may be put that touches several. */
+    private static final double ROUNDING = 1e-13;
+    private static final int MOST_SWEEPS = 100;
 
     private ContactGeometry() {
     }
@@ -43,6 +48,27 @@ final class ContactGeometry {
     static void putOn(ContactSurface surface, double[] state, int i) {
         moveAlong(normal(surface, state, i), state, STRIDE * i, -distance(surface, state, i));
         stopAlong(normal(surface, state, i), state, i);
+    }
+
+    /**
+     * Puts a particle onto all surfaces that it touches, and takes away its speed across them: what the one moves, the other
+     * puts right, in turn, until nothing but rounding is left.
+     *
+     * @param slow a speed that is rounding (m/s)
+     */
+    static void putOnAll(RestingContacts contacts, int i, double[] state, double slow) {
+        double near = ROUNDING / ON_SURFACE * slack(state, i);
+        boolean put = false;
+        for (int sweep = 0; sweep < MOST_SWEEPS && !put; sweep++) {
+            put = true;
+            for (int q = 0; q < contacts.getSurfaces().size(); q++) {
+                if (contacts.getModes().get(q, i) != Mode.FREE) {
+                    ContactSurface surface = contacts.getSurfaces().get(q);
+                    put &= Math.abs(distance(surface, state, i)) <= near && Math.abs(normalSpeed(surface, state, i)) <= slow;
+                    putOn(surface, state, i);
+                }
+            }
+        }
     }
 
     static double normalSpeed(ContactSurface surface, double[] state, int i) {

@@ -6,6 +6,7 @@ import static particles.rules.ContactGeometry.moveAlong;
 import static particles.rules.ContactGeometry.normal;
 import static particles.rules.ContactGeometry.normalSpeed;
 import static particles.rules.ContactGeometry.putOn;
+import static particles.rules.ContactGeometry.putOnAll;
 import static particles.rules.ContactGeometry.slack;
 import static particles.rules.ContactGeometry.stopAlong;
 import static particles.rules.ContactGeometry.velocity;
@@ -31,7 +32,6 @@ public final class ExactImpacts implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
     /** Relative to what is compared: what is less is the rounding of a few operations. */
     private static final double ROUNDING = 1e-13;
-    private static final int MOST_SWEEPS = 100;
 
     private final RestingContacts contacts;
     private final ContactModes modes;
@@ -62,7 +62,9 @@ public final class ExactImpacts implements EventRule {
                 ContactSurface surface = contacts.getSurfaces().get(p);
                 if (Math.abs(distance(surface, state, i)) <= slack(state, i)
                         && Math.abs(normalSpeed(surface, state, i)) <= surface.restSpeed()) {
+                    double speed = velocity(state, i).length();
                     rest(system, p, i);
+                    contactEvents.stickIfSlow(system, i, speed);
                 }
             }
         }
@@ -123,7 +125,7 @@ public final class ExactImpacts implements EventRule {
         bezier(begin, motion.getEndState(), h, i, points);
         int count = surface.obstacle().separation(points, coefficients);
         if (Math.abs(distance(surface, begin, i)) <= slack(begin, i)) {
-            if (normalSpeed(surface, begin, i) < -roundingOf(begin, i)) {
+            if (normalSpeed(surface, begin, i) < -ROUNDING * velocity(begin, i).length()) {
                 return motion.getStartTime();
             }
             double least = -ROUNDING * (1 + points[0] * points[0] + points[1] * points[1] + points[2] * points[2]);
@@ -134,11 +136,6 @@ public final class ExactImpacts implements EventRule {
         }
         double u = crossing.of(coefficients, count);
         return Double.isNaN(u) ? Double.POSITIVE_INFINITY : motion.getStartTime() + u * h;
-    }
-
-    /** A speed that cannot be told from 0 beside the particle's own (m/s). */
-    private static double roundingOf(double[] state, int i) {
-        return ROUNDING * velocity(state, i).length();
     }
 
     private final class Impact implements Event {
@@ -168,26 +165,28 @@ public final class ExactImpacts implements EventRule {
             double[] state = system.getOwnState();
             Vector3 normal = normal(surface, state, i);
             moveAlong(normal, state, STRIDE * i, -distance(surface, state, i));
-            double rounding = roundingOf(state, i);
+            double speed = velocity(state, i).length();
             double approach = normalSpeed(surface, state, i);
             double leaving = -surface.restitution() * approach;
             if (contacts.isCoupled(i)) {
-                strike(system, Math.max(0, leaving), leaving <= surface.restSpeed());
+                strike(system, Math.max(0, leaving), leaving <= surface.restSpeed(), speed);
                 return;
             }
             moveAlong(normal, state, STRIDE * i + 3, Math.max(0, leaving) - approach);
             if (leaving <= surface.restSpeed()) {
                 rest(system, p, i);
             }
-            stayOutOfAll(rounding, state);
+            stayOutOfAll(ROUNDING * speed, state);
+            contactEvents.stickIfSlow(system, i, speed);
             contacts.beginStep(system);
         }
 
         /** A particle that hangs on rods or wires passes the blow on, and may lift others off. */
-        private void strike(ParticleSystem system, double leaving, boolean rests) {
+        private void strike(ParticleSystem system, double leaving, boolean rests, double speed) {
             contacts.strike(p, i, rests ? 0 : leaving, system.getOwnState());
             if (rests) {
                 rest(system, p, i);
+                contactEvents.stickIfSlow(system, i, speed);
             }
             contacts.settle(i, system.getOwnState());
             contacts.beginStep(system);
@@ -203,29 +202,16 @@ public final class ExactImpacts implements EventRule {
                     modes.set(q, i, Mode.FREE);
                 }
             }
-            double fastest = Double.POSITIVE_INFINITY;
-            for (int sweep = 0; sweep < MOST_SWEEPS && fastest > 0; sweep++) {
-                fastest = 0;                            // what is left is too slow to leave: none in the end, along all of them
-                for (int q = 0; q < contacts.getSurfaces().size(); q++) {
-                    if (modes.get(q, i) != Mode.FREE) {
-                        ContactSurface other = contacts.getSurfaces().get(q);
-                        fastest = Math.max(fastest, Math.abs(normalSpeed(other, state, i)) - rounding);
-                        stopAlong(normal(other, state, i), state, i);
-                    }
-                }
-            }
+            putOnAll(contacts, i, state, rounding);
         }
     }
 
-    /** Lets a particle stay on a surface if it is pressed on; then it may stick as well. */
+    /** Lets a particle stay on a surface if it is pressed on. */
     private void rest(ParticleSystem system, int p, int i) {
-        double[] state = system.getOwnState();
-        stopAlong(normal(contacts.getSurfaces().get(p), state, i), state, i);
+        stopAlong(normal(contacts.getSurfaces().get(p), system.getOwnState(), i), system.getOwnState(), i);
         modes.set(p, i, Mode.SLIDING);
         modes.setWhereTouching(i, Mode.SLIDING);
-        if (contactEvents.pressure(system, p, i) > 0) {
-            contactEvents.stickIfSlow(system, i);
-        } else {
+        if (contactEvents.pressure(system, p, i) <= 0) {
             modes.set(p, i, Mode.FREE);
         }
     }
