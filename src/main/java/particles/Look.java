@@ -46,4 +46,14 @@ public record Look(Shown particles, Shown springs, double particleRadius, double
             }
         }
     }
+
+    /**
+     * The same things drawn in one colour, so that pictures beside each other can be told apart.
+     *
+     * @param colour of particles and surfaces, 0xRRGGBB; springs show no strain
+     * @return the look
+     */
+    public Look inOneColour(int colour) {
+        return new Look(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour, colour);
+    }
 }

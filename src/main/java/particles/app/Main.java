@@ -38,6 +38,7 @@ public final class Main {
                 new PhasePlotsCommand(style),
                 new StabilityCommand(style),
                 new EffectCostCommand(style),
+                new RaceCommand(style),
                 new CheckSolverCommand(),
                 new NewClassCommand.NewSolver(EXERCISES, style),
                 new NewClassCommand.NewEffect(EXERCISES, style),

@@ -16,6 +16,8 @@ import particles.experiments.EnergyDrift.Kind;
 
 /** Energy drift as charts and as a table. */
 public final class DriftCharts {
+    /** What crosses are called in the legend. */
+    static final String STOPPED = "stopped";
     /** The linear chart ends where an error is no longer a small one. */
     private static final double LINEAR = 0.1;
     private static final double SMALLEST = 1e-17;
@@ -38,14 +40,16 @@ public final class DriftCharts {
                 n++;
             }
             linear.add(new Series(name, Mark.LINE, Arrays.copyOf(drift.time(), n), Arrays.copyOf(drift.error(), n)));
-            double[] size = Arrays.stream(drift.error()).map(e -> Math.abs(e) < SMALLEST ? Double.NaN : Math.abs(e)).toArray();
+            double[] size = Arrays.stream(drift.error()).map(e -> Math.abs(e) < SMALLEST ? Double.NaN
+                    : Math.abs(e)).toArray();
             logarithmic.add(new Series(name, Mark.LINE, drift.time(), size));
             if (drift.kind() == Kind.FAILED) {
-                failures.add(new double[] {drift.time()[drift.time().length - 1], Math.max(SMALLEST, Math.abs(drift.end()))});
+                failures.add(new double[] {drift.time()[drift.time().length - 1], Math.max(SMALLEST,
+                        Math.abs(drift.end()))});
             }
         }
         if (!failures.isEmpty()) {
-            logarithmic.add(new Series("stopped", Mark.FAILURES, failures.stream().mapToDouble(f -> f[0]).toArray(),
+            logarithmic.add(new Series(STOPPED, Mark.FAILURES, failures.stream().mapToDouble(f -> f[0]).toArray(),
                     failures.stream().mapToDouble(f -> f[1]).toArray()));
         }
         return List.of(new ChartData(finding(comparison), "time (s)", "|energy error| / scale", false, true, logarithmic),

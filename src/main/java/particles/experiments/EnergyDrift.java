@@ -3,6 +3,7 @@ package particles.experiments;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import particles.Observer;
 import particles.experiments.SceneRun.Outcome;
 import particles.experiments.SceneRun.Setting;
 import particles.scene.Scene;
@@ -83,15 +84,19 @@ public final class EnergyDrift {
         List<Drift> drifts = new ArrayList<>();
         for (SolverChoice solver : solvers) {
             progress.reached((double) drifts.size() / solvers.size(), solver.label());
-            Setting setting = equalWork ? work.find(solver).setting() : new Setting(solver, scene.deltaT(), Optional.empty());
-            drifts.add(measure(scene, setting, scale));
+            Setting setting = equalWork ? work.find(solver).setting() : new Setting(solver, scene.deltaT(),
+                    Optional.empty());
+            drifts.add(measure(SceneRun.build(scene, setting, scene.duration()), setting, scale, List.of()));
         }
         return new Comparison(scene.title(), scene.duration(), scale, equalWork, drifts);
     }
 
-    static Drift measure(SceneDescription scene, Setting setting, double scale) {
+    /** @param beside who looks on too, and first */
+    static Drift measure(Scene built, Setting setting, double scale, List<? extends Observer> beside) {
         DriftRecorder recorder = new DriftRecorder();
-        Outcome outcome = SceneRun.run(SceneRun.build(scene, setting, scene.duration()), MOST_EVALUATIONS, List.of(recorder));
+        List<Observer> observers = new ArrayList<>(beside);
+        observers.add(recorder);
+        Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, observers);
         double[][] points = recorder.points();
         for (int k = 0; k < points[1].length; k++) {
             points[1][k] /= scale;

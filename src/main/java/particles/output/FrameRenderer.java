@@ -3,6 +3,7 @@ package particles.output;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.Optional;
 import particles.Look;
 import particles.Surface;
 import particles.Vector3;
@@ -23,7 +24,7 @@ public final class FrameRenderer {
     private final SurfacePainter surfaces;
     private final RoundShapes shapes;
     private final ShadowPainter shadows = new ShadowPainter();
-    private final FrameText text;
+    private final Optional<FrameText> text;
     // what the first frame decides
     private Sizes sizes;
     private SpringPainter springs;
@@ -39,6 +40,11 @@ public final class FrameRenderer {
      * @throws IllegalArgumentException if the size or the camera cannot be
      */
     public FrameRenderer(Stage stage, int width, int height, int decimals) {
+        this(stage, width, height, Optional.of(new FrameText(stage, height, decimals)));
+    }
+
+    /** @param text the words in the pictures, if there are any */
+    FrameRenderer(Stage stage, int width, int height, Optional<FrameText> text) {
         if (width < 16 || height < 16 || (long) width * height > 40_000_000) {
             throw new IllegalArgumentException("pictures of " + width + " x " + height + " pixels; "
                     + "from 16 x 16 to 40 million are possible");
@@ -53,7 +59,7 @@ public final class FrameRenderer {
         shown = new Shown(stage.look(), stage.surfaces());
         surfaces = new SurfacePainter(raster, view, lighting, stage.look());
         shapes = new RoundShapes(raster, view, lighting);
-        text = new FrameText(stage, height, decimals);
+        this.text = text;
     }
 
     /** @return the width of the pictures (pixels) */
@@ -105,9 +111,18 @@ public final class FrameRenderer {
             shadows.paint(map, state, shown, sizes, stage.surfaces());
         }
         compose();
-        Graphics2D g = image.createGraphics();
-        text.draw(g, getWidth(), getHeight(), state.time, springsSeen);
-        g.dispose();
+        if (text.isPresent()) {
+            Graphics2D g = image.createGraphics();
+            text.get().draw(g, getWidth(), getHeight(), state.time, springsSeen);
+            g.dispose();
+        }
+        return pixels;
+    }
+
+    /** @return what lies behind everything, without shadows; for a renderer that has drawn no frame yet */
+    int[] renderBackdrop(FrameState state) {
+        prepare(state);
+        backdrop.paint(pixels);
         return pixels;
     }
 

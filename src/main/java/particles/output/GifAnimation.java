@@ -25,7 +25,7 @@ public final class GifAnimation implements FrameSink {
     private static final int LONGEST = 65_535;
 
     private final OutputFolder folder;
-    private final FrameRenderer renderer;
+    private final int[] importantColours;
     private final double fps;
     private final Shrinker shrinker;
     private final int width;
@@ -52,13 +52,18 @@ public final class GifAnimation implements FrameSink {
      * @param fps      frames a second
      */
     public GifAnimation(OutputFolder folder, FrameRenderer renderer, int width, double fps) {
+        this(folder, renderer.getWidth(), renderer.getHeight(), renderer.importantColours(), width, fps);
+    }
+
+    /** @param importantColours colours that frames may have although the first one has not */
+    GifAnimation(OutputFolder folder, int frameWidth, int frameHeight, int[] importantColours, int width, double fps) {
         if (width < 1 || !(fps > 0)) {
             throw new IllegalArgumentException("an animation " + width + " pixels wide with " + fps + " frames a second");
         }
         this.folder = folder;
-        this.renderer = renderer;
+        this.importantColours = importantColours.clone();
         this.fps = fps;
-        shrinker = new Shrinker(renderer.getWidth(), renderer.getHeight(), (renderer.getWidth() + width - 1) / width);
+        shrinker = new Shrinker(frameWidth, frameHeight, (frameWidth + width - 1) / width);
         this.width = shrinker.width;
         this.height = shrinker.height;
         small = new int[this.width * this.height];
@@ -101,7 +106,7 @@ public final class GifAnimation implements FrameSink {
 
     private void begin(int index) throws IOException {
         first = index;
-        palette = Palette.of(small, renderer.importantColours(), TRANSPARENT);
+        palette = Palette.of(small, importantColours, TRANSPARENT);
         int[] table = Arrays.copyOf(palette.colours(), TRANSPARENT + 1);
         byte[][] parts = new byte[3][table.length];
         for (int k = 0; k < table.length; k++) {

@@ -27,7 +27,8 @@ record SolverLook(Color colour, Stroke stroke, Shape shape) {
             look("radau", 4, 2, 5));
 
     private static Map.Entry<String, SolverLook> look(String name, int colour, int dashes, int shape) {
-        return Map.entry(name, new SolverLook(ChartStyle.colour(colour), ChartStyle.stroke(dashes), ChartStyle.shape(shape)));
+        return Map.entry(name, new SolverLook(ChartStyle.colour(colour), ChartStyle.stroke(dashes),
+                ChartStyle.shape(shape)));
     }
 
     /**
@@ -40,5 +41,18 @@ record SolverLook(Color colour, Stroke stroke, Shape shape) {
             end++;
         }
         return Optional.ofNullable(LOOKS.get(series.substring(0, end)));
+    }
+
+    /**
+     * @param series a name
+     * @return the look of the solver with whose name it begins; grey for a solver of one's own
+     */
+    static SolverLook orGrey(String series) {
+        return of(series).orElse(new SolverLook(ChartStyle.AXIS, ChartStyle.stroke(0), ChartStyle.shape(0)));
+    }
+
+    /** @return the colour as 0xRRGGBB */
+    int rgb() {
+        return colour.getRGB() & 0xffffff;
     }
 }

@@ -35,7 +35,10 @@ class ExperimentOptionsTest {
         "lectureFigures | -Psolver=rk5        | option -Psolver: no solver is called 'rk5'",
         "energyDrift    | -Pscene=sprng       | there is no scene 'sprng'",
         "energyDrift    | -PdeltaT=-1         | -PdeltaT: the value is -1; it has to be a number over 0 (s)",
-        "energyDrift    | -Pduration=soon     | -Pduration: "})
+        "energyDrift    | -Pduration=soon     | -Pduration: ",
+        "race           | -Pduration=0        | option -Pduration: a race has to last longer than 0 s",
+        "race           | -Pframes=0          | option -Pframes: 0 has to be from 1 to 2000",
+        "race           | -Psolvers=rk5       | option -Psolvers: no solver is called 'rk5'"})
     void whatCannotBeMeasuredIsRefusedInOneLine(String command, String option, String line) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();

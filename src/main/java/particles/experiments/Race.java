@@ -1,0 +1,203 @@
+package particles.experiments;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.SimulationException;
+import particles.Vector3;
+import particles.experiments.EnergyDrift.Drift;
+import particles.experiments.EqualWork.Match;
+import particles.experiments.SceneRun.Outcome;
+import particles.experiments.SceneRun.Setting;
+import particles.scene.Scene;
+import particles.scene.SceneDescription;
+
+/**
+ * A race of solvers on one scene: all do the same work, evaluations of the derivative or, where implicit ones take part
+ * whose work is more than that, time; who stays near a run that is as good as exact?
+ */
+public final class Race {
+    private static final double REFERENCE_TOLERANCE = 1e-9;
+    /** What the reference is, in words. */
+    public static final String REFERENCE = "dormand-prince with a tolerance of 1e-9";
+    private static final long MOST_EVALUATIONS = 20_000_000;
+    /** Who is farther than this, of the scene's extent, from where the reference goes has left the race. */
+    private static final double BEYOND = 0.25;
+
+    /** Who looks on, such as one who makes pictures of it. */
+    public interface Audience {
+        /**
+         * A run begins; the first one is the reference's.
+         *
+         * @param scene  about to run
+         * @param solver who runs; nobody for the reference
+         * @param extent where the reference goes
+         * @return who looks on
+         */
+        List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent);
+    }
+
+    /**
+     * One solver's run.
+     *
+     * @param match    its step or tolerance, and what that costs
+     * @param drift    how it keeps the energy, as far as it came
+     * @param states   at the frames' times, as far as it came: (x1, v1, x2, v2, ...)
+     * @param distance from the reference at these times, root mean square over the particles (m); NaN where there are not as
+     *                 many particles
+     * @param left     when it left the race (s): it failed, or went where the reference never comes near
+     */
+    public record Lane(Match match, Drift drift, List<double[]> states, double[] distance, OptionalDouble left) {
+    }
+
+    /**
+     * The race.
+     *
+     * @param scene     the scene's title
+     * @param duration  of the race (s)
+     * @param times     of the frames (s)
+     * @param equalTime whether all take the same time, and not the same number of evaluations
+     * @param work      evaluations, or seconds, that each was to take
+     * @param scale     what energy errors are divided by (J)
+     * @param reference its states at the frames' times
+     * @param lanes     one a solver
+     */
+    public record Result(String scene, double duration, double[] times, boolean equalTime, double work, double scale,
+                         List<double[]> reference, List<Lane> lanes) {
+    }
+
+    private final SceneDescription scene;
+    private final List<SolverChoice> solvers;
+    private final int frames;
+    private final ToDoubleFunction<Outcome> clock;
+
+    /**
+     * @param scene   with the duration that is wanted; rk4 at its step sets how much work all get
+     * @param solvers who takes part
+     * @param frames  into how many parts the duration is divided, 1 or more
+     */
+    public Race(SceneDescription scene, List<SolverChoice> solvers, int frames) {
+        this(scene, solvers, frames, Outcome::seconds);
+    }
+
+    Race(SceneDescription scene, List<SolverChoice> solvers, int frames, ToDoubleFunction<Outcome> clock) {
+        this.scene = scene;
+        this.solvers = List.copyOf(solvers);
+        this.frames = frames;
+        this.clock = clock;
+    }
+
+    /**
+     * @param audience who looks on
+     * @param progress hears how far it is
+     * @return what happened
+     * @throws SimulationException if the reference cannot be computed
+     */
+    public Result run(Audience audience, ProgressListener progress) {
+        progress.reached(0, "the reference");
+        double rate = frames / scene.duration();
+        FrameStates reference = new FrameStates(rate);
+        Extent extent = new Extent();
+        double scale = runReference(reference, extent);
+        long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
+        boolean equalTime = solvers.stream().anyMatch(SolverChoice::implicit);
+        EqualWork work = equalTime ? EqualWork.ofTime(scene, scene.duration(), evaluations, clock)
+                : new EqualWork(scene, scene.duration(), evaluations);
+        List<Match> matches = new ArrayList<>();
+        for (SolverChoice solver : solvers) {
+            progress.reached(0.5 * matches.size() / solvers.size(), "equal work for " + solver.label());
+            matches.add(work.find(solver));
+        }
+        progress.reached(0.5, "the race: the reference");
+        Scene again = SceneRun.build(scene, tight(), scene.duration());
+        SceneRun.run(again, MOST_EVALUATIONS, audience.of(again, Optional.empty(), extent));
+        List<Lane> lanes = new ArrayList<>();
+        for (Match match : matches) {
+            progress.reached(0.5 + 0.5 * (lanes.size() + 1) / (solvers.size() + 1), "the race: "
+                    + match.setting().solver().label());
+            lanes.add(lane(match, rate, scale, reference.states(), extent, audience));
+        }
+        double[] times = new double[reference.states().size()];
+        for (int k = 0; k < times.length; k++) {
+            times[k] = k / rate;
+        }
+        return new Result(scene.title(), scene.duration(), times, equalTime, work.getTarget(), scale, reference.states(),
+                lanes);
+    }
+
+    private Setting tight() {
+        return new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(), Optional.of(REFERENCE_TOLERANCE));
+    }
+
+    /** @return the energy scale */
+    private double runReference(FrameStates states, Extent extent) {
+        EnergyHistory energy = new EnergyHistory();
+        Scene built = SceneRun.build(scene, tight(), scene.duration());
+        Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, List.of(energy, states, extent));
+        if (outcome.failure().isPresent()) {
+            throw new SimulationException(outcome.endTime(), -1, "no race without a reference (" + REFERENCE + "): "
+                    + outcome.failure().get(), null);
+        }
+        return energy.getScale() > 0 ? energy.getScale() : built.energyScale();
+    }
+
+    private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent, Audience audience) {
+        Scene built = SceneRun.build(scene, match.setting(), scene.duration());
+        FrameStates states = new FrameStates(rate);
+        List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
+        observers.addAll(audience.of(built, Optional.of(match.setting().solver()), extent));
+        Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
+        double[] distance = new double[states.states().size()];
+        for (int k = 0; k < distance.length; k++) {
+            distance[k] = distance(states.states().get(k), reference.get(k));
+        }
+        OptionalDouble left = drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
+                : OptionalDouble.empty();
+        return new Lane(match, drift, states.states(), distance, left);
+    }
+
+    private static double distance(double[] state, double[] exact) {
+        if (state.length != exact.length) {
+            return Double.NaN;
+        }
+        double sum = 0;
+        for (int x = 0; x < state.length; x += Particles.STRIDE) {
+            for (int c = x; c < x + 3; c++) {
+                sum += (state[c] - exact[c]) * (state[c] - exact[c]);
+            }
+        }
+        return Math.sqrt(sum / (state.length / Particles.STRIDE));
+    }
+
+    /** Ends the run of who leaves. */
+    private static final class Fence implements Observer {
+        private final Vector3 low;
+        private final Vector3 high;
+
+        Fence(Extent extent) {
+            Vector3 size = extent.high().minus(extent.low());
+            double beyond = BEYOND * Math.max(size.x(), Math.max(size.y(), size.z()));
+            low = extent.low().minus(new Vector3(beyond, beyond, beyond));
+            high = extent.high().plus(new Vector3(beyond, beyond, beyond));
+        }
+
+        @Override
+        public void moved(Motion motion) {
+            ParticleSystem system = motion.getSystem();
+            double[] state = motion.getEndState();
+            for (int i = 0, x = 0; x < state.length; i++, x += Particles.STRIDE) {
+                if (state[x] < low.x() || state[x] > high.x() || state[x + 1] < low.y() || state[x + 1] > high.y()
+                        || state[x + 2] < low.z() || state[x + 2] > high.z()) {
+                    throw new SimulationException(motion.getEndTime(), i, "particle '" + system.getParticles().id(i)
+                            + "' went where the reference never comes near", null);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package particles.experiments;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import particles.ChartData;
+import particles.ChartData.Mark;
+import particles.ChartData.Series;
+import particles.DataTable;
+import particles.experiments.EnergyDrift.Comparison;
+import particles.experiments.Race.Lane;
+import particles.experiments.Race.Result;
+
+/** A race as charts, as tables and in words. */
+public final class RaceCharts {
+    private static final double SMALLEST = 1e-17;
+    /** Times of the same run differ by some percent; who takes this many times the work has not been given equal work. */
+    private static final double TOO_MUCH = 1.2;
+
+    private RaceCharts() {
+    }
+
+    /**
+     * @param race what happened
+     * @return the energy error of each solver over time, a line each, and crosses where one left the race
+     */
+    public static ChartData energy(Result race) {
+        Comparison comparison = new Comparison(race.scene(), race.duration(), race.scale(), !race.equalTime(),
+                race.lanes().stream().map(Lane::drift).toList());
+        ChartData chart = DriftCharts.charts(comparison).get(0);
+        return new ChartData("", chart.xLabel(), chart.yLabel(), false, true, chart.series());
+    }
+
+    /**
+     * @param race what happened
+     * @return how far each solver is from the reference, over time
+     */
+    public static ChartData distance(Result race) {
+        List<Series> series = new ArrayList<>();
+        for (Lane lane : race.lanes()) {
+            double[] distance = Arrays.stream(lane.distance()).map(d -> d < SMALLEST ? Double.NaN : d).toArray();
+            series.add(new Series(label(lane), Mark.LINE, Arrays.copyOf(race.times(), distance.length), distance));
+        }
+        List<Lane> left = race.lanes().stream()
+                .filter(lane -> lane.left().isPresent() && lane.distance().length > 1).toList();
+        if (!left.isEmpty()) {
+            series.add(new Series(DriftCharts.STOPPED, Mark.FAILURES,
+                    left.stream().mapToDouble(lane -> race.times()[lane.distance().length - 1]).toArray(),
+                    left.stream().mapToDouble(lane -> lane.distance()[lane.distance().length - 1]).toArray()));
+        }
+        return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
+    }
+
+    private static String label(Lane lane) {
+        return lane.match().setting().solver().label();
+    }
+
+    /**
+     * @param race what happened
+     * @return what each got, such as {@code 1000 evaluations each}
+     */
+    public static String work(Result race) {
+        return race.equalTime() ? String.format(Locale.ROOT, "equal time, %.3g ms each", 1000 * race.work())
+                : String.format(Locale.ROOT, "equal work, %d evaluations each", Math.round(race.work()));
+    }
+
+    /**
+     * @param race what happened
+     * @return the scene, what is equal, who won and who left
+     */
+    public static String title(Result race) {
+        String finding = finding(race);
+        return race.scene() + ", " + work(race) + (finding.isEmpty() ? "" : ": " + finding);
+    }
+
+    /**
+     * @param race what happened
+     * @return who won and who left; empty where there is nothing to say
+     */
+    public static String finding(Result race) {
+        List<String> parts = new ArrayList<>();
+        race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0)
+                .min(Comparator.comparingDouble(RaceCharts::mean))
+                .ifPresent(best -> parts.add(label(best) + " stays nearest to the reference"));
+        List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
+        if (left.size() > 3) {
+            parts.add(left.size() + " solvers leave");
+        } else if (!left.isEmpty()) {
+            parts.add(String.join(", ", left.stream().map(lane -> label(lane)
+                    + String.format(Locale.ROOT, " leaves at t = %.3g s", lane.left().getAsDouble())).toList()));
+        }
+        for (Lane lane : race.lanes()) {
+            double cost = (race.equalTime() ? lane.match().seconds() : lane.match().evaluations()) / race.work();
+            if (cost > TOO_MUCH) {
+                parts.add(label(lane) + String.format(Locale.ROOT, " cannot do with less than %.3g times the %s", cost,
+                        race.equalTime() ? "time" : "work"));
+            }
+        }
+        return String.join("; ", parts);
+    }
+
+    /** Root mean square over the frames (m); NaN where there is nothing to compare. */
+    private static double mean(Lane lane) {
+        return Math.sqrt(Arrays.stream(lane.distance()).map(d -> d * d).average().orElse(Double.NaN));
+    }
+
+    /**
+     * @param race what happened
+     * @return a row a solver
+     */
+    public static DataTable table(Result race) {
+        List<List<Object>> rows = new ArrayList<>();
+        for (Lane lane : race.lanes()) {
+            double[] distance = lane.distance();
+            rows.add(List.of(label(lane), lane.match().setting().deltaT(),
+                    lane.match().setting().tolerance().orElse(Double.NaN),
+                    lane.match().evaluations(), 1000 * lane.match().seconds(), mean(lane),
+                    lane.left().isPresent() ? Double.NaN : distance[distance.length - 1], lane.drift().largest(),
+                    lane.left().orElse(Double.NaN), lane.drift().outcome().failure().orElse("")));
+        }
+        return new DataTable("race", race.scene() + ", " + work(race), List.of(DataTable.column("solver"),
+                DataTable.column("deltaT (s)"), new DataTable.Column("tolerance", 2), DataTable.column("evaluations"),
+                new DataTable.Column("time (ms)", 3), new DataTable.Column("distance, mean (m)", 3),
+                new DataTable.Column("at the end (m)", 3), new DataTable.Column("largest energy error / scale", 3),
+                new DataTable.Column("left at (s)", 3), DataTable.column("why")), rows);
+    }
+}
