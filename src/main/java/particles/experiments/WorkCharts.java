@@ -16,8 +16,8 @@ import particles.experiments.problems.WorkProblem;
 
 /** Work-precision diagrams: the errors above, the runs without a result below, each solver in a row of its own. */
 public final class WorkCharts {
-    private static final String ROUGH = "1e-2";
-    private static final String FINE = "1e-6";
+    private static final double ROUGH = 1e-2;
+    private static final double FINE = 1e-6;
 
     private WorkCharts() {
     }
@@ -153,14 +153,14 @@ public final class WorkCharts {
 
     /** Who needs least for a rough and for a fine result. */
     private static String cheapest(List<Curve> curves, ToDoubleFunction<Point> work, String verb, String preposition) {
-        Optional<String> rough = cheapest(curves, work, Double.parseDouble(ROUGH));
-        Optional<String> fine = cheapest(curves, work, Double.parseDouble(FINE));
+        Optional<String> rough = cheapest(curves, work, ROUGH);
+        Optional<String> fine = cheapest(curves, work, FINE);
         if (rough.isEmpty()) {
-            return "none has an error of " + ROUGH;
+            return "none has an error of 10\u207b\u00b2";
         }
-        String result = rough.get() + " " + verb + " " + ROUGH;
-        return fine.isEmpty() ? result + ", none has " + FINE
-                : rough.equals(fine) ? result + " and " + FINE : result + ", " + fine.get() + " " + preposition + " " + FINE;
+        String result = rough.get() + " " + verb + " 10\u207b\u00b2";
+        return fine.isEmpty() ? result + ", none has 10\u207b\u2076" : rough.equals(fine) ? result + " and 10\u207b\u2076"
+                : result + ", " + fine.get() + " " + preposition + " 10\u207b\u2076";
     }
 
     private static Optional<String> cheapest(List<Curve> curves, ToDoubleFunction<Point> work, double error) {

@@ -15,7 +15,10 @@ import org.jfree.chart.title.LegendTitle;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 
-/** The legend below a chart: one item a series, with its line and its points; none where there is only one series. */
+/**
+ * The legend below a chart: one item a series, with its line and its points; none for a series that is alone,
+ * unless it is a solver's or of failures, which the axis does not name.
+ */
 final class ChartLegend {
     private ChartLegend() {
     }
@@ -40,13 +43,15 @@ final class ChartLegend {
         Set<String> named = new HashSet<>();
         for (XYPlot part : plots) {
             ChartDataset dataset = (ChartDataset) part.getDataset();
-            for (int k = 0; k < dataset.getSeriesCount() && dataset.getSeriesCount() > 1; k++) {
+            for (int k = 0; k < dataset.getSeriesCount(); k++) {
                 XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
                 Shape shape = renderer.lookupSeriesShape(k);
+                boolean failure = shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP;
+                boolean known = failure || SolverLook.of(dataset.name(k)).isPresent();
+                boolean alone = dataset.getSeriesCount() == 1 && !known;
                 boolean nothing = dataset.getItemCount(k) == 0 && !renderer.getItemShapeVisible(k, 0);
-                boolean same = oneLook || shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP
-                        || SolverLook.of(dataset.name(k)).isPresent();
-                if (!nothing && (!same || named.add(dataset.name(k)))) {
+                boolean same = oneLook || known;
+                if (!alone && !nothing && (!same || named.add(dataset.name(k)))) {
                     items.add(item(renderer, dataset.name(k), k));
                 }
             }

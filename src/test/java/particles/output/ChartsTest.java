@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.math.BigDecimal;
@@ -19,7 +20,9 @@ import java.util.Optional;
 import java.util.Set;
 import javax.imageio.ImageIO;
 import org.jfree.chart.JFreeChart;
+import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.axis.LogAxis;
+import org.jfree.chart.axis.SymbolAxis;
 import org.jfree.chart.axis.TickUnit;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.XYPlot;
@@ -102,6 +105,28 @@ class ChartsTest {
         XYPlot below = plot.getSubplots().get(1);
         assertTrue(below.getRangeAxis().getUpperBound() < 1.2e-14, "a small drift fills its axis");
         assertEquals(2, chart.getLegend().getSources()[0].getLegendItems().getItemCount());
+    }
+
+    /** Runs without a result stand in rows below, named, from above in the order given; the legend has their mark. */
+    @Test
+    void rowsAreNamedAndFailuresAreInTheLegend() {
+        Series hollow = new Series("rk4, 4.00", Mark.LINE_AND_OPEN_POINTS, new double[] {1, 10}, new double[] {1, 2});
+        Series filled = new Series("rk4, 4.00", Mark.POINTS, new double[] {10}, new double[] {2});
+        ChartData below = new ChartData("", "x (m)", "no result", true, false, List.of("euler", "rk4"),
+                List.of(new Series("did not converge", Mark.GIVEN_UP, new double[] {1000}, new double[] {1})));
+        JFreeChart chart = Charts.stacked(List.of(chart(true, hollow, filled), below));
+        CombinedDomainXYPlot plot = assertInstanceOf(CombinedDomainXYPlot.class, chart.getPlot());
+        SymbolAxis rows = assertInstanceOf(SymbolAxis.class, plot.getSubplots().get(1).getRangeAxis());
+        assertEquals(List.of("euler", "rk4"), List.of(rows.getSymbols()));
+        assertTrue(rows.isInverted());
+        assertTrue(plot.getDomainAxis().getUpperBound() >= 1000, "the axis reaches to the failures");
+        LegendItemCollection legend = chart.getLegend().getSources()[0].getLegendItems();
+        assertEquals(2, legend.getItemCount());
+        assertEquals("did not converge", legend.get(1).getLabel());
+        assertEquals(ChartStyle.GIVEN_UP, legend.get(1).getShape());
+        XYPlot above = plot.getSubplots().get(0);
+        assertEquals(Color.WHITE, above.getRenderer().getSeriesFillPaint(0));
+        assertNotEquals(Color.WHITE, above.getRenderer().getSeriesFillPaint(1));
     }
 
     @Test
