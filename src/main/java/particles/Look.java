@@ -1,24 +1,27 @@
 package particles;
 
+import java.util.List;
+
 /**
  * What of a scene is drawn and in which colours. Surfaces are drawn where the scene has them.
  *
- * @param particles      which particles are drawn as balls
+ * @param particles      which particles are drawn
  * @param springs        which springs are drawn
- * @param particleRadius the radius of a ball (m), positive, or 0 for one that suits the scene's size
+ * @param particleRadius the radius of a particle as it is drawn (m), positive, or 0 for one that suits the scene's size
  * @param strainRange    the strain (stretch over rest length) at which a spring has the full colour of stretched or
  *                       compressed, positive: 0.1 for 10 %
- * @param particleColour the colour of balls, 0xRRGGBB
+ * @param particleColour the colour of particles and of their trails, 0xRRGGBB
  * @param fixedColour    the colour of fixed particles
  * @param frontColour    the colour of a surface's front
  * @param backColour     the colour of its back
+ * @param style          as what free particles are drawn
  */
 public record Look(Shown particles, Shown springs, double particleRadius, double strainRange, int particleColour,
-                   int fixedColour, int frontColour, int backColour) {
+                   int fixedColour, int frontColour, int backColour, Style style) {
 
     /** How pictures look where a scene says nothing. */
     public static final Look STANDARD = new Look(Shown.BESIDE_SURFACES, Shown.BESIDE_SURFACES, 0, 0.1, 0xf0a43c, 0x5a6270,
-            0xd9534f, 0x4a78b5);
+            0xd9534f, 0x4a78b5, Style.STANDARD);
 
     /** Which of the particles, or of the springs, are drawn. */
     public enum Shown {
@@ -54,6 +57,7 @@ public record Look(Shown particles, Shown springs, double particleRadius, double
      * @return the look
      */
     public Look inOneColour(int colour) {
-        return new Look(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour, colour);
+        return new Look(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour, colour,
+                new Style(style.kind(), List.of(colour), style.trail(), style.night()));
     }
 }

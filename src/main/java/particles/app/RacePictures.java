@@ -49,7 +49,7 @@ final class RacePictures implements Race.Audience, AutoCloseable {
         if (solver.isEmpty()) {
             begin(extent);
         }
-        Stage stage = new Stage(camera.orElseThrow(), scene.look(), scene.surfaces(), scene.planes(), "", "");
+        Stage stage = new Stage(camera.orElseThrow(), scene.look(), scene.scenery(), "", "");
         RaceFilm made = film.orElseThrow();
         return List.of(solver.isPresent() ? made.watch(solver.get().label(), stage) : made.watchReference(stage));
     }

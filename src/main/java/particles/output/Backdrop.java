@@ -2,19 +2,15 @@ package particles.output;
 
 import java.util.List;
 import particles.Plane;
+import particles.Scenery;
 import particles.Vector3;
 
 /**
- * What lies behind the moving things: a sky, and the planes of the scene with a grid and shadows. Computed once for a
- * camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the size of
+ * What lies behind the moving things: a sky, the planes of the scene with a grid and shadows, and its spheres. Computed
+ * once for a camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the size of
  * what rests on it, so that a ball at rest, whose middle is on the plane, touches what is drawn.
  */
 final class Backdrop {
-    private static final int SKY_TOP = 0xa9c3dc;
-    private static final int SKY_HORIZON = 0xf1f2f0;
-    private static final int SKY_BOTTOM = 0xdde2e6;
-    static final int GROUND = 0xe8e4dc;
-    private static final int LINE = 0xc9c3b8;
     private static final float DARKEST_SHADOW = 0.56f;
     /** Grid lines about this many to the height of the picture. */
     private static final double LINES = 7;
@@ -24,6 +20,7 @@ final class Backdrop {
 
     /** The planes that can be seen, each with the shadows on it. */
     final List<ShadowMap> shadows;
+    private final Sky sky;
     private final int width;
     private final int[] colour;
     private final float[] near;
@@ -31,7 +28,8 @@ final class Backdrop {
     private final float[] column;
     private final float[] row;
 
-    Backdrop(Projection view, Lighting lighting, List<Plane> planes, Vector3 target, double inset, Vector3 up) {
+    Backdrop(Projection view, Lighting lighting, Scenery scenery, Sky sky, Vector3 target, double inset, Vector3 up) {
+        this.sky = sky;
         int n = view.width * view.height;
         width = view.width;
         colour = new int[n];
@@ -39,7 +37,7 @@ final class Backdrop {
         planeAt = new byte[n];
         column = new float[n];
         row = new float[n];
-        List<Plane> seen = planes.stream()
+        List<Plane> seen = scenery.planes().stream()
                 .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
                 .filter(plane -> isSeen(view, plane)).limit(Byte.MAX_VALUE).toList();
         double shadowed = SHADOWED * view.viewHeight;
@@ -48,6 +46,12 @@ final class Backdrop {
         for (int y = 0; y < view.height; y++) {
             for (int x = 0; x < width; x++) {
                 paint(view, lighting, seen, target, spacing, up, x, y);
+            }
+        }
+        if (!scenery.spheres().isEmpty()) {
+            boolean[] covered = new BackdropSpheres(view, lighting).paint(scenery.spheres(), inset, colour, near);
+            for (int p = 0; p < n; p++) {
+                planeAt[p] = covered[p] ? -1 : planeAt[p];
             }
         }
     }
@@ -72,8 +76,7 @@ final class Backdrop {
                 nearest = k;
             }
         }
-        int sky = sky(view, ray, up, y, planes.isEmpty());
-        colour[p] = sky;
+        colour[p] = behind(view, ray, up, y, planes.isEmpty());
         near[p] = Float.NEGATIVE_INFINITY;
         planeAt[p] = -1;
         if (nearest < 0) {
@@ -97,7 +100,7 @@ final class Backdrop {
         double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU))) / spacing;
         double footV = (Math.abs(beside.minus(hit).dot(map.axisV)) + Math.abs(below.minus(hit).dot(map.axisV))) / spacing;
         double line = Math.max(Grid.coverage(u, footU), Grid.coverage(v, footV));
-        colour[p] = Colours.mix(Colours.lit(Colours.mix(GROUND, LINE, line), Math.max(0.5f, light), 0), SKY_HORIZON, haze);
+        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0), sky.horizon, haze);
         near[p] = (float) view.nearness(depth);
         if (ShadowMap.isLit(plane, lighting.lamp) && haze < 0.9) {
             planeAt[p] = (byte) nearest;
@@ -114,14 +117,14 @@ final class Backdrop {
     }
 
     /** Over a ground the horizon is where it is in space; without one, the sky is a screen behind the scene. */
-    private static int sky(Projection view, Vector3 ray, Vector3 up, int y, boolean screen) {
+    private int behind(Projection view, Vector3 ray, Vector3 up, int y, boolean screen) {
         if (screen || !view.perspective) {
             double part = (y + 0.5) / view.height;
-            return part < 0.62 ? Colours.mix(SKY_TOP, SKY_HORIZON, part / 0.62)
-                    : Colours.mix(SKY_HORIZON, SKY_BOTTOM, (part - 0.62) / 0.38);
+            return part < 0.62 ? Colours.mix(sky.top, sky.horizon, part / 0.62)
+                    : Colours.mix(sky.horizon, sky.bottom, (part - 0.62) / 0.38);
         }
         double rise = ray.dot(up) / ray.length();
-        return Colours.mix(SKY_HORIZON, SKY_TOP, rise / 0.45);
+        return Colours.mix(sky.horizon, sky.top, rise / 0.45);
     }
 
     /** @return how near the plane at pixel p is; negative infinity where the sky is */

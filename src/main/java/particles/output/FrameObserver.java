@@ -5,9 +5,9 @@ import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Rule;
 import particles.Particles;
 import particles.Rule;
+import particles.Style;
 
 /**
  * Has frames drawn at regular simulated times, frame i at i / fps, whatever the steps are: between two steps the motion
@@ -19,6 +19,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     private final double fps;
     private final FrameWorker worker;
+    private final boolean withLives;
+    private final TrailRecorder trails;
     private double[] between = {};
     private int index;
     private int structure;
@@ -33,6 +35,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
             throw new IllegalArgumentException("frames a second have to be positive and at most 1e6, not " + fps);
         }
         this.fps = fps;
+        withLives = renderer.style().kind() == Style.Kind.GLOW;
+        trails = new TrailRecorder(renderer.style().trail(), fps);
         worker = new FrameWorker(renderer, List.copyOf(sinks));
     }
 
@@ -40,12 +44,13 @@ public final class FrameObserver implements Observer, AutoCloseable {
     public void started(ParticleSystem system) {
         structure++;
         index = (int) Math.max(0, Math.ceil(system.getTime() * fps - ROUNDING));
+        trails.take(system, system.getOwnState(), system.getParticles().count(), system.getTime(), structure);
         drawIfDue(system);
     }
 
     @Override
     public double getNextTime() {
-        return index / fps;
+        return Math.min(index / fps, trails.nextTime());
     }
 
     @Override
@@ -54,9 +59,13 @@ public final class FrameObserver implements Observer, AutoCloseable {
         if (between.length != n) {
             between = new double[n];
         }
-        for (; index / fps <= motion.getEndTime(); index++) {
-            motion.interpolate(index / fps, between);
-            draw(motion.getSystem(), between, n / Particles.STRIDE);
+        for (double time = getNextTime(); time <= motion.getEndTime(); time = getNextTime()) {
+            motion.interpolate(time, between);
+            trails.take(motion.getSystem(), between, n / Particles.STRIDE, time, structure);
+            if (time == index / fps) {
+                draw(motion.getSystem(), between, n / Particles.STRIDE);
+                index++;
+            }
         }
     }
 
@@ -96,9 +105,11 @@ public final class FrameObserver implements Observer, AutoCloseable {
         FrameState frame = worker.next();
         frame.take(state, count, index / fps);
         if (frame.structure != structure) {
-            frame.takeStructure(system);
+            frame.takeStructure(system, withLives);
             frame.structure = structure;
         }
+        frame.trail = trails.samples();
+        frame.trailIndex = trails.indicesNow(system, count, structure);
         worker.draw(index, frame);
     }
 

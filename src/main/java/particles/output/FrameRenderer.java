@@ -3,14 +3,17 @@ package particles.output;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import particles.Look;
+import particles.Style;
 import particles.Surface;
 import particles.Vector3;
 
 /**
  * Draws frames of a run, in software and without a screen: surfaces shaded on both sides, springs coloured by their
- * strain, particles as balls, on planes with a grid and soft shadows under a sky. For one thread at a time.
+ * strain, particles as the look says, on planes with a grid and soft shadows under a sky. For one thread at a time.
  */
 public final class FrameRenderer {
     private final Stage stage;
@@ -23,11 +26,16 @@ public final class FrameRenderer {
     private final Shown shown;
     private final SurfacePainter surfaces;
     private final RoundShapes shapes;
-    private final ShadowPainter shadows = new ShadowPainter();
+    private final BlobPainter blobs;
+    private final Optional<GlowPainter> glow;
+    private final Optional<TrailPainter> trails;
     private final Optional<FrameText> text;
     // what the first frame decides
     private Sizes sizes;
     private SpringPainter springs;
+    private WirePainter wires;
+    private ParticlePainter particles;
+    private ShadowPainter shadows;
     private Backdrop backdrop;
     /** Once a spring was seen, the scale of strain stays in the picture. */
     private boolean springsSeen;
@@ -56,9 +64,13 @@ public final class FrameRenderer {
         lighting = new Lighting(view, stage.camera().up());
         raster = new Raster(width, height);
         projected = new Projected(view);
-        shown = new Shown(stage.look(), stage.surfaces());
+        shown = new Shown(stage.look(), stage.scenery().surfaces());
         surfaces = new SurfacePainter(raster, view, lighting, stage.look());
         shapes = new RoundShapes(raster, view, lighting);
+        blobs = new BlobPainter(raster, view, lighting);
+        glow = style().kind() == Style.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), width, height))
+                : Optional.empty();
+        trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
         this.text = text;
     }
 
@@ -74,16 +86,30 @@ public final class FrameRenderer {
 
     /** @return colours that frames may have although the first one has not: of the look and of strain, in light and shade */
     int[] importantColours() {
-        int[] important = new int[64];
-        int n = 0;
+        List<Integer> important = new ArrayList<>();
         Look look = stage.look();
+        Sky sky = Sky.of(style().night());
         for (int base : new int[] {look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour(),
-            Colours.COMPRESSED, Colours.AT_REST, Colours.STRETCHED, Backdrop.GROUND}) {
+            Colours.COMPRESSED, Colours.AT_REST, Colours.STRETCHED, sky.ground}) {
             for (int shade = 0; shade < 8; shade++) {
-                important[n++] = Colours.lit(base, 0.46f + 0.09f * shade, 0);
+                important.add(Colours.lit(base, 0.46f + 0.09f * shade, 0));
             }
         }
-        return important;
+        for (int k = 0; k < 12; k++) {
+            double age = k / 12.0;
+            for (int layers = 1; glow.isPresent() && layers <= 8; layers *= 2) {
+                important.add(GlowPainter.over(sky.horizon, style().ageColours(), age, layers));
+            }
+            if (trails.isPresent()) {
+                important.add(Colours.mix(sky.horizon, look.particleColour(), (k + 1) / 12.0));
+            }
+        }
+        return important.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    /** @return as what particles are drawn */
+    Style style() {
+        return stage.look().style();
     }
 
     /** @return the pixels, 0xRRGGBB row by row, valid until the next call */
@@ -93,7 +119,7 @@ public final class FrameRenderer {
         }
         projected.take(state);
         raster.clear();
-        for (Surface surface : stage.surfaces()) {
+        for (Surface surface : stage.scenery().surfaces()) {
             surfaces.paint(surface, state, projected);
         }
         for (int s = 0; s < state.springs; s++) {
@@ -101,16 +127,14 @@ public final class FrameRenderer {
                 springsSeen |= springs.paint(state, projected, s);
             }
         }
-        for (int i = 0; i < state.particles; i++) {
-            if (projected.visible[i] && shown.particle(i)) {
-                shapes.ball(projected.x[i], projected.y[i], sizes.ball() * projected.scale[i], projected.depth[i],
-                        sizes.ball(), state.fixed[i] ? stage.look().fixedColour() : stage.look().particleColour());
-            }
-        }
+        wires.paint();
+        particles.paint(state, projected);
         for (ShadowMap map : backdrop.shadows) {
-            shadows.paint(map, state, shown, sizes, stage.surfaces());
+            shadows.paint(map, state);
         }
         compose();
+        trails.ifPresent(layer -> layer.paint(state, shown, stage.look().particleColour(), raster, backdrop, pixels));
+        glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), raster, backdrop, pixels));
         if (text.isPresent()) {
             Graphics2D g = image.createGraphics();
             text.get().draw(g, getWidth(), getHeight(), state.time, springsSeen);
@@ -129,13 +153,12 @@ public final class FrameRenderer {
     private void prepare(FrameState state) {
         sizes = Sizes.of(state, stage.look(), view.viewHeight);
         springs = new SpringPainter(shapes, view, stage.look(), sizes);
-        boolean balls = false;
-        for (int i = 0; i < state.particles && !balls; i++) {
-            balls = shown.particle(i);
-        }
-        Vector3 up = stage.camera().up().normalized();
-        backdrop = new Backdrop(view, lighting, stage.planes(), stage.camera().target(),
-                balls ? sizes.ball() : 0.003 * view.viewHeight, up);
+        particles = new ParticlePainter(shapes, blobs, view, stage.look(), shown, sizes);
+        Vector3 target = stage.camera().target();
+        wires = new WirePainter(shapes, view, stage.scenery().wires(), target, sizes.railing());
+        shadows = new ShadowPainter(shown, sizes, stage.scenery(), particles, blobs.surface(), wires);
+        backdrop = new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), target, particles.reach(state),
+                stage.camera().up().normalized());
     }
 
     /** Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies behind. */

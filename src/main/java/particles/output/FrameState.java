@@ -21,6 +21,14 @@ final class FrameState {
     int[] from = {};
     int[] to = {};
     double[] restLength = {};
+    /** Which of them are rods. */
+    boolean[] rigid = {};
+    /** When particles came into being and are to die of age (s); only where they are asked for. */
+    double[] birth = {};
+    double[] death = {};
+    /** Where particles were, the oldest sample first, and the index of each in the newest; none where all are the same. */
+    TrailSample[] trail = {};
+    int[] trailIndex = {};
 
     /**
      * Copies the places.
@@ -40,12 +48,24 @@ final class FrameState {
         }
     }
 
-    /** Copies what changes only when rules change it: springs and rods, and which particles are fixed. */
-    void takeStructure(ParticleSystem system) {
+    /**
+     * Copies what changes only when rules change it: springs and rods, and which particles are fixed.
+     *
+     * @param withLives whether it is asked for when particles were born and when they die
+     */
+    void takeStructure(ParticleSystem system, boolean withLives) {
         int count = system.getParticles().count();
         fixed = Arrays.copyOf(fixed, count);
         for (int i = 0; i < count; i++) {
             fixed[i] = system.getParticles().isFixed(i);
+        }
+        if (withLives) {
+            birth = new double[count];
+            death = new double[count];
+            for (int i = 0; i < count; i++) {
+                birth[i] = system.getParticles().birthTime(i);
+                death[i] = system.getParticles().deathTime(i);
+            }
         }
         List<SpringView> views = Stream.concat(system.getEffects().stream(), system.getReactions().stream())
                 .filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
@@ -54,6 +74,7 @@ final class FrameState {
             from = new int[needed];
             to = new int[needed];
             restLength = new double[needed];
+            rigid = new boolean[needed];
         }
         springs = 0;
         for (SpringView view : views) {
@@ -61,6 +82,7 @@ final class FrameState {
                 from[springs] = view.from(s);
                 to[springs] = view.to(s);
                 restLength[springs] = view.restLength(s);
+                rigid[springs] = view.stiffness(s) == Double.POSITIVE_INFINITY;
                 springs++;
             }
         }

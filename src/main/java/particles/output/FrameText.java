@@ -10,16 +10,15 @@ import java.util.Locale;
 
 /** The words of a picture: the scene's title, time and solver, and the scale of strain. Without a font there are none. */
 final class FrameText {
-    private static final Color INK = new Color(0x2b3440);
-    private static final Color SOFT = new Color(0x5a6572);
-
     private final Stage stage;
+    private final Sky sky;
     private final float unit;
     private final int decimals;
 
     /** @param decimals of the time (s), as many as tell one frame from the next */
     FrameText(Stage stage, int height, int decimals) {
         this.stage = stage;
+        this.sky = Sky.of(stage.look().style().night());
         this.unit = Math.max(0.5f, height / 720f);
         this.decimals = decimals;
     }
@@ -31,12 +30,12 @@ final class FrameText {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         float margin = 26 * unit;
-        g.setColor(INK);
+        g.setColor(sky.ink);
         g.setFont(Lettering.font(Font.BOLD, 24 * unit));
         g.drawString(stage.title(), margin, margin + 17 * unit);
         g.setFont(Lettering.font(Font.PLAIN, 24 * unit));
         g.drawString(String.format(Locale.ROOT, "t = %." + decimals + "f s", time), margin, height - margin - 29 * unit);
-        g.setColor(SOFT);
+        g.setColor(sky.soft);
         g.setFont(Lettering.font(Font.PLAIN, 18 * unit));
         g.drawString(stage.caption(), margin, height - margin);
         if (withStrain) {
@@ -57,7 +56,7 @@ final class FrameText {
             g.fillRect(x + k, y, 1, thickness);
         }
         g.setFont(Lettering.font(Font.PLAIN, 16 * unit));
-        g.setColor(SOFT);
+        g.setColor(sky.soft);
         float line = bottom;
         g.drawString("\u2212" + percent + " %", x, line);
         centred(g, "strain", x + length / 2f, line);

@@ -41,7 +41,7 @@ final class PanelFilm implements Observer, AutoCloseable {
     public void started(ParticleSystem system) {
         FrameState state = new FrameState();
         state.take(system.getOwnState(), system.getParticles().count(), system.getTime());
-        state.takeStructure(system);
+        state.takeStructure(system, true);
         backdrop = new FrameRenderer(stage, width, height, Optional.empty()).renderBackdrop(state);
         frames.started(system);
     }

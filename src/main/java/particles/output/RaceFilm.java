@@ -79,8 +79,7 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     private PanelFilm film(Stage stage, int colour) {
-        Stage coloured = new Stage(stage.camera(), stage.look().inOneColour(colour), stage.surfaces(), stage.planes(), "",
-                "");
+        Stage coloured = new Stage(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
         return new PanelFilm(coloured, page.panelWidth(), page.panelHeight(), rate);
     }
 

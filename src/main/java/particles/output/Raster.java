@@ -46,6 +46,11 @@ final class Raster {
         forget();
     }
 
+    /** @return the nearness of what was drawn on a pixel; negative infinity where nothing was */
+    float nearAt(int x, int y) {
+        return near[SAMPLES * (y * width + x)];
+    }
+
     private void forget() {
         left = width;
         top = height;

@@ -26,9 +26,24 @@ record Sizes(double ball, boolean coils) {
         return new Sizes(look.particleRadius() > 0 ? look.particleRadius() : ball, state.springs <= MOST_COILS);
     }
 
+    /** @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it (m) */
+    double core() {
+        return ball / 3;
+    }
+
     /** @return the radius of a spring drawn as a straight tube (m) */
     double tube() {
         return 0.3 * ball;
+    }
+
+    /** @return the radius of the wire that a bead slides along (m) */
+    double railing() {
+        return 0.2 * ball;
+    }
+
+    /** @return the radius of a rigid rod (m) */
+    double rod() {
+        return 0.34 * ball;
     }
 
     /** @return the radius of a coil (m) */

@@ -2,8 +2,9 @@ package particles.output;
 
 import particles.Look;
 
-/** Springs, coloured by their strain: as coils where they are few, as straight tubes where they are many. */
+/** Springs, coloured by their strain: as coils where they are few, as straight tubes where they are many. Rods as bars. */
 final class SpringPainter {
+    private static final int ROD = 0x6c7683;
     private static final int SEGMENTS_A_TURN = 18;
     /** The straight piece at either end of a coil, and where the coil has its full width, as parts of the length. */
     private static final double STRAIGHT = 0.07;
@@ -23,11 +24,17 @@ final class SpringPainter {
         this.coil = new Projected(view);
     }
 
-    /** @return whether any of spring s is seen, so far */
+    /** @return whether any of spring s is seen, so far, and its strain */
     boolean paint(FrameState state, Projected projected, int s) {
         int a = state.from[s];
         int b = state.to[s];
         if (!projected.visible[a] || !projected.visible[b]) {
+            return false;
+        }
+        if (state.rigid[s]) {
+            double radius = sizes.rod() * (projected.scale[a] + projected.scale[b]) / 2;
+            shapes.tube(projected.x[a], projected.y[a], projected.near[a], projected.x[b], projected.y[b], projected.near[b],
+                    radius, ROD);
             return false;
         }
         double[] p = state.positions;

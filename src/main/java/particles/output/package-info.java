@@ -10,11 +10,12 @@
  * {@link particles.output.RunSummaryWriter} writes what the run was. Observers that hold files open are closed also
  * when a run ends early; they then keep what they have, as whole files:
  * <pre>
- *     Stage stage = new Stage(CameraFraming.around(system, planes, 16 / 9.0), Look.STANDARD, surfaces, planes,
+ *     Stage stage = new Stage(CameraFraming.around(system, planes, 16 / 9.0), Look.STANDARD, scenery,
  *             "A cloth", "rk4, deltaT = 0.01 s");
  *     FrameRenderer renderer = new FrameRenderer(stage, 1280, 720, 2);
  *     try (OutputFolder folder = OutputFolder.open(path, OutputFolder.FRAMES, GifAnimation.FILE,
- * TrajectoryWriter.FILE);             TrajectoryWriter trajectory = new TrajectoryWriter(folder, 1);
+ *             TrajectoryWriter.FILE);
+ *             TrajectoryWriter trajectory = new TrajectoryWriter(folder, 1);
  *             FrameObserver frames = new FrameObserver(renderer, 25, List.of(
  *                     new PngFrames(folder, 1280, 720), new GifAnimation(folder, renderer, 640, 25)))) {
  *         simulation.addObserver(trajectory);

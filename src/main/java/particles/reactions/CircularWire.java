@@ -7,6 +7,8 @@ public final class CircularWire implements Curve {
     private final Vector3 centre;
     private final Vector3 axis;
     private final double radius;
+    /** Two directions across the axis, for drawing. */
+    private final Frame frame;
 
     /**
      * @param centre c (m)
@@ -21,6 +23,18 @@ public final class CircularWire implements Curve {
         this.centre = centre;
         this.axis = axis.normalized();
         this.radius = radius;
+        this.frame = Frame.around(axis);
+    }
+
+    @Override
+    public Vector3 at(double u) {
+        return centre.plus(frame.first().times(radius * StrictMath.cos(u / radius)))
+                .plus(frame.second().times(radius * StrictMath.sin(u / radius)));
+    }
+
+    @Override
+    public double length() {
+        return 2 * Math.PI * radius;
     }
 
     @Override

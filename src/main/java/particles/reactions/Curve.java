@@ -1,11 +1,13 @@
 package particles.reactions;
 
+import particles.CurveView;
+
 /**
  * A curve in space for a bead to slide along: where two smooth functions of the place are zero. Their gradients have to be
  * independent of each other on the curve. The functions are lengths or nearly so: what they say near the curve is about how
  * far off it is (m).
  */
-public interface Curve {
+public interface Curve extends CurveView {
     /** How many functions a curve has. */
     int ROWS = 2;
 

@@ -93,6 +93,17 @@ public final class GraphWire implements Curve {
         };
     }
 
+    /** {@inheritDoc} Here u is x. */
+    @Override
+    public Vector3 at(double u) {
+        return origin.plus(along.times(u)).plus(up.times(profile.value(u)));
+    }
+
+    @Override
+    public double length() {
+        return Double.POSITIVE_INFINITY;
+    }
+
     @Override
     public void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends) {
         double dx = state[x] - origin.x();

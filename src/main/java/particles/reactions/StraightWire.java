@@ -6,17 +6,31 @@ import particles.Vector3;
 public final class StraightWire implements Curve {
     private final double[] across = new double[6];
     private final double[] offset = new double[2];
+    private final Vector3 point;
+    private final Vector3 direction;
 
     /**
      * @param point     any point of the line (m)
      * @param direction along the line; of any length but zero
      */
     public StraightWire(Vector3 point, Vector3 direction) {
+        this.point = point;
+        this.direction = direction.normalized();
         Frame frame = Frame.around(direction);
         frame.put(frame.first(), across, 0);
         frame.put(frame.second(), across, 3);
         offset[0] = frame.first().dot(point);
         offset[1] = frame.second().dot(point);
+    }
+
+    @Override
+    public Vector3 at(double u) {
+        return point.plus(direction.times(u));
+    }
+
+    @Override
+    public double length() {
+        return Double.POSITIVE_INFINITY;
     }
 
     @Override

@@ -4,6 +4,7 @@ import java.util.List;
 import particles.ParticleSystem;
 import particles.Reaction;
 import particles.Simulation;
+import particles.reactions.Curve;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.rules.ConstraintProjection;
@@ -35,7 +36,7 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
     }
 
     /** Adds to a system what the scene names, if it names any. */
-    void build(ParticleSystem system, ParticleIndex index, Simulation simulation) {
+    void build(ParticleSystem system, ParticleIndex index, Simulation simulation, SceneAssembly assembly) {
         if (rods.isEmpty() && wires.isEmpty()) {
             return;
         }
@@ -46,7 +47,9 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
         }
         for (Chosen<WireKind> wire : wires) {
             String bead = wire.values().get(WireKind.BEAD);
-            constraints.addBead(index.find(bead).orElseThrow(), wire.kind().curve(wire.values(), index.position(bead)));
+            Curve curve = wire.kind().curve(wire.values(), index.position(bead));
+            constraints.addBead(index.find(bead).orElseThrow(), curve);
+            assembly.show(curve);
         }
         for (Reaction reaction : List.copyOf(system.getReactions())) {
             if (reaction instanceof RestingContacts contacts) {

@@ -116,8 +116,9 @@ final class MoreEffects {
             + " it.", STIFFNESS, LOSS, POINT, NORMAL) {
         @Override
         void build(Values values, SceneAssembly assembly) {
-            assembly.add(new PenaltyPlane(assembly.particles(), new Plane(values.get(POINT), values.get(NORMAL)),
-                    values.get(STIFFNESS), values.get(LOSS)));
+            Plane plane = new Plane(values.get(POINT), values.get(NORMAL));
+            assembly.add(new PenaltyPlane(assembly.particles(), plane, values.get(STIFFNESS), values.get(LOSS)));
+            assembly.show(plane);
         }
 
         @Override
@@ -140,6 +141,7 @@ final class MoreEffects {
         @Override
         void build(Values values, SceneAssembly assembly) {
             assembly.add(new PenaltySphere(assembly.particles(), sphere(values), values.get(STIFFNESS), values.get(LOSS)));
+            assembly.show(sphere(values));
         }
 
         @Override

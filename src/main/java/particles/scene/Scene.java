@@ -1,15 +1,13 @@
 package particles.scene;
 
 import deSolvers.DESolver;
-import java.util.List;
 import java.util.Optional;
 import particles.Camera;
 import particles.Look;
 import particles.ParticleSystem;
-import particles.Plane;
+import particles.Scenery;
 import particles.Simulation;
 import particles.SpringView;
-import particles.Surface;
 
 /**
  * A scene, ready to run.
@@ -19,8 +17,7 @@ import particles.Surface;
  * @param system      what moves
  * @param solver      what moves it
  * @param springs     its springs; none, if it has none
- * @param surfaces    what is drawn as a shaded surface
- * @param planes      the planes that particles meet
+ * @param scenery     what there is to be drawn beside particles and springs
  * @param camera      the camera; none if it is to be found by what there is to see
  * @param look        how it is drawn
  * @param output      what is written
@@ -28,7 +25,7 @@ import particles.Surface;
  * @param energyScale how much energy of motion is to be expected (J); {@code blowUpFactor} times that ends the run
  */
 public record Scene(SceneDescription description, Simulation simulation, ParticleSystem system, DESolver solver,
-                    SpringView springs, List<Surface> surfaces, List<Plane> planes, Optional<Camera> camera, Look look,
+                    SpringView springs, Scenery scenery, Optional<Camera> camera, Look look,
                     OutputDescription output, Optional<Phase> phase, double energyScale) {
 
     /**

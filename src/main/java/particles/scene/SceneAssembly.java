@@ -3,10 +3,16 @@ package particles.scene;
 import java.util.ArrayList;
 import java.util.List;
 import particles.AnchorMotion;
+import particles.CurveView;
 import particles.Effect;
+import particles.Obstacle;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.Plane;
 import particles.Rule;
+import particles.Scenery;
+import particles.Sphere;
+import particles.Surface;
 import particles.Vector3;
 import particles.effects.SpringForce;
 import particles.effects.Wind;
@@ -22,6 +28,8 @@ final class SceneAssembly {
     private boolean mortal;
     private double births;
     private final List<ContactSurface> surfaces = new ArrayList<>();
+    private final List<Obstacle> solids = new ArrayList<>();
+    private final List<CurveView> wires = new ArrayList<>();
     private Wind wind = Wind.STILL;
     private Vector3 acceleration = Vector3.ZERO;
     private double speed;
@@ -84,6 +92,23 @@ final class SceneAssembly {
 
     void add(ContactSurface surface) {
         surfaces.add(surface);
+        show(surface.obstacle());
+    }
+
+    /** @param solid to be drawn */
+    void show(Obstacle solid) {
+        solids.add(solid);
+    }
+
+    /** @param wire to be drawn */
+    void show(CurveView wire) {
+        wires.add(wire);
+    }
+
+    /** @return all that was shown, beside surfaces */
+    Scenery scenery(List<Surface> surfaces) {
+        return new Scenery(surfaces, solids.stream().filter(Plane.class::isInstance).map(Plane.class::cast).toList(),
+                solids.stream().filter(Sphere.class::isInstance).map(Sphere.class::cast).toList(), wires);
     }
 
     List<ContactSurface> surfaces() {

@@ -7,12 +7,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.ParticleSystem;
-import particles.Plane;
+import particles.Scenery;
 import particles.Simulation;
 import particles.Surface;
 import particles.Vector3;
 import particles.effects.SpringForce;
-import particles.reactions.ContactSurface;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
@@ -73,14 +72,12 @@ public final class SceneBuilder {
                 simulation.addRule(new ClampedImpacts(contacts));
             }
         }
-        scene.constraints().build(system, index, simulation);
+        scene.constraints().build(system, index, simulation, assembly);
         assembly.rules().forEach(simulation::addRule);
-        List<Plane> planes = assembly.surfaces().stream().map(ContactSurface::obstacle).filter(Plane.class::isInstance)
-                .map(Plane.class::cast).toList();
         Optional<Scene.Phase> phase = scene.output().phase()
                 .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis()));
-        return new Scene(scene, simulation, system, solver, springs, surfaces, planes, scene.camera(), scene.look(),
-                scene.output(), phase, scale);
+        return new Scene(scene, simulation, system, solver, springs, assembly.scenery(surfaces), scene.camera(),
+                scene.look(), scene.output(), phase, scale);
     }
 
     /** In the order of {@link ParticleIndex}. */

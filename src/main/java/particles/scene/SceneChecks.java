@@ -53,6 +53,7 @@ final class SceneChecks {
         Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
                 .flatMap(values -> CameraFormat.of(values, problems));
         checkPhase();
+        scene.find(SceneFormat.LOOK).ifPresent(look -> LookFormat.check(look, problems));
         Map<Key<?>, Place> places = new HashMap<>();
         for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.SHAPES)) {
             places.put(key, scene.place(key));

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.Camera;
 import particles.Look;
+import particles.Scenery;
+import particles.Style;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
@@ -63,8 +65,8 @@ class FrameObserverTest {
 
     private static FrameRenderer renderer() {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        Look look = new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, 0.3, 0.1, 0x00ff00, 0, 0, 0);
-        return new FrameRenderer(new Stage(camera, look, List.of(), List.of(), "", ""), W, H, 2);
+        Look look = new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, 0.3, 0.1, 0x00ff00, 0, 0, 0, Style.STANDARD);
+        return new FrameRenderer(new Stage(camera, look, Scenery.NONE, "", ""), W, H, 2);
     }
 
     /** Thrown up from y = -4 m with 8 m/s under 8 m/s^2: y = -4 + 8 t - 4 t^2, which Hermite's cubic gives exactly. */

@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 import particles.Camera;
 import particles.Look;
 import particles.Plane;
+import particles.Scenery;
+import particles.Style;
 import particles.Surface;
 import particles.Vector3;
 
@@ -19,7 +21,7 @@ class FrameRendererTest {
     /** 20 pixels a metre, the origin in the middle. */
     private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
     private static final Look LOOK = new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, 0.5, 0.1, 0x00ff00, 0x000000,
-            0xff0000, 0x0000ff);
+            0xff0000, 0x0000ff, Style.STANDARD);
 
     private static FrameState state(double... positions) {
         FrameState state = new FrameState();
@@ -30,7 +32,7 @@ class FrameRendererTest {
     }
 
     private static FrameRenderer renderer(Camera camera, Look look, List<Surface> surfaces, List<Plane> planes) {
-        return new FrameRenderer(new Stage(camera, look, surfaces, planes, "", ""), W, H, 2);
+        return new FrameRenderer(new Stage(camera, look, new Scenery(surfaces, planes, List.of(), List.of()), "", ""), W, H, 2);
     }
 
     private static boolean isGreen(int rgb) {
@@ -81,9 +83,10 @@ class FrameRendererTest {
     void springsShowTheirStrain() {
         FrameState state = state(-3, 0, 0, 3, 0, 0);
         state.springs = 1;
+        state.rigid = new boolean[1];
         state.from = new int[] {0};
         state.to = new int[] {1};
-        Look springsOnly = new Look(Look.Shown.NEVER, Look.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0, 0);
+        Look springsOnly = new Look(Look.Shown.NEVER, Look.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0, 0, Style.STANDARD);
         double[][] middle = new double[2][];
         for (int k = 0; k < 2; k++) {
             state.restLength = new double[] {k == 0 ? 7 : 5};
@@ -147,6 +150,7 @@ class FrameRendererTest {
         double huge = 1e200;
         FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
         state.springs = 4;
+        state.rigid = new boolean[4];
         state.from = new int[] {0, 1, 2, 3};
         state.to = new int[] {1, 2, 3, 4};
         state.restLength = new double[] {1, 0, 1, 1};
@@ -160,7 +164,7 @@ class FrameRendererTest {
 
     @Test
     void sizesHaveBounds() {
-        Stage stage = new Stage(FRONT, LOOK, List.of(), List.of(), "", "");
+        Stage stage = new Stage(FRONT, LOOK, Scenery.NONE, "", "");
         assertThrows(IllegalArgumentException.class, () -> new FrameRenderer(stage, 0, 100, 2));
         assertThrows(IllegalArgumentException.class, () -> new FrameRenderer(stage, 100_000, 100_000, 2));
     }

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.Camera;
 import particles.Look;
+import particles.Scenery;
 import particles.Vector3;
 
 /** The animation, read back by ImageIO and put together as a viewer does. */
@@ -32,7 +33,7 @@ class GifAnimationTest {
 
     private static FrameRenderer renderer() {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        return new FrameRenderer(new Stage(camera, Look.STANDARD, List.of(), List.of(), "", ""), W, H, 2);
+        return new FrameRenderer(new Stage(camera, Look.STANDARD, Scenery.NONE, "", ""), W, H, 2);
     }
 
     private static FrameState ball(int k) {

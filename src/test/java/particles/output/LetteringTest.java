@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.ChartData;
 import particles.Look;
+import particles.Scenery;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.Vector3;
@@ -33,7 +34,7 @@ class LetteringTest {
                 ParticleSystem system = new ParticleSystem();
                 system.addParticle("ball", 1, Vector3.ZERO, Vector3.ZERO, false);
                 FrameRenderer renderer = new FrameRenderer(new Stage(CameraFraming.around(system, List.of(), 1.5),
-                        Look.STANDARD, List.of(), List.of(), "title", "caption"), 90, 60, 2);
+                        Look.STANDARD, Scenery.NONE, "title", "caption"), 90, 60, 2);
                 Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, 0, Double.POSITIVE_INFINITY);
                 try (FrameObserver frames = new FrameObserver(renderer, 25, List.of(new PngFrames(folder, 90, 60)))) {
                     simulation.addObserver(frames);

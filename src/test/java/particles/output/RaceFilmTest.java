@@ -24,8 +24,10 @@ import particles.ChartData.Series;
 import particles.Look;
 import particles.Observer;
 import particles.ParticleSystem;
+import particles.Scenery;
 import particles.Simulation;
 import particles.SimulationException;
+import particles.Style;
 import particles.Vector3;
 
 class RaceFilmTest {
@@ -34,9 +36,8 @@ class RaceFilmTest {
 
     private static Stage stage() {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        return new Stage(camera, new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, 0.3, 0.1, 0xff0000, 0, 0, 0), List.of(),
-                List.of(),
-                "", "");
+        return new Stage(camera, new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, 0.3, 0.1, 0xff0000, 0, 0, 0,
+                Style.STANDARD), Scenery.NONE, "", "");
     }
 
     private static Simulation falling(double deltaT, Observer observer) {

@@ -12,8 +12,12 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import particles.Camera;
+import particles.CurveView;
 import particles.Effect;
 import particles.Look;
+import particles.Scenery;
+import particles.Sphere;
+import particles.Style;
 import particles.Vector3;
 
 class SceneBuilderTest {
@@ -41,7 +45,7 @@ class SceneBuilderTest {
                 full.system().getEffects().stream().map(Effect::getName).toList());
         assertEquals(1, full.system().getReactions().size());
         assertEquals(3, full.springs().restLength(0), "the initial distance");
-        assertEquals(1, full.planes().size());
+        assertEquals(1, full.scenery().planes().size());
     }
 
     @Test
@@ -113,5 +117,40 @@ class SceneBuilderTest {
         assertEquals(new Scene.Phase(0, 2), told.phase().orElseThrow());
         assertEquals(64, told.output().width());
         assertEquals(25, told.output().frameRate());
+    }
+
+    /** A glow shows by night only, so that it is night where nothing else is asked for. */
+    @Test
+    void particlesAreDrawnAsTheSceneSays() {
+        Style fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail: 0.5}\n").look().style();
+        assertEquals(new Style(Style.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
+        Style day = build(BOB + "look: {particlesAs: glow, sky: day}\n").look().style();
+        assertEquals(new Style(Style.Kind.GLOW, Style.STANDARD.ageColours(), 0, false), day);
+        assertEquals(Style.Kind.BLOBS, build(BOB + "look: {particlesAs: blobs}\n").look().style().kind());
+        assertEquals(Style.STANDARD, build(BOB + "look: {trail: 0}\n").look().style());
+    }
+
+    /** Whatever particles meet or slide along is seen, be it a rule, an effect or a constraint. */
+    @Test
+    void solidsAndWiresAreSeen() {
+        Scenery scenery = build(BOB + """
+                effects:
+                  - penaltyPlane: {point: [0, -9, 0], stiffness: 10}
+                  - penaltySphere: {centre: [8, -9, 0], radius: 2, stiffness: 10}
+                rules:
+                  - plane: {normal: [0, 1, 0.5], point: [0, -8, 0]}
+                  - sphere: {centre: [0, 0, 0], radius: 50, hollow: true}
+                wires:
+                  - circle: {bead: bob, centre: [0, 2, 0], radius: 1}
+                """).scenery();
+        assertEquals(2, scenery.planes().size());
+        assertEquals(List.of(false, true), scenery.spheres().stream().map(Sphere::hollow).toList());
+        CurveView ring = scenery.wires().get(0);
+        assertEquals(2 * Math.PI, ring.length(), 1e-12);
+        for (double u = 0; u < 7; u++) {
+            assertEquals(1, ring.at(u).minus(new Vector3(0, 2, 0)).length(), 1e-12);
+        }
+        assertEquals(0, ring.at(0).minus(ring.at(ring.length())).length(), 1e-12);
+        assertEquals(Scenery.NONE, build(BOB).scenery());
     }
 }

@@ -101,7 +101,7 @@ class ShapesTest {
     @Test
     void aBlocksSurfaceIsClosedAndFacesOutwards() {
         Scene scene = jelly(3, 4, 5, ", turn: [10, 20, 30]");
-        int[] triangles = scene.surfaces().get(0).triangles();
+        int[] triangles = scene.scenery().surfaces().get(0).triangles();
         assertEquals(3 * 4 * (2 * 3 + 2 * 4 + 3 * 4), triangles.length);
         double volume = 0;
         for (int t = 0; t < triangles.length; t += 3) {
@@ -119,7 +119,7 @@ class ShapesTest {
     @Test
     void aClothFacesWhoSeesItsTopLeftCornerTopLeft() {
         Scene scene = cloth(3, 3, "");
-        int[] triangles = scene.surfaces().get(0).triangles();
+        int[] triangles = scene.scenery().surfaces().get(0).triangles();
         assertEquals(3 * 8, triangles.length);
         for (int t = 0; t < triangles.length; t += 3) {
             Vector3 a = at(scene, triangles[t]);

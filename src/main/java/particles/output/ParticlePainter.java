@@ -1,0 +1,80 @@
+package particles.output;
+
+import particles.Look;
+import particles.Style;
+
+/** Draws particles as what the look says, but for their glow and trails, which lie over all else; fixed ones as balls. */
+final class ParticlePainter {
+    /** The radius of a point, in parts of the picture's height. */
+    private static final double POINT = 0.0026;
+
+    private final RoundShapes shapes;
+    private final Projection view;
+    private final Look look;
+    private final Shown shown;
+    private final Sizes sizes;
+    private final Style.Kind kind;
+    private final BlobPainter blobs;
+    private double[] inBlobs = {};
+
+    ParticlePainter(RoundShapes shapes, BlobPainter blobs, Projection view, Look look, Shown shown, Sizes sizes) {
+        this.shapes = shapes;
+        this.view = view;
+        this.look = look;
+        this.shown = shown;
+        this.sizes = sizes;
+        this.kind = look.style().kind();
+        this.blobs = blobs;
+    }
+
+    /** @return how far what rests on a plane reaches below its middle (m) */
+    double reach(FrameState state) {
+        boolean large = false;
+        for (int i = 0; i < state.particles && !large; i++) {
+            large = shown.particle(i);
+        }
+        boolean thick = kind == Style.Kind.BALLS || kind == Style.Kind.BLOBS;
+        return large && thick ? sizes.ball() : 0.003 * view.viewHeight;
+    }
+
+    /** @return whether particle i is a ball */
+    boolean isBall(FrameState state, int i) {
+        return shown.particle(i) && (state.fixed[i] || kind == Style.Kind.BALLS);
+    }
+
+    /** @return the radius of a ball (m) */
+    double ball() {
+        return kind == Style.Kind.GLOW ? sizes.core() : sizes.ball();
+    }
+
+    /** @return whether particle i is a point */
+    boolean isPoint(FrameState state, int i) {
+        return shown.particle(i) && !state.fixed[i] && kind == Style.Kind.POINTS;
+    }
+
+    /** @return the radius of a point (m), in the plane through the middle of the picture */
+    double point() {
+        return POINT * view.viewHeight;
+    }
+
+    void paint(FrameState state, Projected projected) {
+        int count = 0;
+        if (kind == Style.Kind.BLOBS && inBlobs.length < 3 * state.particles) {
+            inBlobs = new double[3 * state.particles];
+        }
+        for (int i = 0; i < state.particles; i++) {
+            if (isBall(state, i) && projected.visible[i]) {
+                shapes.ball(projected.x[i], projected.y[i], ball() * projected.scale[i], projected.depth[i],
+                        ball(), state.fixed[i] ? look.fixedColour() : look.particleColour());
+            } else if (isPoint(state, i) && projected.visible[i]) {
+                shapes.ball(projected.x[i], projected.y[i], Raster.SAMPLES * POINT * view.height, projected.depth[i], 0,
+                        look.particleColour());
+            } else if (kind == Style.Kind.BLOBS && !state.fixed[i] && shown.particle(i)) {
+                System.arraycopy(state.positions, 3 * i, inBlobs, 3 * count++, 3);
+            }
+        }
+        if (kind == Style.Kind.BLOBS) {
+            blobs.paint(inBlobs, count, sizes.ball(), look.particleColour());
+        }
+    }
+}

@@ -1,0 +1,395 @@
+package particles.output;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.RK4Solver;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import particles.Camera;
+import particles.CurveView;
+import particles.Look;
+import particles.ParticleSystem;
+import particles.Plane;
+import particles.Scenery;
+import particles.Simulation;
+import particles.Sphere;
+import particles.Style;
+import particles.Vector3;
+
+/** As what particles, rods, wires and spheres are drawn: areas, places and brightness that can be computed. */
+class ParticleStylesTest {
+    private static final int W = 320;
+    private static final int H = 200;
+    /** 20 pixels a metre, the origin in the middle. */
+    private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+
+    private static Look look(Style.Kind kind, double radius, double trail) {
+        return new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, radius, 0.1, 0x3366cc, 0x202020, 0xff0000, 0x0000ff,
+                new Style(kind, Style.STANDARD.ageColours(), trail, kind == Style.Kind.GLOW));
+    }
+
+    private static FrameRenderer renderer(Camera camera, Look look, Scenery scenery) {
+        return new FrameRenderer(new Stage(camera, look, scenery, "", ""), W, H, 2);
+    }
+
+    private static FrameState state(double... positions) {
+        FrameState state = new FrameState();
+        state.positions = positions;
+        state.particles = positions.length / 3;
+        state.fixed = new boolean[state.particles];
+        state.birth = new double[state.particles];
+        state.death = new double[state.particles];
+        return state;
+    }
+
+    /** How many pixels of a picture something covers: those at its edge as a part. */
+    private static double area(int[] picture, int[] empty) {
+        int count = 0;
+        for (int p = 0; p < picture.length; p++) {
+            count += picture[p] != empty[p] ? 1 : 0;
+        }
+        return count;
+    }
+
+    /** Seen along z, balls with their middles at z = 0 cover where their field in that plane is over the level. */
+    private static double analyticArea(double radius, double... xs) {
+        double step = 0.005;
+        double area = 0;
+        double square = 4 * radius * radius;
+        for (double x = -8; x < 8; x += step) {
+            for (double y = -5; y < 5; y += step) {
+                double field = 0;
+                for (double middle : xs) {
+                    field += Math.pow(Math.max(0, 1 - ((x - middle) * (x - middle) + y * y) / square), 3);
+                }
+                area += field >= BlobField.LEVEL ? step * step : 0;
+            }
+        }
+        return area;
+    }
+
+    /** One ball, two that touch, two whose necks have just met, two that are apart. */
+    @Test
+    void blobsCoverTheLevelSetOfTheirField() {
+        double radius = 1.5;
+        int[] empty = renderer(FRONT, look(Style.Kind.BLOBS, radius, 0), Scenery.NONE).render(state()).clone();
+        for (double distance : new double[] {0, 1.5, 3, 3.75, 6}) {
+            double[] xs = distance == 0 ? new double[] {0} : new double[] {-distance / 2, distance / 2};
+            FrameState state = distance == 0 ? state(0, 0, 0) : state(xs[0], 0, 0, xs[1], 0, 0);
+            int[] rgb = renderer(FRONT, look(Style.Kind.BLOBS, radius, 0), Scenery.NONE).render(state);
+            double expected = 400 * analyticArea(radius, xs);
+            if (distance == 0) {
+                assertEquals(400 * Math.PI * radius * radius, expected, 1);
+            }
+            // the chords of 3.5 cells to the radius cut off what pixels that count in full add; the neck at 3.75 m is the
+            // worst: measured 0.9895 there, 0.997 to 1.001 elsewhere
+            assertEquals(1, area(rgb, empty) / expected, distance == 3.75 ? 0.025 : 0.01, "distance " + distance);
+        }
+    }
+
+    /** Two drops are one where they are less than 2.54 radii apart, and two where they are more. */
+    @Test
+    void blobsFlowTogetherWhereTheyAreNear() {
+        for (boolean near : new boolean[] {true, false}) {
+            BlobField field = new BlobField();
+            double half = near ? 1.2 : 1.35;
+            field.clear(1, 2, 0);
+            field.add(-half, 0.1, 0.2);
+            field.add(half, 0.1, 0.2);
+            BlobSurface surface = new BlobSurface();
+            surface.build(field);
+            boolean inTheMiddle = false;
+            double volume = 0;
+            int[] t = surface.corners;
+            double[] p = surface.places;
+            Map<Long, Integer> edges = new HashMap<>();
+            for (int k = 0; k < surface.cornerCount; k += 3) {
+                for (int c = 0; c < 3; c++) {
+                    inTheMiddle |= Math.abs(p[3 * t[k + c]]) < 0.15;
+                    long a = t[k + c];
+                    long b = t[k + (c + 1) % 3];
+                    edges.merge(Math.min(a, b) << 32 | Math.max(a, b), a < b ? 1 : -1, Integer::sum);
+                }
+                Vector3 a = corner(p, t[k]);
+                volume += a.dot(corner(p, t[k + 1]).cross(corner(p, t[k + 2]))) / 6;
+            }
+            assertEquals(near, inTheMiddle);
+            assertTrue(edges.values().stream().allMatch(sum -> sum == 0), "the surface is closed and faces outwards");
+            if (!near) {
+                // two balls of flat triangles inside of them: measured 8.13 of 8.38
+                assertEquals(8 * Math.PI / 3, volume, 0.05 * 8 * Math.PI / 3);
+            }
+        }
+    }
+
+    private static Vector3 corner(double[] p, int i) {
+        return new Vector3(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
+    }
+
+    /** The light that a particle adds falls from its birth to its death, and two add up to nearly twice one. */
+    @Test
+    void aGlowFadesWithAge() {
+        FrameRenderer renderer = renderer(FRONT, look(Style.Kind.GLOW, 1, 0), Scenery.NONE);
+        int[] dark = renderer.render(state()).clone();
+        double before = Double.POSITIVE_INFINITY;
+        for (int k = 0; k <= 20; k++) {
+            FrameState state = state(0, 0, 0);
+            state.birth[0] = 3;
+            state.death[0] = 5;
+            state.time = 3 + 0.1 * k;
+            double light = light(renderer.render(state), dark);
+            assertTrue(light < before, "age " + k + ": " + light + " is not less than " + before);
+            before = light;
+        }
+        assertEquals(0, before, "nothing is left at the end");
+        FrameState immortal = state(0, 0, 0);
+        immortal.time = 1e6;
+        immortal.death[0] = Double.POSITIVE_INFINITY;
+        double one = light(renderer.render(immortal), dark);
+        assertTrue(one > 50_000, "who does not die of age does not fade: " + one);
+        FrameState two = state(0, 0, 0, 0, 0, 1);
+        two.death = new double[] {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double both = light(renderer.render(two), dark);
+        assertTrue(both > 1.7 * one && both < 2 * one, one + " and " + both);       // measured 1.81: the film saturates
+    }
+
+    private static double light(int[] rgb, int[] dark) {
+        double light = 0;
+        for (int p = 0; p < 150 * W; p++) {              // above the words
+            for (int shift = 0; shift < 24; shift += 8) {
+                int more = (rgb[p] >> shift & 255) - (dark[p] >> shift & 255);
+                assertTrue(more >= 0, "light makes nothing darker");
+                light += more;
+            }
+        }
+        return light;
+    }
+
+    /** A spot of light behind a ball is hidden by it, one in front is not. */
+    @Test
+    void aGlowIsHiddenByWhatIsNearer() {
+        FrameRenderer renderer = renderer(FRONT, look(Style.Kind.GLOW, 3, 0), Scenery.NONE);
+        int[] alone = new int[2];
+        for (int k = 0; k < 2; k++) {
+            FrameState state = state(0, 0, 0, 0, 0, k == 0 ? -5 : 5);
+            state.fixed[0] = true;
+            state.death[1] = Double.POSITIVE_INFINITY;
+            alone[k] = renderer.render(state)[H / 2 * W + W / 2] >> 16 & 255;
+        }
+        assertTrue(alone[0] < 45 && alone[1] > 95, alone[0] + " behind, " + alone[1] + " in front");
+    }
+
+    /** In a perspective view, points are as large far away as near by; balls are not. */
+    @Test
+    void pointsHaveOneSize() {
+        Camera camera = new Camera(new Vector3(0, 0, 10), Vector3.ZERO, new Vector3(0, 1, 0), true, 40, 0);
+        double[][] areas = new double[2][2];
+        for (Style.Kind kind : List.of(Style.Kind.POINTS, Style.Kind.BALLS)) {
+            FrameRenderer renderer = renderer(camera, look(kind, 0.5, 0), Scenery.NONE);
+            int[] empty = renderer.render(state()).clone();
+            for (int k = 0; k < 2; k++) {
+                areas[kind.ordinal()][k] = area(renderer.render(state(0.013, 0.021, k == 0 ? 5 : -20)), empty);
+            }
+        }
+        assertEquals(areas[1][0], areas[1][1], 1);                               // two or three pixels
+        assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);      // the square of 6 is 36; measured 32
+    }
+
+    /** A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked for. */
+    @Test
+    void aTrailIsWhereTheParticleWasAndFades() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("ball", 1, new Vector3(-6, 0.525, 0), new Vector3(4, 0, 0), false);
+        Simulation simulation = new Simulation(system, new RK4Solver(), 0.003, 3, Double.POSITIVE_INFINITY);
+        FrameRenderer renderer = renderer(FRONT, look(Style.Kind.BALLS, 0.25, 2), Scenery.NONE);
+        int[] empty = renderer(FRONT, look(Style.Kind.BALLS, 0.25, 2), Scenery.NONE).render(state()).clone();
+        List<int[]> frames = new ArrayList<>();
+        try (FrameObserver observer = new FrameObserver(renderer, 10, List.of(new FrameSink() {
+            @Override
+            public void add(int index, int[] rgb) {
+                frames.add(rgb.clone());
+            }
+
+            @Override
+            public void close() {
+                // nothing to complete
+            }
+        }))) {
+            simulation.addObserver(observer);
+            simulation.run();
+        }
+        assertEquals(31, frames.size());
+        int[] last = frames.get(30);                    // at x = 6 m: the trail begins at -2 m
+        double before = -1;
+        for (int x = 0; x < 14; x++) {
+            int column = 160 - 60 + 20 * x / 2;         // from -3 m in steps of 0.5 m
+            int strongest = 0;
+            for (int y = 80; y < 100; y++) {
+                int p = y * W + column;
+                strongest = Math.max(strongest, (empty[p] >> 16 & 255) - (last[p] >> 16 & 255));
+            }
+            double share = Math.max(0, (-3 + 0.5 * x + 2) / 8);
+            double full = (empty[89 * W + column] >> 16 & 255) - 0x33;
+            assertEquals(0.85 * share * full, strongest, 3, "at " + (-3 + 0.5 * x) + " m");    // measured 0.94
+            assertTrue(share == 0 || strongest > before);
+            before = strongest;
+        }
+    }
+
+    /** Particles keep their own trails when others go and indices change. */
+    @Test
+    void trailsFollowParticlesNotIndices() {
+        ParticleSystem system = new ParticleSystem();
+        for (int k = 0; k < 3; k++) {
+            system.addParticle("p" + k, 1, new Vector3(k, 0, 0), Vector3.ZERO, false);
+        }
+        TrailRecorder trails = new TrailRecorder(1, 25);
+        trails.take(system, system.getOwnState(), 3, 0, 1);
+        system.removeParticles(new boolean[] {true, false, false});
+        system.addParticle("new", 1, new Vector3(9, 0, 0), Vector3.ZERO, false);
+        assertArrayEquals(new int[] {1, 2, -1}, trails.indicesNow(system, 3, 2));
+        trails.take(system, system.getOwnState(), 3, 0.01, 2);
+        trails.take(system, system.getOwnState(), 3, 0.02, 2);
+        TrailSample[] samples = trails.samples();
+        assertEquals(3, samples.length);
+        assertEquals(0, samples[2].earlier(0));
+        assertEquals(1, samples[1].earlier(0));
+        assertEquals(-1, samples[1].earlier(2));
+        assertEquals(0, trails.indicesNow(system, 3, 2).length);
+        for (int k = 3; k < 400; k++) {
+            trails.take(system, system.getOwnState(), 3, 0.01 * k, 2);
+        }
+        assertTrue(trails.samples()[0].time() <= 2.99 && trails.samples().length < 110, "the old ones are forgotten");
+        assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).nextTime(), "who wants no trails asks for no time");
+    }
+
+    /** A ball of radius r at the distance d is seen under the angle asin(r/d); a bead on it makes it smaller by its own size. */
+    @Test
+    void aSphereIsAsLargeAsItIsSeen() {
+        Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), true, 60, 0);
+        double focal = H / (2 * Math.tan(Math.PI / 6));
+        FrameRenderer without = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), Scenery.NONE);
+        int[] empty = without.render(state()).clone();
+        Sphere ball = new Sphere(Vector3.ZERO, 1.2, false);
+        double inset = 0.003 * 2 * 5 * Math.tan(Math.PI / 6);
+        for (boolean bead : new boolean[] {false, true}) {
+            FrameState state = bead ? state(0, 100, 0) : state();
+            double r = 1.2 - (bead ? 0.2 : inset);
+            int[] rgb = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state);
+            double seen = focal * r / Math.sqrt(25 - r * r);
+            assertEquals(1, area(rgb, empty) / (Math.PI * seen * seen), 0.05);      // edge pixels in full: measured 1.014, 1.022
+        }
+        int[] hollow = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(new Sphere(Vector3.ZERO, 1.2, true)))
+                .render(state(0, 0, 0));
+        assertTrue((hollow[H / 2 * W + W / 2] & 255) > 120, "what is inside of a hollow is seen");
+        int[] solid = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 0, 0));
+        int[] alone = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 100, 0));
+        assertEquals(alone[H / 2 * W + W / 2], solid[H / 2 * W + W / 2], "what is inside of a ball is not");
+    }
+
+    private static Scenery scenery(Sphere sphere) {
+        return new Scenery(List.of(), List.of(), List.of(sphere), List.of());
+    }
+
+    /** Rods are straight grey bars, whatever their length, and no scale of strain comes with them. */
+    @Test
+    void rodsAreBars() {
+        Look look = new Look(Look.Shown.NEVER, Look.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0, 0, Style.STANDARD);
+        int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
+        int[] heights = new int[2];
+        for (int k = 0; k < 2; k++) {
+            FrameState state = state(-3, 0, 0, 3, 0, 0);
+            state.springs = 1;
+            state.from = new int[] {0};
+            state.to = new int[] {1};
+            state.restLength = new double[] {6};
+            state.rigid = new boolean[] {k == 0};
+            int[] rgb = renderer(FRONT, look, Scenery.NONE).render(state);
+            for (int y = 0; y < 130; y++) {
+                for (int x = 140; x < 180; x++) {
+                    heights[k] += rgb[y * W + x] != empty[y * W + x] ? 1 : 0;
+                }
+            }
+            int scale = 0;
+            for (int p = 170 * W; p < rgb.length; p++) {
+                scale += rgb[p] != empty[p] ? 1 : 0;
+            }
+            assertEquals(k == 1, scale > 100);
+        }
+        // 2 * 0.34 * 0.5 m * 20 pixels a metre * 40 columns = 272, and edge pixels, in full: measured 320; a coil has 412
+        assertEquals(272, heights[0], 50);
+        assertTrue(heights[1] > 380, "a spring is no bar");
+    }
+
+    /** A ring of wire is seen where it is; an endless wire to the end of the picture. */
+    @Test
+    void wiresAreCurves() {
+        CurveView ring = new CurveView() {
+            @Override
+            public Vector3 at(double u) {
+                return new Vector3(3 * Math.cos(u / 3), 3 * Math.sin(u / 3), 0);
+            }
+
+            @Override
+            public double length() {
+                return 6 * Math.PI;
+            }
+        };
+        CurveView parabola = new CurveView() {
+            @Override
+            public Vector3 at(double u) {
+                return new Vector3(u, u * u / 16, 0);
+            }
+
+            @Override
+            public double length() {
+                return Double.POSITIVE_INFINITY;
+            }
+        };
+        Look look = look(Style.Kind.BALLS, 0.5, 0);
+        int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
+        int[] first = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(), List.of(ring))).render(state());
+        double mean = 0;
+        int count = 0;
+        for (int p = 0; p < first.length; p++) {
+            if (first[p] != empty[p]) {
+                double r = Math.hypot(p % W + 0.5 - 160, p / W + 0.5 - 100);
+                assertEquals(60, r, 3.3, "farther from the ring than its wire is thick");     // 0.1 m is 2 pixels
+                mean += r;
+                count++;
+            }
+        }
+        assertEquals(60, mean / count, 0.1);          // measured 60.05
+        assertTrue(count > 2 * Math.PI * 60 * 3, count + " pixels");
+        int[] second = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(), List.of(parabola))).render(state());
+        for (int x = -7; x <= 7; x++) {
+            int p = (int) (100 - 20 * x * x / 16.0) * W + 160 + 20 * x;
+            assertTrue(second[p] != empty[p], "at " + x + " m");
+        }
+    }
+
+    /** What blows up is drawn as long as it lasts, whatever it is drawn as. */
+    @Test
+    void anyNumbersCanBeDrawnAsAnything() {
+        double huge = 1e200;
+        for (Style.Kind kind : Style.Kind.values()) {
+            FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
+            state.trail = new TrailSample[] {new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
+                Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, new int[0])};
+            state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
+            for (boolean perspective : new boolean[] {true, false}) {
+                Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40, 9);
+                Scenery scenery = new Scenery(List.of(), List.of(Plane.ground(0)),
+                        List.of(new Sphere(new Vector3(50, 0, 0), 1, true)), List.of());
+                int[] empty = renderer(camera, look(kind, 0.5, 1), scenery).render(state()).clone();
+                int[] rgb = renderer(camera, look(kind, 0.5, 1), scenery).render(state);
+                assertTrue(rgb[H / 2 * W + W / 2] != empty[H / 2 * W + W / 2], kind + ": the one at the origin");
+            }
+        }
+    }
+}
