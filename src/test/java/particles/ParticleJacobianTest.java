@@ -58,8 +58,12 @@ class ParticleJacobianTest {
     private static RestingContacts contacts(ParticleSystem system, Friction friction, Mode mode) {
         Plane floor = new Plane(Vector3.ZERO, new Vector3(0, 1, 0));
         Plane wall = new Plane(Vector3.ZERO, new Vector3(1, 1, 0.5));
+        return contacts(system, friction, mode, floor, wall);
+    }
+
+    private static RestingContacts contacts(ParticleSystem system, Friction friction, Mode mode, Obstacle one, Obstacle other) {
         RestingContacts contacts = new RestingContacts(system.getParticles(),
-                List.of(new ContactSurface("floor", floor, 0, friction, 0.01), new ContactSurface("wall", wall, 0, friction, 0.01)));
+                List.of(new ContactSurface("one", one, 0, friction, 0.01), new ContactSurface("other", other, 0, friction, 0.01)));
         for (int i = 0; i < N; i++) {
             contacts.getModes().set(0, i, i % 3 == 0 ? Mode.FREE : mode);
             contacts.getModes().set(1, i, i % 2 == 0 ? Mode.FREE : mode);
@@ -143,6 +147,27 @@ class ParticleJacobianTest {
                     contacts(system, new Friction(law, 0.3, 0.4, 1e-3), mode).setHoldsOn(holdsOn);
                     assertEquals(Blocks.EXACT, system.getJacobianBlocks());
                     assertTrue(deviation(system, random) < EXACT, "seed " + seed + ", " + mode + ", holds on " + holdsOn);
+                }
+            }
+        }
+    }
+
+    /** On a ball, in a hollow, and between one of them and a plane: the normal turns, and the circle needs its force. */
+    @ParameterizedTest
+    @EnumSource(Friction.Law.class)
+    void contactWithSpheresIsExact(Friction.Law law) {
+        for (int seed = 0; seed < 30; seed++) {
+            for (boolean holdsOn : new boolean[] {false, true}) {
+                for (Mode mode : new Mode[] {Mode.SLIDING, Mode.STICKING}) {
+                    Random random = new Random(seed);
+                    ParticleSystem system = particles(random);
+                    springs(system, random, 0.5);
+                    Friction friction = new Friction(law, 0.3, 0.4, 1e-3);
+                    contacts(system, friction, mode, new Sphere(new Vector3(0.2, -2, 0.1), 2, false),
+                            new Sphere(new Vector3(-0.3, 2.5, 0), 3, true)).setHoldsOn(holdsOn);
+                    assertEquals(Blocks.EXACT, system.getJacobianBlocks());
+                    assertTrue(deviation(system, random) < EXACT, "seed " + seed + ", " + mode + ", holds on " + holdsOn
+                            + ": " + deviation(system, random));
                 }
             }
         }

@@ -9,28 +9,36 @@ import particles.Vector3;
  * G lambda = -N . F with G_pq = N_p . N_q, so that lambda changes with F by -G<sup>-1</sup> N<sup>T</sup>; sliding friction
  * changes with lambda and with the velocity; static friction cancels all that is left.
  *
+ * <p>The normal of a curved surface turns with the place, dN = kappa P dx with P = 1 - N N<sup>T</sup>, and what the circle
+ * needs, b = -m kappa v_t&sup2;, changes with place and velocity: {@link CurvedContact} puts that on the right-hand side.
+ *
  * <p>Where a particle starts to slide or a surface to push, the force has a kink; there it is the derivative on one side.
  */
 final class ContactDerivative {
+    private static final double[] NONE = new double[3];
+
     private final double[][] inverse = new double[3][3];    // of G, for the surfaces that push
     private final double[][] g = new double[3][3];
     private final double[] normal = new double[3];
     private final int[] pushing = new int[3];
     private final double[][] pushByForce;                   // d lambda_p / dF
     private final double[] total = new double[9];           // d (F + answer) / dF
-    private final double[] dFdX = new double[9];            // stays 0
+    private final double[] dFdX = new double[9];
     private final double[] dFdV = new double[9];
+    private final CurvedContact curved;
     private Vector3[] normals = {};
     private double[] push = {};
 
     ContactDerivative(int surfaces) {
         pushByForce = new double[surfaces][3];
+        curved = new CurvedContact(surfaces);
     }
 
-    /** Takes up a particle: what pushes it, without friction. */
-    void begin(int count, Vector3[] normals, double[] push) {
-        this.normals = normals;
-        this.push = push;
+    /** Takes up a particle: what pushes it, without friction; its velocity begins at place v of the state. */
+    void begin(int count, TouchedSurfaces touched, double mass, double[] state, int v) {
+        normals = touched.normals;
+        push = touched.push;
+        Arrays.fill(dFdX, 0);
         Arrays.fill(dFdV, 0);
         Arrays.fill(total, 0);
         total[0] = 1;
@@ -50,6 +58,13 @@ final class ContactDerivative {
                 addTo(row, -inverse[a][b], normals[pushing[b]]);
             }
             addProduct(total, 1, normals[pushing[a]], row);
+        }
+        curved.begin(touched, mass, state, v, pushing, active, inverse);
+        for (int a = 0; a < active && curved.isAny(); a++) {
+            int p = pushing[a];
+            addProduct(dFdX, 1, normals[p], curved.pushByPlace[p]);
+            addProduct(dFdV, 1, normals[p], curved.pushByVelocity[p]);
+            curved.addTurning(p, push[p], dFdX);
         }
     }
 
@@ -80,6 +95,8 @@ final class ContactDerivative {
     /** Static friction: nothing is left of any force. */
     void hold() {
         Arrays.fill(total, 0);
+        Arrays.fill(dFdX, 0);
+        Arrays.fill(dFdV, 0);
     }
 
     /**
@@ -95,6 +112,10 @@ final class ContactDerivative {
         for (int row = 0; row < 3; row++) {
             for (int column = 0; column < 3; column++) {
                 total[3 * row + column] -= factor / push[p] * t[row] * pushByForce[p][column];
+                if (curved.isAny()) {
+                    dFdX[3 * row + column] -= factor / push[p] * t[row] * curved.pushByPlace[p][column];
+                    dFdV[3 * row + column] -= factor / push[p] * t[row] * curved.pushByVelocity[p][column];
+                }
             }
         }
         if (sliding.isIndependentOfVelocity()) {
@@ -112,6 +133,9 @@ final class ContactDerivative {
                 }
                 dFdV[e] -= factor * along;
             }
+        }
+        if (curved.isAny()) {
+            curved.addTurningOfSlip(p, factor, law == Friction.Law.COULOMB ? t : NONE, dFdX);
         }
     }
 

@@ -76,7 +76,7 @@ final class ContactResponse {
         if (count == 0) {
             return;
         }
-        derivative.begin(count, normals, push);
+        derivative.begin(count, touched, particles.mass(i), state, STRIDE * i + 3);
         if (touched.isSticking()) {
             derivative.hold();
         }

@@ -27,7 +27,6 @@ public final class RestingContacts implements Reaction {
 
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
-    private final boolean flat;
     private Optional<RigidConstraints> coupled = Optional.empty();
     private final Sliding sliding = new Sliding();
     private final ContactResponse response;
@@ -39,7 +38,6 @@ public final class RestingContacts implements Reaction {
     public RestingContacts(Particles particles, List<ContactSurface> surfaces) {
         this.surfaces = List.copyOf(surfaces);
         modes = new ContactModes(particles, surfaces.size());
-        flat = this.surfaces.stream().allMatch(surface -> surface.obstacle().isFlat());
         response = new ContactResponse(particles, this.surfaces, modes, sliding);
     }
 
@@ -168,10 +166,9 @@ public final class RestingContacts implements Reaction {
         return surfaces.stream().anyMatch(surface -> surface.friction().law() != Friction.Law.NONE);
     }
 
-    /** {@inheritDoc} They are known for planes; a curved surface's normal changes with the place. */
     @Override
     public boolean hasForceDerivatives() {
-        return flat;
+        return true;
     }
 
     @Override

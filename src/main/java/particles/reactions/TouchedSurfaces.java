@@ -13,6 +13,7 @@ final class TouchedSurfaces {
     final ContactSurface[] surfaces;
     final Vector3[] normals;
     final double[] push;
+    final double[] curvature;                           // 0 for a plane
     final double[] bound;                               // what keeps a particle on a curved surface: -m curvature v_t^2
     final double[] pressing = new double[3];
     private final double[] left = new double[3];
@@ -26,6 +27,7 @@ final class TouchedSurfaces {
         surfaces = new ContactSurface[most];
         normals = new Vector3[most];
         push = new double[most];
+        curvature = new double[most];
         bound = new double[most];
         normalForces = new NormalForces(most);
     }
@@ -57,11 +59,12 @@ final class TouchedSurfaces {
         Vector3 normal = obstacle.normal(state[x], state[x + 1], state[x + 2]);
         normals[count] = normal;
         bound[count] = 0;
+        curvature[count] = 0;
         if (!obstacle.isFlat()) {
+            curvature[count] = obstacle.curvature(state[x], state[x + 1], state[x + 2]);
             double along = normal.x() * state[x + 3] + normal.y() * state[x + 4] + normal.z() * state[x + 5];
             double square = state[x + 3] * state[x + 3] + state[x + 4] * state[x + 4] + state[x + 5] * state[x + 5];
-            bound[count] = -particles.mass(i) * obstacle.curvature(state[x], state[x + 1], state[x + 2])
-                    * (square - along * along);
+            bound[count] = -particles.mass(i) * curvature[count] * (square - along * along);
         }
     }
 
