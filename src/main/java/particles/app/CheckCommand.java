@@ -8,11 +8,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import particles.output.OutputException;
 import particles.output.OutputFolder;
 import particles.output.ResultPage;
 import particles.output.ResultPageWriter;
 import particles.output.TableText;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
 import picocli.CommandLine.Option;
@@ -50,7 +52,13 @@ abstract class CheckCommand extends ProgramCommand {
         if (out != null) {                              // picocli leaves an option null that was not given
             args.add("--out=" + out);
         }
-        int code = StudentProcess.run(args);
+        int code;
+        try {
+            code = StudentProcess.run(args);
+        } catch (Failure stopped) {
+            writeReport(failed(stopped.getMessage()));
+            throw stopped;
+        }
         if (code != ExitCode.DONE.code()) {
             throw new Failure(code == ExitCode.TROUBLE.code() ? ExitCode.TROUBLE : ExitCode.BAD_INPUT, List.of());
         }
@@ -59,9 +67,7 @@ abstract class CheckCommand extends ProgramCommand {
     private void checkHere(PrintWriter lines) {
         GuardedRun guard = new GuardedRun(SECONDS);
         Thread hook = new Thread(() -> guard.runningAt().ifPresent(place -> {
-            lines.println("failure: the class ends the whole program (System.exit)" + place);
-            lines.flush();
-            Runtime.getRuntime().halt(ExitCode.BAD_INPUT.code());
+            giveUp(lines, new Finding(Kind.FAILURE, "the class ends the whole program (System.exit)" + place));
         }));
         Runtime.getRuntime().addShutdownHook(hook);
         PrintStream screen = System.out;
@@ -77,18 +83,41 @@ abstract class CheckCommand extends ProgramCommand {
             lines.println("the class printed:" + System.lineSeparator() + printed.text());
         }
         if (outcome.failure().isPresent()) {
-            lines.println(outcome.failure().get());
-            lines.flush();
-            Runtime.getRuntime().halt(ExitCode.BAD_INPUT.code());       // its thread may still be running
+            giveUp(lines, outcome.failure().get());
         }
         report(lines, outcome.value().orElseThrow());
     }
 
-    private void report(PrintWriter lines, Checked checked) {
+    /** Writes the report of a check that did not come back, and ends the process: the class's thread may still be running. */
+    private void giveUp(PrintWriter lines, Finding failure) {
+        ExitCode code = ExitCode.BAD_INPUT;
+        lines.println(failure);
+        try {
+            lines.println("report: " + writeReport(failed(failure.text())));
+        } catch (OutputException e) {
+            lines.println(e.getMessage());
+            code = ExitCode.TROUBLE;
+        }
+        lines.flush();
+        Runtime.getRuntime().halt(code.code());
+    }
+
+    private ResultPage failed(String reason) {
+        String title = subject().replaceFirst(".*=", "") + ": the check did not come to its end.";
+        return new ResultPage(name(), title, paragraphs(List.of(new Finding(Kind.FAILURE, reason))), List.of(), List.of());
+    }
+
+    /** @return where the report is */
+    private Path writeReport(ResultPage page) {
         Path folder = out == null ? Path.of("build", "out", name()) : Path.of(out);
         try (OutputFolder files = OutputFolder.open(folder, name() + ".md")) {
-            ResultPageWriter.write(files, checked.page());
+            ResultPageWriter.write(files, page);
         }
+        return folder.resolve(name() + ".md");
+    }
+
+    private void report(PrintWriter lines, Checked checked) {
+        Path report = writeReport(checked.page());
         lines.println(checked.title());
         List<Finding> wrong = checked.findings().stream().filter(Finding::isWrong).toList();
         lines.println();
@@ -104,7 +133,7 @@ abstract class CheckCommand extends ProgramCommand {
             TableText.plain(checked.page().tables().get(0)).forEach(lines::println);
         }
         lines.println();
-        lines.println("report: " + folder.resolve(name() + ".md"));
+        lines.println("report: " + report);
         if (!wrong.isEmpty()) {
             throw new Failure(ExitCode.BAD_INPUT, wrong.size() == 1 ? "one thing is wrong" : wrong.size() + " things are wrong");
         }
