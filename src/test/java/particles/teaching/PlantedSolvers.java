@@ -1,12 +1,23 @@
 package particles.teaching;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.Supplier;
 
 /** Solvers as students write them, each with one mistake. */
 final class PlantedSolvers {
+    /** RK4 as the slide has it: where each stage is, how far the clock moves to it and at last, and what each counts. */
+    static final double[] PLACES = {0.5, 0.5, 1};
+    static final double[] MOVES = {0.5, 0, 0.5, 0};
+    static final double[] WEIGHTS = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+    static final String NEW_STATE = "; the slide says s + k1/6 + k2/3 + k3/3 + k4/6";
+
     private PlantedSolvers() {
     }
 
@@ -159,6 +170,15 @@ final class PlantedSolvers {
             }
             source.setState(with(state(source), i -> dSdt[i] * deltaT));
             source.incTime(deltaT);
+        }
+    }
+
+    /** Holds a check to these beginnings of what it finds wrong, and to nothing else. */
+    static void assertFound(String name, Supplier<DESolver> maker, String... expected) {
+        List<String> wrong = SolverCheck.check(maker, name).wrong().stream().map(Finding::toString).toList();
+        assertEquals(expected.length, wrong.size(), wrong.toString());
+        for (int k = 0; k < expected.length; k++) {
+            assertTrue(wrong.get(k).startsWith(expected[k]), wrong.get(k) + " does not start with " + expected[k]);
         }
     }
 }
