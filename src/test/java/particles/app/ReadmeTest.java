@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import particles.scene.SceneFiles;
 import particles.scene.SceneFormat;
 import particles.scene.SceneReader;
+import particles.teaching.exercises.Exercises;
 import picocli.CommandLine;
 
 /** What README tells people to type is there to be typed. */
@@ -83,6 +84,42 @@ class ReadmeTest {
     private static String limit(double limit) {
         String number = limit == 0 ? "0: grows" : limit == Double.POSITIVE_INFINITY ? "none" : Double.toString(limit);
         return Double.isNaN(limit) ? "-" : number.replaceFirst("\\.0$", "");
+    }
+
+    private static List<String> rowsOf(String section) {
+        String text = README.substring(README.indexOf("\n## " + section + "\n") + 1);
+        return text.substring(0, text.indexOf("\n## ", 3)).lines().filter(line -> line.startsWith("| `")).toList();
+    }
+
+    @Test
+    void theEffectsAreThoseOfTheSceneFormat() {
+        String reference = SceneFormat.reference("###");
+        List<String> rows = new ArrayList<>();
+        for (String list : matches(Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|"), reference)) {
+            for (String name : list.replace("`", "").split(", ")) {
+                rows.add("| `" + name + "` | " + matches(Pattern.compile("(?m)^### `" + name + "`\n(.*)$"), reference).get(0) + " |");
+            }
+        }
+        assertTrue(rows.size() > 5, rows.toString());
+        assertEquals(rows, rowsOf("Effects"));
+    }
+
+    @Test
+    void theTasksAreThoseOfTheBuild() throws IOException {
+        List<String> rows = new ArrayList<>();
+        Matcher task = Pattern.compile("(?m)^program '([^']*)', '([^']*)'").matcher(Files.readString(Path.of("build.gradle")));
+        while (task.find()) {
+            rows.add("| `" + task.group(1) + "` | " + task.group(2) + " |");
+        }
+        assertEquals(rows, rowsOf("Tasks"));
+    }
+
+    @Test
+    void theExercisesAreThoseOfTheProgram() {
+        List<String> titles = new ArrayList<>();
+        Exercises.all().forEach(exercise -> titles.add(titles.size() + 1 + ". " + exercise.title()));
+        assertEquals(12, titles.size());
+        assertTrue(README.contains("\n\n" + String.join("\n", titles) + "\n\n"), titles.toString());
     }
 
     @Test

@@ -1,0 +1,117 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+/**
+ * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through Gradle. Who adds
+ * one to README adds it to one of the lists below or, if it takes long or writes among the sources, as a line {@code step gradle ...}
+ * to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail.
+ */
+class ReadmeCommandsTest {
+    private static final String COMMAND = "gradle [a-z]\\w*(?: -P\\w+(?:=[^\\s`]+)?)*";
+    private static final Pattern IN_TEXT = Pattern.compile("`(" + COMMAND + ")`");
+    private static final Pattern IN_BLOCK = Pattern.compile("(?m)^    (?:.*&& )?(" + COMMAND + ")$");
+    private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|refused) (" + COMMAND + ")$");
+
+    /** Less than a second each. */
+    private static final Map<String, ExitCode> FAST = Map.of(
+            "gradle scenes", ExitCode.DONE,
+            "gradle solvers", ExitCode.DONE,
+            "gradle exercises", ExitCode.DONE,
+            "gradle exercise -Pnumber=1 -Pstudent=ID", ExitCode.DONE,
+            "gradle exercise -Pnumber=5 -Pstudent=ID", ExitCode.DONE,
+            "gradle exercise -Pnumber=5 -Pstudent=ID -Panswer=3,5", ExitCode.BAD_INPUT);
+
+    /** Some seconds each. */
+    private static final Map<String, ExitCode> SLOW = Map.of(
+            "gradle run -Pscene=2 -Psolver=euler", ExitCode.DONE,
+            "gradle run -Pscene=11", ExitCode.DONE,
+            "gradle run -Pscene=12 -PdeltaT=0.01", ExitCode.STOPPED,
+            "gradle checkSolver -Psolver=midpoint", ExitCode.DONE);
+
+    private static Set<String> commands(Path file, Pattern... patterns) throws IOException {
+        Set<String> found = new TreeSet<>();
+        for (Pattern pattern : patterns) {
+            Matcher matcher = pattern.matcher(Files.readString(file));
+            while (matcher.find()) {
+                found.add(matcher.group(1));
+            }
+        }
+        return found;
+    }
+
+    @Test
+    void everyCommandIsRunSomewhere() throws IOException {
+        Set<String> typed = commands(Path.of("README.md"), IN_TEXT, IN_BLOCK);
+        Set<String> run = commands(Path.of(".ci/run"), IN_CI);
+        assertTrue(run.contains("gradle test") && run.contains("gradle run"), run.toString());
+        run.addAll(FAST.keySet());
+        run.addAll(SLOW.keySet());
+        Set<String> neverRun = new TreeSet<>(typed);
+        neverRun.removeAll(run);
+        assertEquals(Set.of(), neverRun, "in README, and run neither by this test nor by .ci/run");
+        Set<String> here = new TreeSet<>(FAST.keySet());
+        here.addAll(SLOW.keySet());
+        here.removeAll(typed);
+        assertEquals(Set.of(), here, "run by this test, and not in README any more");
+    }
+
+    /** Whatever mentions a task of ours is taken for a command, so that none hides behind an unusual form. */
+    @Test
+    void noCommandIsOverlooked() throws IOException {
+        String rest = Files.readString(Path.of("README.md"));
+        for (String command : commands(Path.of("README.md"), IN_TEXT, IN_BLOCK)) {
+            rest = rest.replaceAll(Pattern.quote(command) + "(?=`|\\n)", "");
+        }
+        List<String> left = new ArrayList<>();
+        Matcher matcher = Pattern.compile("\\bgradle [a-z].*").matcher(rest);
+        while (matcher.find()) {
+            left.add(matcher.group());
+        }
+        left.removeIf(line -> line.startsWith("gradle && "));       // the package's name in README's first command
+        assertEquals(List.of(), left);
+    }
+
+    @TestFactory
+    Stream<DynamicTest> fastCommandsDoWhatTheyShould() {
+        return tests(FAST);
+    }
+
+    @Tag("slow")
+    @TestFactory
+    Stream<DynamicTest> slowCommandsDoWhatTheyShould() {
+        return tests(SLOW);
+    }
+
+    private static Stream<DynamicTest> tests(Map<String, ExitCode> commands) {
+        return commands.entrySet().stream().sorted(Map.Entry.comparingByKey())
+                .map(entry -> DynamicTest.dynamicTest(entry.getKey(), () -> run(entry.getKey(), entry.getValue())));
+    }
+
+    private static void run(String command, ExitCode expected) {
+        StringWriter out = new StringWriter();
+        PrintWriter both = new PrintWriter(out);
+        String[] args = command.replaceFirst("gradle ", "").replace(" -P", " --").split(" ");
+        ExitCode code = new Program(Main.commands(OptionStyle.GRADLE, new StopRequest()), OptionStyle.GRADLE, both, both).execute(args);
+        assertEquals(expected, code, out.toString());
+    }
+}
