@@ -35,10 +35,6 @@ final class EnergyDriftCommand extends ExperimentCommand {
         return NAME;
     }
 
-    SceneOptions options() {
-        return options;
-    }
-
     @Override
     void check() {
         scene();

@@ -39,6 +39,7 @@ public final class Main {
                 new StabilityCommand(style),
                 new EffectCostCommand(style),
                 new RaceCommand(style),
+                new ReportCommand(style, experiments(style)),
                 new CheckSolverCommand(),
                 new NewClassCommand.NewSolver(EXERCISES, style),
                 new NewClassCommand.NewEffect(EXERCISES, style),
@@ -46,5 +47,12 @@ public final class Main {
                 new ExercisesCommand(style),
                 new ExerciseCommand(style),
                 new GradeCommand(EXERCISES, style));
+    }
+
+    /** Those of the report, in its order. */
+    private static List<ExperimentCommand> experiments(OptionStyle style) {
+        return List.of(new LectureFiguresCommand(style), new EnergyDriftCommand(style), new PhasePlotsCommand(style),
+                new RaceCommand(style), new WorkPrecisionCommand(style), new StiffGalleryCommand(style),
+                new StabilityCommand(style));
     }
 }

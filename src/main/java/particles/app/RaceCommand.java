@@ -47,10 +47,6 @@ final class RaceCommand extends ExperimentCommand {
         return NAME;
     }
 
-    SceneOptions options() {
-        return options;
-    }
-
     @Override
     void check() {
         SceneDescription scene = scene();

@@ -40,16 +40,6 @@ final class SceneOptions {
         return SceneBuilder.build(SceneReader.read(file), overrides).description();
     }
 
-    /** @return whether a scene was asked for */
-    boolean isSceneGiven() {
-        return scene != null;
-    }
-
-    /** @param name of a scene to be looked at, as if it were typed; for pages that join several experiments */
-    void setScene(String name) {
-        scene = name;
-    }
-
     /** @return the solvers that were asked for, or else these */
     List<SolverChoice> solvers(String standard, OptionStyle style) {
         try {

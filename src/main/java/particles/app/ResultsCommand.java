@@ -1,0 +1,56 @@
+package particles.app;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import picocli.CommandLine.Option;
+
+/** A command with a folder of results of its own, build/out/NAME. */
+abstract class ResultsCommand extends ProgramCommand {
+    private static final Path RESULTS = Path.of("build", "out");
+
+    @Option(names = "--out", paramLabel = "FOLDER",
+            description = "Where the results go (default: build/out and the task's name).")
+    private String out;
+
+    private final OptionStyle style;
+
+    /** @param style how options are typed, for messages */
+    ResultsCommand(OptionStyle style) {
+        this.style = style;
+    }
+
+    /** @return its task's name */
+    abstract String name();
+
+    OptionStyle style() {
+        return style;
+    }
+
+    /** @return where results go */
+    final Path folder() {
+        if (out == null) {                              // picocli leaves an option null that was not given
+            return RESULTS.resolve(name());
+        }
+        try {
+            if (!out.isBlank()) {
+                return Path.of(out);
+            }
+        } catch (InvalidPathException e) {
+            throw wrong("out", "'" + out + "' is no folder's name: " + e.getReason());
+        }
+        throw wrong("out", "needs the name of a folder");
+    }
+
+    /** @return the failure that says what is wrong with an option */
+    Failure wrong(String option, String why) {
+        return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
+    }
+
+    /** @return the number, if it is finite and over 0 */
+    double positive(String option, double value) {
+        if (!(value > 0) || !(value <= Double.MAX_VALUE)) {
+            throw wrong(option, value + " has to be finite and more than 0");
+        }
+        return value;
+    }
+}
