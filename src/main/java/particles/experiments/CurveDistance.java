@@ -31,6 +31,11 @@ final class CurveDistance {
         return !(reachX > 0 && reachV > 0);
     }
 
+    /** @return whether the particle does not move at all */
+    boolean isAtRest() {
+        return reachX == 0 && reachV == 0;
+    }
+
     /** @return how far out a state is: 1 at the edges of the box around the curve; NaN if there is no such box */
     double outwards(double position, double velocity) {
         return isDegenerate() ? Double.NaN

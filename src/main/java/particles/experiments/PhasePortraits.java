@@ -109,8 +109,11 @@ public final class PhasePortraits {
      */
     public static String finding(String scene, List<Portrait> portraits) {
         Map<String, Double> worst = new LinkedHashMap<>();
-        portraits.forEach(portrait -> worst.merge(portrait.solver(),
-                portrait.whole() ? portrait.off() : Double.POSITIVE_INFINITY, Math::max));
+        for (Portrait portrait : portraits) {
+            if (!portrait.whole() || !Double.isNaN(portrait.off())) {
+                worst.merge(portrait.solver(), portrait.whole() ? portrait.off() : Double.POSITIVE_INFINITY, Math::max);
+            }
+        }
         List<String> stopped = named(worst, off -> off == Double.POSITIVE_INFINITY);
         List<String> leaving = named(worst, off -> off > PortraitChart.LEFT && off < Double.POSITIVE_INFINITY);
         List<String> staying = named(worst, off -> off <= PortraitChart.LEFT);
@@ -123,7 +126,8 @@ public final class PhasePortraits {
         }
         if (!staying.isEmpty()) {
             double off = staying.stream().mapToDouble(worst::get).max().orElse(0);
-            parts.add(joined(staying) + (staying.size() == 1 ? " stays" : " stay") + " on it to "
+            parts.add(joined(staying) + (staying.size() == 1 ? " stays" : " stay") + (leaving.isEmpty() ? " on the curve to "
+                    : " on it to ")
                     + PortraitChart.percent(off));
         }
         return scene + (parts.isEmpty() ? ", in state space" : ": " + String.join(", ", parts));

@@ -19,6 +19,7 @@ final class PortraitChart {
     private final Series path;
     private final Series exact;
     private final boolean whole;
+    private final boolean rests;
     private final int shown;
     private final double off;
 
@@ -27,6 +28,7 @@ final class PortraitChart {
         this.path = path;
         this.exact = exact;
         this.whole = whole;
+        rests = curve.isAtRest();
         int n = 0;
         while (n < path.x().length && !(curve.outwards(path.x()[n], path.y()[n]) > PICTURE)) {
             n++;
@@ -57,15 +59,18 @@ final class PortraitChart {
             series.add(new Series("stopped, or out of the picture", Mark.FAILURES, new double[] {path.x()[end]},
                     new double[] {path.y()[end]}));
         }
-        return new ChartData(whose + title(), "position " + axis.symbol() + " (m)", "velocity v" + axis.symbol() + " (m/s)",
+        return new ChartData(whose + title(axis), "position " + axis.symbol() + " (m)", "velocity v" + axis.symbol() + " (m/s)",
                 false, false, series);
     }
 
-    private String title() {
+    private String title(Axis axis) {
         if (!whole) {
             return solver + ": blows up";
         }
-        return Double.isNaN(off) ? solver : solver + (off > LEFT ? ": " + percent(off) + " off the curve"
+        if (Double.isNaN(off)) {
+            return rests ? solver + ": at rest along " + axis.symbol() : solver;
+        }
+        return solver + (off > LEFT ? ": " + percent(off) + " off the curve"
                 : ": on the curve to " + percent(off));
     }
 

@@ -47,7 +47,7 @@ public final class WorkCharts {
         }
         series.add(new Series("filled: fitted; in brackets: theory", Mark.POINTS, new double[0], new double[0]));
         String title = problem.title() + ": " + reduction(curves).orElseGet(() -> cheapest(curves, Point::evaluations,
-                "needs the fewest evaluations for", "for"));
+                "is cheapest for", "for"));
         return charts(new ChartData(title, "evaluations of the derivative", problem.errorLabel(), true, true, series),
                 curves,
                 Point::evaluations);

@@ -85,6 +85,9 @@ class PhasePortraitsTest {
                 SolverChoice.list("rk4,verlet"), List.of("ball"), List.of(Axis.Z, Axis.Y), (part, what) -> { });
         assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), both.portraits().stream().map(Portrait::axis).toList());
         assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
+        assertEquals("'ball', rk4: at rest along z", both.portraits().get(0).chart().title());
+        assertTrue(PhasePortraits.finding("Ball", both.portraits()).startsWith("Ball: rk4 and verlet stay on the curve to "),
+                PhasePortraits.finding("Ball", both.portraits()));
     }
 
     /** A square of side 2, and points in it, on it and off it, half its width being 1. */
