@@ -29,17 +29,17 @@ import deSolvers.GuardedStep;
 public final class BackwardEulerSolver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
     private final ImplicitStage stage = new ImplicitStage();
-    private final boolean linearised;
+    private final ImplicitStage.Way way;
     private double[] state = {};
     private double[] newState = {};
 
     /** A solver that iterates until Newton's method has converged. */
     public BackwardEulerSolver() {
-        this(false);
+        this(ImplicitStage.Way.STRAIGHT_ON);
     }
 
-    private BackwardEulerSolver(boolean linearised) {
-        this.linearised = linearised;
+    private BackwardEulerSolver(ImplicitStage.Way way) {
+        this.way = way;
     }
 
     /**
@@ -50,7 +50,7 @@ public final class BackwardEulerSolver extends DESolver {
      * @return a new solver
      */
     public static BackwardEulerSolver linearised() {
-        return new BackwardEulerSolver(true);
+        return new BackwardEulerSolver(ImplicitStage.Way.LINEARISED);
     }
 
     @Override
@@ -63,7 +63,7 @@ public final class BackwardEulerSolver extends DESolver {
         try (GuardedStep source = guard.begin(client, deltaT)) {
             source.getState(state);
             source.incTime(deltaT);
-            stage.solve(source, client, state, deltaT, linearised, newState);   // m = s + h f(m, t + h)
+            stage.solve(source, client, state, deltaT, way, newState);   // m = s + h f(m, t + h)
             source.finish(newState);
         }
     }

@@ -20,7 +20,8 @@ import deSolvers.GuardedStep;
  * <b>Evaluations</b> as for {@code backward-euler}.<br>
  * <b>Stability</b> R(z) = (1 + z/2)/(1 - z/2): no limit on the step for anything that decays or oscillates. |R| = 1 on the
  * imaginary axis, so linear springs keep their energy; but R(-infinity) = -1, so that what should die at once rings on
- * with alternating signs.<br>
+ * with alternating signs. Of several solutions of its equation the one near the present place is taken, which keeps a spring
+ * that is too stiff to be followed from turning inside out.<br>
  * <b>When to use</b> stiff oscillation whose energy matters: it is symplectic and reversible. Not for stiff damping, nor
  * for stiff springs that are violently nonlinear, where {@code backward-euler} is calmer.<br>
  * <b>Source</b> Gauss-Legendre collocation with one stage, J. C. Butcher (1964), Math. Comp. 18, 50.
@@ -41,7 +42,8 @@ public final class ImplicitMidpointSolver extends DESolver {
         try (GuardedStep source = guard.begin(client, deltaT)) {
             source.getState(state);
             source.incTime(deltaT / 2);
-            stage.solve(source, client, state, deltaT / 2, false, mid);     // m = s + h/2 f(m, t + h/2)
+            // m = s + h/2 f(m, t + h/2)
+            stage.solve(source, client, state, deltaT / 2, ImplicitStage.Way.FROM_PLACE, mid);
             for (int i = 0; i < n; i++) {
                 state[i] = 2 * mid[i] - state[i];
             }

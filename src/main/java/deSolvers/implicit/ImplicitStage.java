@@ -5,6 +5,7 @@ import deSolvers.FiniteCheck;
 import deSolvers.GuardedStep;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
+import java.util.Arrays;
 
 /**
  * Solves the equation of all one-stage implicit methods, m = s + g f(m, t), at the source's present time, choosing how by
@@ -20,6 +21,20 @@ final class ImplicitStage {
     /** The path from g = 0 is followed in pieces no smaller than this part of the way. */
     private static final double SMALLEST_PIECE = 1.0 / 4096;
 
+    /** How the solution is looked for. */
+    enum Way {
+        /** The equation is linearised at s, and solved once. */
+        LINEARISED,
+        /** Newton's method begins straight on along the velocities: near where they are those of the last step's motion. */
+        STRAIGHT_ON,
+        /**
+         * It begins at the positions of s. Velocities may be those of a stiff spring that swings faster than the step can
+         * follow; straight on leads past its other end then, where the equation has a second solution, with the spring turned
+         * inside out.
+         */
+        FROM_PLACE
+    }
+
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final Newton newton = new Newton(work);
     private final DenseProblem dense = new DenseProblem(work);
@@ -27,6 +42,7 @@ final class ImplicitStage {
     private final VelocityProblem velocities = new VelocityProblem(work);
     private double[] unknowns = {};
     private double[] reached = {};
+    private double[] scale = {};                        // how large the unknowns are where the step starts
 
     ImplicitWork getWork() {
         return work.read();
@@ -39,24 +55,27 @@ final class ImplicitStage {
      * @param client     the source itself, for what it offers beyond the simple interface
      * @param start      s
      * @param gamma      g (s)
-     * @param linearised whether to solve the equation that is linearised at s instead, once
+     * @param way        how to look for the solution
      * @param stage      receives m
      */
-    void solve(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean linearised, double[] stage) {
+    void solve(GuardedStep source, DEStateSource client, double[] start, double gamma, Way way, double[] stage) {
         boolean byVelocity = givesBlocks(client);
+        boolean linearised = way == Way.LINEARISED;
         int n = byVelocity ? start.length / 2 : start.length;
         if (unknowns.length != n) {
             unknowns = new double[n];
             reached = new double[n];
+            scale = new double[n];
         }
         NewtonProblem problem = begin(source, client, start, gamma, byVelocity,
                 linearised ? LINEARISED_TOLERANCE : LINEAR_TOLERANCE);
-        setToStart(start, byVelocity);
-        boolean solved = linearised ? newton.solveLinearised(problem, unknowns) : newton.solve(problem, unknowns);
+        setToStart(start, byVelocity, way);
+        boolean solved = linearised ? newton.solveLinearised(problem, unknowns) : newton.solve(problem, unknowns, scale);
         if (!solved) {
             failIfNotFinite(source, start, gamma, stage);
-            setToStart(start, byVelocity);
-            if (linearised || !newton.descend(problem, unknowns) && !follow(source, client, start, gamma, byVelocity)) {
+            setToStart(start, byVelocity, way);
+            if (linearised || !newton.descend(problem, unknowns, scale)
+                    && !follow(source, client, start, gamma, byVelocity, way)) {
                 throw source.failure(-1, newton.describeFailure() + "; deltaT is probably too large for what the forces do"
                         + " within it");
             }
@@ -69,15 +88,16 @@ final class ImplicitStage {
     }
 
     /** Follows the solution m(g) from g = 0, where it is s, in pieces that double and halve as Newton's method allows. */
-    private boolean follow(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean byVelocity) {
-        setToStart(start, byVelocity);
+    private boolean follow(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+                           Way way) {
+        setToStart(start, byVelocity, way);
         double done = 0;
         double piece = 0.5;
         while (done < 1) {
             System.arraycopy(unknowns, 0, reached, 0, unknowns.length);
             double next = Math.min(1, done + piece);
             NewtonProblem problem = begin(source, client, start, next * gamma, byVelocity, LINEAR_TOLERANCE);
-            if (newton.solve(problem, unknowns)) {
+            if (newton.solve(problem, unknowns, scale)) {
                 done = next;
                 piece *= 2;
             } else {
@@ -105,11 +125,17 @@ final class ImplicitStage {
         return krylov;
     }
 
-    private void setToStart(double[] start, boolean byVelocity) {
-        if (byVelocity) {
-            velocities.startVelocities(unknowns);
-        } else {
+    private void setToStart(double[] start, boolean byVelocity, Way way) {
+        if (!byVelocity) {
             System.arraycopy(start, 0, unknowns, 0, start.length);
+            System.arraycopy(start, 0, scale, 0, start.length);
+            return;
+        }
+        velocities.startVelocities(scale);
+        if (way == Way.FROM_PLACE) {
+            Arrays.fill(unknowns, 0);
+        } else {
+            System.arraycopy(scale, 0, unknowns, 0, scale.length);
         }
     }
 

@@ -43,12 +43,13 @@ final class Newton {
     /**
      * Iterates from the guess in u.
      *
+     * @param scale how large the unknowns were when the step began: what rounding and convergence are measured by, with u
      * @return whether it converged; u then holds the solution
      */
-    boolean solve(NewtonProblem problem, double[] u) {
+    boolean solve(NewtonProblem problem, double[] u, double[] scale) {
         fit(problem.size());
         int n = u.length;
-        System.arraycopy(u, 0, first, 0, n);
+        System.arraycopy(scale, 0, first, 0, n);
         iterations = 0;
         lastSize = Double.POSITIVE_INFINITY;
         problem.evaluate(u, residual);
@@ -122,7 +123,7 @@ final class Newton {
      *
      * @return whether it converged; false also where the problem has no definite matrix
      */
-    boolean descend(NewtonProblem problem, double[] u) {
+    boolean descend(NewtonProblem problem, double[] u, double[] scale) {
         int all = 0;
         double goal = 1e-1;
         problem.evaluate(u, residual);
@@ -135,7 +136,7 @@ final class Newton {
             double size = size(correction, u);
             if (size < goal) {
                 System.arraycopy(u, 0, reached, 0, u.length);
-                if (solve(problem, u)) {
+                if (solve(problem, u, scale)) {
                     return true;
                 }
                 System.arraycopy(reached, 0, u, 0, u.length);

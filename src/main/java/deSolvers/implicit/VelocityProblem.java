@@ -77,7 +77,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         return start.length / 2;
     }
 
-    /** The velocities of the step's start: the first guess. */
+    /** The velocities of the step's start. */
     void startVelocities(double[] v) {
         for (int i = 0; i < masses.length; i++) {
             System.arraycopy(start, 6 * i + 3, v, 3 * i, 3);
