@@ -81,8 +81,9 @@ public final class FrameObserver implements Observer, AutoCloseable {
         int drawn = index;
         worker.await();
         index = memory.keep(index);
+        structure = memory.keep(structure);
+        trails.remember(memory);
         if (memory.isReading()) {
-            structure++;
             worker.resume(drawn, index);
         }
     }
