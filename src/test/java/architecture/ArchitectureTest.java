@@ -26,7 +26,7 @@ class ArchitectureTest {
     private static final int MOST_LINES = 300;
 
     private static final String ALGEBRA = "org.ejml", ORDERING = "edu.ufl.cise.amd", YAML = "org.snakeyaml", JSON = "com.fasterxml.jackson", COMMAND_LINE = "picocli",
-            CHARTS = "org.jfree", XML = "javax.xml", COMPILER = "javax.tools", AWT = "java.awt", IMAGES = "javax.imageio";
+            CHARTS = "org.jfree", FILMS = "org.jcodec", XML = "javax.xml", COMPILER = "javax.tools", AWT = "java.awt", IMAGES = "javax.imageio";
     private static final String EVERYTHING_OF_OURS = "*";
 
     /**
@@ -50,7 +50,7 @@ class ArchitectureTest {
                     "particles.rules", YAML, JSON)),
             Map.entry("particles.experiments", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
                     "particles.reactions", "particles.rules", "particles.scene")),
-            Map.entry("particles.output", Set.of("particles", CHARTS, AWT, IMAGES, JSON, XML)),
+            Map.entry("particles.output", Set.of("particles", CHARTS, AWT, IMAGES, FILMS, JSON, XML)),
             Map.entry("particles.teaching", Set.of("deSolvers", "deSolvers.", "particles", "particles.effects", "particles.reactions",
                     "particles.rules", "particles.scene", "particles.experiments")),
             Map.entry("particles.app", Set.of(EVERYTHING_OF_OURS, COMMAND_LINE, JSON, COMPILER))));

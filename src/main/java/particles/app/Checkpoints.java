@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.function.LongSupplier;
 import particles.output.Checkpoint;
 import particles.output.OutputFolder;
+import particles.scene.OutputDescription.Video;
 import particles.scene.Scene;
 
 /** Writes a run down from time to time, so that it can be continued, and finds what was written. */
@@ -21,8 +22,9 @@ final class Checkpoints {
      * @param file   the scene's
      * @param scene  the scene, about to run
      * @param frames whether pictures are drawn
+     * @param video  which film is made of them
      */
-    Checkpoints(Path file, Scene scene, boolean frames) {
+    Checkpoints(Path file, Scene scene, boolean frames, Video video) {
         this.file = file;
         this.scene = scene;
         identity.put("scene", SceneName.of(file).whole());
@@ -30,6 +32,7 @@ final class Checkpoints {
         identity.put("deltaT", Digits.exact(scene.simulation().getDeltaT()));
         identity.put("duration", Digits.exact(scene.simulation().getDuration()));
         identity.put("frames", Boolean.toString(frames));
+        identity.put("video", video.label());
         identity.put("sceneSha256", scene.description().sha256());
         identity.put("version", Version.CURRENT);
     }

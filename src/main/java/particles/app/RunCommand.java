@@ -3,6 +3,8 @@ package particles.app;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Optional;
+import particles.scene.OutputDescription.Video;
 import particles.scene.Overrides;
 import particles.scene.SceneFiles;
 import picocli.CommandLine.Command;
@@ -36,6 +38,10 @@ final class RunCommand extends ProgramCommand {
     @Option(names = "--frames", arity = "0..1", fallbackValue = "true", defaultValue = "true", paramLabel = "true|false",
             description = "Whether pictures are drawn (default: true).")
     private boolean frames;
+
+    @Option(names = "--video", paramLabel = "none|mp4", converter = VideoOption.class,
+            description = "Whether the pictures become a film too, film.mp4 (default: what the scene says, or else none).")
+    private Video video;
 
     @Option(names = "--resume", arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
             description = "Whether an interrupted run is continued (default: false).")
@@ -71,7 +77,11 @@ final class RunCommand extends ProgramCommand {
         override(overrides, "deltaT", deltaT);
         override(overrides, "duration", duration);
         override(overrides, "threads", threads);
-        new RunJob(file, overrides, folderFor(file), frames, style, stop, pace).run(lines, resume);
+        if (!frames && video == Video.MP4) {
+            throw new Failure(ExitCode.BAD_INPUT, style.option("video") + "=mp4 needs pictures; leave " + style.option("frames")
+                    + "=false away");
+        }
+        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop, pace).run(lines, resume);
     }
 
     private void override(Overrides overrides, String name, String value) {

@@ -2,11 +2,13 @@ package particles.app;
 
 import java.util.ArrayList;
 import java.util.List;
+import particles.output.Film;
 import particles.output.GifAnimation;
 import particles.output.OutputFolder;
 import particles.output.RunSummaryWriter;
 import particles.output.TrajectoryWriter;
 import particles.scene.OutputDescription;
+import particles.scene.OutputDescription.Video;
 
 /** Which files a run writes, known before it begins. */
 final class RunFiles {
@@ -19,11 +21,13 @@ final class RunFiles {
     /**
      * @param output what the scene wants
      * @param frames whether pictures are wanted at all
+     * @param video  which film is made of them
      */
-    RunFiles(OutputDescription output, boolean frames) {
+    RunFiles(OutputDescription output, boolean frames, Video video) {
         this.frames = frames;
         addIf(frames, OutputFolder.FRAMES);
         addIf(frames && output.animation(), GifAnimation.FILE);
+        addIf(frames && video == Video.MP4, Film.FILE);
         addIf(output.energy(), ENERGY);
         addIf(output.phase().isPresent(), PHASE);
         names.add(TrajectoryWriter.FILE);

@@ -7,6 +7,7 @@ import particles.SimulationException;
 import particles.output.Checkpoint;
 import particles.output.OutputFolder;
 import particles.output.RunSummaryWriter;
+import particles.scene.OutputDescription.Video;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -19,6 +20,7 @@ final class RunJob {
     private final Overrides overrides;
     private final Path results;
     private final boolean frames;
+    private final Optional<Video> wanted;
     private final OptionStyle style;
     private final StopRequest stop;
     private final CheckpointPace pace;
@@ -28,16 +30,18 @@ final class RunJob {
      * @param overrides what goes before what it says
      * @param results   the folder for what comes out
      * @param frames    whether pictures are drawn
+     * @param wanted    another film than the scene's, if one was asked for
      * @param style     how options are typed, for messages
      * @param stop      tells when the run has to end early
      * @param pace      how often the run is written down to be continued
      */
-    RunJob(Path file, Overrides overrides, Path results, boolean frames, OptionStyle style, StopRequest stop,
-           CheckpointPace pace) {
+    RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
+           OptionStyle style, StopRequest stop, CheckpointPace pace) {
         this.file = file;
         this.overrides = overrides;
         this.results = results;
         this.frames = frames;
+        this.wanted = wanted;
         this.style = style;
         this.stop = stop;
         this.pace = pace;
@@ -57,8 +61,9 @@ final class RunJob {
             out.flush();
         });
         Scene scene = SceneBuilder.build(described, overrides);
-        RunFiles files = new RunFiles(scene.output(), frames);
-        Checkpoints checkpoints = new Checkpoints(file, scene, frames);
+        Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
+        RunFiles files = new RunFiles(scene.output(), frames, video);
+        Checkpoints checkpoints = new Checkpoints(file, scene, frames, video);
         Optional<Checkpoint> earlier = resume ? Optional.of(checkpoints.find(results, style)) : Optional.empty();
         try (OutputFolder folder = resume ? OutputFolder.reopen(results, files.names())
                 : OutputFolder.open(results, files.names())) {
@@ -68,7 +73,7 @@ final class RunJob {
             Optional<String> early;
             try (observers) {
                 if (files.haveFrames()) {
-                    observers.addFrames(CameraFinder.find(scene, described, overrides));
+                    observers.addFrames(CameraFinder.find(scene, described, overrides), video);
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));

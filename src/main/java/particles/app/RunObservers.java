@@ -13,6 +13,7 @@ import particles.experiments.EnergyHistory;
 import particles.experiments.PhaseHistory;
 import particles.experiments.VectorFields;
 import particles.output.ChartWriter;
+import particles.output.Film;
 import particles.output.FrameObserver;
 import particles.output.FrameRenderer;
 import particles.output.FrameSink;
@@ -22,6 +23,7 @@ import particles.output.PngFrames;
 import particles.output.Stage;
 import particles.output.TrajectoryWriter;
 import particles.scene.OutputDescription;
+import particles.scene.OutputDescription.Video;
 import particles.scene.Scene;
 
 /** What looks on while a scene runs, and makes files of what it sees. */
@@ -67,11 +69,12 @@ final class RunObservers implements AutoCloseable {
     }
 
     /**
-     * Has frames drawn, and an animation made of them if the scene wants one.
+     * Has frames drawn, an animation made of them if the scene wants one, and a film if one is wanted.
      *
      * @param camera from where
+     * @param video  which film
      */
-    void addFrames(Camera camera) {
+    void addFrames(Camera camera, Video video) {
         OutputDescription output = scene.output();
         Stage stage = new Stage(camera, scene.look(), scene.scenery(), scene.description().title(), caption());
         int decimals = (int) Math.max(0, Math.min(MOST_DECIMALS, Math.ceil(Math.log10(output.frameRate()))));
@@ -79,6 +82,9 @@ final class RunObservers implements AutoCloseable {
         List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, output.width(), output.height())));
         if (output.animation()) {
             sinks.add(new GifAnimation(folder, renderer, ANIMATION_WIDTH, output.frameRate()));
+        }
+        if (video == Video.MP4) {
+            sinks.add(new Film(folder, output.width(), output.height(), output.frameRate()));
         }
         FrameObserver observer = new FrameObserver(renderer, output.frameRate(), sinks);
         frames = Optional.of(observer);

@@ -86,6 +86,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
         if (memory.isReading()) {
             worker.resume(drawn, index);
         }
+        trails.remember(memory, structure);
     }
 
     @Override

@@ -3,6 +3,7 @@ package particles.output;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -85,6 +86,24 @@ public final class OutputFile extends OutputStream {
     public synchronized void write(byte[] bytes, int offset, int length) {
         attempt(() -> stream.write(bytes, offset, length));
         written += length;
+    }
+
+    /**
+     * Writes over bytes that were written before, as formats want it whose beginning tells the length.
+     *
+     * @param position of the first of them
+     * @param bytes    what is to be there; it ends where what was written ends, or before
+     */
+    synchronized void overwrite(long position, byte[] bytes) {
+        attempt(() -> {
+            stream.flush();
+            try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
+                ByteBuffer rest = ByteBuffer.wrap(bytes);
+                while (rest.hasRemaining()) {
+                    channel.write(rest, position + rest.position());
+                }
+            }
+        });
     }
 
     @Override

@@ -1,6 +1,8 @@
 package particles.scene;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import particles.scene.spec.FlagType;
 import particles.scene.spec.Key;
@@ -18,12 +20,39 @@ import particles.scene.spec.WholeNumberType;
  * @param width            their width in pixels
  * @param height           their height in pixels
  * @param animation        whether they are also put together to an animation
+ * @param video            which film they become beside it
  * @param energy           whether energies are plotted
  * @param phase            what the phase-space plot shows, if there is one
  * @param trajectoryStride every how many steps the state is written to the trajectory, if the scene says so
  */
-public record OutputDescription(double frameRate, int width, int height, boolean animation, boolean energy,
-                                Optional<Phase> phase, Optional<Integer> trajectoryStride) {
+public record OutputDescription(double frameRate, int width, int height, boolean animation, Video video,
+                                boolean energy, Optional<Phase> phase, Optional<Integer> trajectoryStride) {
+
+    /** Which film the pictures become beside the animation. */
+    public enum Video {
+        /** No film. */
+        NONE,
+        /** H.264 in an MP4 file. */
+        MP4;
+
+        /** @return as they are written in scenes and options */
+        public static List<String> names() {
+            return Arrays.stream(values()).map(Video::label).toList();
+        }
+
+        /**
+         * @param name as it is written in scenes and options
+         * @return the one of that name
+         */
+        public static Optional<Video> find(String name) {
+            return Arrays.stream(values()).filter(video -> video.label().equals(name)).findFirst();
+        }
+
+        /** @return its name, as it is written in scenes and options */
+        public String label() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
 
     /**
      * A plot of velocity over position.
@@ -53,6 +82,8 @@ public record OutputDescription(double frameRate, int width, int height, boolean
             "The pictures' height (pixels).");
     static final Key<Boolean> ANIMATION = Key.withDefault("animation", FlagType.FLAG, true,
             "Whether the pictures are put together to animation.gif.");
+    static final Key<String> VIDEO = Key.withDefault("video", NameType.of("kind of film", Video.names()), Video.NONE.label(),
+            "Whether the pictures become a film too: mp4 for film.mp4, none for no film.");
     static final Key<Boolean> ENERGY = Key.withDefault("energy", FlagType.FLAG, true,
             "Whether energies are plotted to energy.png.");
     static final Key<Values> PHASE = Key.optional("phase", Phase.TYPE,
@@ -61,11 +92,11 @@ public record OutputDescription(double frameRate, int width, int height, boolean
             "Every how many steps the state is written to trajectory.csv; where it is not given, as often as the file stays"
             + " below about 200,000 lines.");
 
-    static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, ENERGY, PHASE,
-            TRAJECTORY_STRIDE);
+    static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, VIDEO, ENERGY,
+            PHASE, TRAJECTORY_STRIDE);
 
     static OutputDescription of(Values values) {
         return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT), values.get(ANIMATION),
-                values.get(ENERGY), values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
+                Video.find(values.get(VIDEO)).orElseThrow(), values.get(ENERGY), values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
     }
 }

@@ -100,6 +100,16 @@ class ResumeTest {
         assertResumes(STEPS_WITH_FRAMES, "--scene=" + file, "--duration=" + duration);
     }
 
+    /** What began before the interruption is seen after it. */
+    @Test
+    void trailsAndFilmsGoOn() throws IOException {
+        Path scene = Files.writeString(top.resolve("trail.yaml"), Files.readString(SCENES.resolve("04-pendulum.yaml"))
+                .replaceAll("(?ms)^(look|output):.*?(?=^\\S|\\z)", "")
+                + "\nlook: {trail: 0.5}\noutput: {frameRate: 25, width: 96, height: 64, video: mp4}\n");
+        assertResumes(60, "--scene=" + scene, "--deltaT=0.01", "--duration=0.6");
+        assertTrue(Files.exists(top.resolve("broken").resolve("film.mp4")));
+    }
+
     /** Those that remember most of earlier steps. */
     @ParameterizedTest
     @ValueSource(strings = {"adams", "verlet", "bulirsch-stoer", "dormand-prince", "radau", "step-doubling"})

@@ -121,6 +121,28 @@ class RunCommandTest {
     }
 
     @Test
+    void aFilmIsMadeWhereItIsAskedFor() throws IOException {
+        assertEnds(ExitCode.DONE, "", "--video=mp4");
+        assertTrue(files().containsAll(Set.of("film.mp4", "animation.gif")), files().toString());
+        assertTrue(lines.toString().contains("animation.gif, film.mp4, energy.png"), lines.toString());
+        assertEnds(ExitCode.DONE, "");
+        assertTrue(files().stream().noneMatch("film.mp4"::equals), "the next run removes it");
+        replaceInScene("{frameRate: 10", "{video: mp4, animation: false, frameRate: 10");
+        assertEnds(ExitCode.DONE, "");
+        assertTrue(files().contains("film.mp4") && !files().contains("animation.gif"), files().toString());
+        assertEnds(ExitCode.DONE, "", "--video=none");
+        assertTrue(files().stream().noneMatch("film.mp4"::equals), "an option goes before the scene");
+        assertEnds(ExitCode.DONE, "", "--frames=false");
+        assertEquals(NUMBERS_AND_PLOTS, files());
+    }
+
+    @Test
+    void aFilmThatCannotBeIsOneLine() {
+        assertEnds(ExitCode.BAD_INPUT, "option -Pvideo: 'avi' is no kind of film; allowed: none, mp4", "--video=avi");
+        assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; leave -Pframes=false away", "--video=mp4", "--frames=false");
+    }
+
+    @Test
     void aSceneIsFoundByNumberNameAndPath() throws IOException {
         Path elsewhere = Files.writeString(top.resolve("a scene of mine.yaml"), SCENE);
         for (String name : List.of("1", "01", "block", "01-block", "01-block.yaml", elsewhere.toString())) {
@@ -190,7 +212,7 @@ class RunCommandTest {
     @Test
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
         assertEnds(ExitCode.BAD_INPUT, "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
-                + " -Pduration, -Pthreads, -Pout, -Pframes, -Presume, -Phelp", "--deltat=1");
+                + " -Pduration, -Pthreads, -Pout, -Pframes, -Pvideo, -Presume, -Phelp", "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)", "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
         assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64", "--threads=0");

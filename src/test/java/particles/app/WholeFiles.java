@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +18,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
+import org.jcodec.common.io.ByteBufferSeekableByteChannel;
+import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
 import particles.output.Checkpoint;
 
 /** The results of a run, looked at from outside: each file is whole, and folders have equal files. */
@@ -40,6 +43,10 @@ final class WholeFiles {
                 assertEnds(PNG_END, bytes, name);
             } else if (name.endsWith(".gif")) {
                 assertEnds(GIF_END, bytes, name);
+            } else if (name.endsWith(".mp4")) {
+                try (MP4Demuxer film = MP4Demuxer.createMP4Demuxer(new ByteBufferSeekableByteChannel(ByteBuffer.wrap(bytes), bytes.length))) {
+                    assertTrue(film.getVideoTrack().getMeta().getTotalFrames() > 0, name);
+                }
             } else if (name.equals("trajectory.csv")) {
                 String text = new String(bytes, StandardCharsets.UTF_8);
                 assertTrue(text.endsWith("\n") && text.lines().allMatch(line -> line.replaceAll("\"[^\"]*\"", "id").split(",").length == 8), name);
