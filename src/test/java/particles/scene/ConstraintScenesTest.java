@@ -39,8 +39,8 @@ class ConstraintScenesTest {
         scene.simulation().run();
         double[] state = scene.system().getOwnState();
         assertEquals(0.5 * Math.sin(Math.PI * state[0]), state[1], 4e-5);
-        assertEquals(1, state[6] * state[6] + (state[7] - 2.5) * (state[7] - 2.5), 1e-5);
-        assertEquals((state[12] + 2.5) * (state[12] + 2.5) / 2, state[13], 1e-5);
+        assertEquals(1, (state[6] - 1.5) * (state[6] - 1.5) + (state[7] - 2.5) * (state[7] - 2.5), 1e-5);
+        assertEquals((state[12] + 2.5) * (state[12] + 2.5) / 2, state[13] - 1.8, 1e-5);
         assertEquals(before, scene.system().getEnergy(state, 0), 5e-3, "of 30 J in motion; measured: 1.8e-3");
     }
 
