@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -29,6 +28,7 @@ import picocli.CommandLine.Option;
 final class GradeCommand extends ProgramCommand {
     static final String NAME = "grade";
     private static final int MOST_LINES = 12;
+    private static final String SOLVER = "Solver.java";
 
     @Option(names = "--student", paramLabel = "ID", required = true, description = "The student's id.")
     private String student;
@@ -105,47 +105,32 @@ final class GradeCommand extends ProgramCommand {
     }
 
     private List<Graded> solvers() throws IOException {
-        Path work = Files.createTempDirectory("desolver-grade");
-        try {
-            StudentClasses classes = StudentClasses.in(folder, work);
-            Set<String> names = new LinkedHashSet<>();
-            if (solvers == null) {                      // picocli leaves an option null that was not given
-                names.addAll(classes.named("Solver"));
-            } else {
-                Stream.of(solvers.split(",")).map(name -> name.strip().replaceFirst("^exercises[.]",
-                        "")).filter(name -> !name.isEmpty()).forEach(names::add);
+        Set<String> names = new LinkedHashSet<>();
+        if (solvers != null) {                          // picocli leaves an option null that was not given
+            Stream.of(solvers.split(",")).map(name -> name.strip().replaceFirst("^exercises[.]", ""))
+                    .filter(name -> !name.isEmpty()).forEach(names::add);
+        } else if (Files.isDirectory(folder)) {
+            try (Stream<Path> files = Files.list(folder)) {
+                files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(SOLVER)).sorted()
+                        .forEach(name -> names.add(name.substring(0, name.length() - ".java".length())));
             }
-            List<Graded> graded = new ArrayList<>();
-            for (String name : names) {
-                graded.add(new Graded("solver " + name, check(classes, name)));
-            }
-            return graded;
-        } finally {
-            delete(work);
         }
+        List<Graded> graded = new ArrayList<>();
+        for (String name : names) {
+            graded.add(new Graded("solver " + name, check(name)));
+        }
+        return graded;
     }
 
-    private Mark check(StudentClasses classes, String name) throws IOException {
-        Optional<String> wrong = classes.compile(name);
-        if (wrong.isPresent()) {
-            return new Mark(false, List.of(wrong.get()));
+    private Mark check(String name) throws IOException {
+        if (!Files.isRegularFile(folder.resolve(name + ".java"))) {
+            return new Mark(false, List.of("there is no file " + name + ".java"));
         }
-        StudentProcess.Outcome outcome = StudentProcess.runQuietly(List.of(CheckSolverCommand.NAME, "--solver=exercises."
-                + name, "--inThisProcess",
-                "--out=" + results.resolve(name)), classes.path());
-        List<String> lines = outcome.lines().stream().takeWhile(line -> !line.startsWith("property")).filter(line -> !line.isBlank())
-                .limit(MOST_LINES).toList();
+        StudentProcess.Outcome outcome = StudentProcess.runQuietly(List.of(CheckSolverCommand.NAME, "--solver=exercises." + name,
+                "--inThisProcess", "--out=" + results.resolve(name)), folder);
+        List<String> lines = outcome.lines().stream().takeWhile(line -> !line.startsWith("property"))
+                .filter(line -> !line.isBlank()).limit(MOST_LINES).toList();
         return new Mark(outcome.code() == ExitCode.DONE.code(), lines);
-    }
-
-    private static void delete(Path work) throws IOException {
-        List<Path> all;
-        try (Stream<Path> paths = Files.walk(work)) {
-            all = paths.sorted(Comparator.reverseOrder()).toList();
-        }
-        for (Path path : all) {
-            Files.delete(path);
-        }
     }
 
     private static void write(OutputFolder files, String title, List<String> problems, List<Graded> graded) {

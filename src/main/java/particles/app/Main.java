@@ -15,6 +15,7 @@ public final class Main {
     /** @param args a command and its options */
     public static void main(String[] args) {
         System.setProperty("java.awt.headless", "true");
+        new StudentLoader(exercises(), Main.class.getClassLoader()).install();
         StopRequest stop = new StopRequest();
         stop.listen();
         Program program = new Program(commands(OptionStyle.current(), stop), OptionStyle.current(),
@@ -22,6 +23,11 @@ public final class Main {
         ExitCode code = program.execute(args);
         stop.ended();
         System.exit(code.code());
+    }
+
+    /** Where students' classes are; a check in a process of its own is told. */
+    private static Path exercises() {
+        return Path.of(System.getProperty(StudentLoader.FOLDER, EXERCISES.toString()));
     }
 
     /**
@@ -41,12 +47,12 @@ public final class Main {
                 new RaceCommand(style),
                 new ReportCommand(style, experiments(style)),
                 new CheckSolverCommand(),
-                new NewClassCommand.NewSolver(EXERCISES, style),
-                new NewClassCommand.NewEffect(EXERCISES, style),
+                new NewClassCommand.NewSolver(exercises(), style),
+                new NewClassCommand.NewEffect(exercises(), style),
                 new CheckEffectCommand(),
                 new ExercisesCommand(style),
                 new ExerciseCommand(style),
-                new GradeCommand(EXERCISES, style));
+                new GradeCommand(exercises(), style));
     }
 
     /** Those of the report, in its order. */

@@ -1,6 +1,5 @@
 package particles.app;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -25,7 +24,8 @@ final class StudentProcess {
      * @throws IOException if no process can be made
      */
     static int run(List<String> args) throws IOException {
-        return await(builder(args, System.getProperty("java.class.path")).inheritIO());
+        String folder = System.getProperty(StudentLoader.FOLDER);
+        return await(builder(args, folder == null ? List.of() : List.of(property(folder))).inheritIO());       // null where it was not set
     }
 
     /**
@@ -41,15 +41,14 @@ final class StudentProcess {
      * Runs a command in such a process, and keeps what it prints.
      *
      * @param args    the command and its options
-     * @param classes where the student's classes are
+     * @param folder where the student's classes are
      * @return how it ended
      * @throws IOException if no process can be made
      */
-    static Outcome runQuietly(List<String> args, Path classes) throws IOException {
+    static Outcome runQuietly(List<String> args, Path folder) throws IOException {
         Path screen = Files.createTempFile("desolver-check", ".txt");
         try {
-            String path = classes + File.pathSeparator + System.getProperty("java.class.path");
-            ProcessBuilder process = builder(args, path).redirectErrorStream(true).redirectOutput(screen.toFile());
+            ProcessBuilder process = builder(args, List.of(property(folder.toString()))).redirectErrorStream(true).redirectOutput(screen.toFile());
             try {
                 int code = await(process);
                 return new Outcome(code, lines(screen));
@@ -61,13 +60,18 @@ final class StudentProcess {
         }
     }
 
+    private static String property(String folder) {
+        return "-D" + StudentLoader.FOLDER + "=" + folder;
+    }
+
     private static List<String> lines(Path screen) throws IOException {
         return new String(Files.readAllBytes(screen), StandardCharsets.UTF_8).lines().toList();
     }
 
-    private static ProcessBuilder builder(List<String> args, String classPath) {
+    private static ProcessBuilder builder(List<String> args, List<String> properties) {
         List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx" + MEGABYTES + "m",
-                "-XX:TieredStopAtLevel=1", "-Djava.awt.headless=true", "-cp", classPath));
+                "-XX:TieredStopAtLevel=1", "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path")));
+        line.addAll(properties);
         String startedBy = System.getProperty(OptionStyle.STARTED_BY);
         if (startedBy != null) {                        // null where it was not set
             line.add("-D" + OptionStyle.STARTED_BY + "=" + startedBy);
