@@ -1,0 +1,129 @@
+package benchmarks;
+
+import deSolvers.DESolver;
+import deSolvers.RK4Solver;
+import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.implicit.ImplicitWork;
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.util.Locale;
+import particles.Cloth;
+import particles.ParticleSystem;
+import particles.effects.SpringForce;
+
+/**
+ * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s, for ever
+ * stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by power
+ * iteration; backward Euler takes one step.
+ */
+final class StiffCloth {
+    static final double FRAME = 1.0 / 60;
+    private static final int EDGE = 64;
+    private static final double MASS = 0.01;
+    private static final double RK4_LIMIT = 2.8284;
+    /** Steps of RK4 that are timed; all cost the same. */
+    private static final int TIMED = 40;
+    /** For stiffer cloths a step that is iterated to tolerance takes up to a minute. */
+    private static final long NEWTON_UNTIL = 10;
+
+    /**
+     * What a frame costs.
+     *
+     * @param stiffness  of every spring (N/m)
+     * @param rk4Steps   that RK4 needs to be stable
+     * @param rk4        time of these (s)
+     * @param linearised time of a backward Euler step with one linear solve (s)
+     * @param newton     time of a step that is iterated to tolerance (s); NaN where it is not measured
+     * @param work       what the linearised step did
+     */
+    record Row(double stiffness, long rk4Steps, double rk4, double linearised, double newton, ImplicitWork work) {
+    }
+
+    private StiffCloth() {
+    }
+
+    /** The steps that RK4 needs for a frame of a cloth with this stiffness. */
+    static long rk4Steps(double stiffness) {
+        return (long) StrictMath.ceil(FRAME * fastest(stiffness) / RK4_LIMIT);
+    }
+
+    /** The stiffness for which RK4 needs that many steps: omega grows with its root. */
+    static double stiffnessFor(long steps) {
+        double ratio = steps * RK4_LIMIT / FRAME / fastest(1);
+        return ratio * ratio;
+    }
+
+    /** omega of the fastest vibration (1/s): the root of the largest eigenvalue of -M^-1 dF/dx. */
+    private static double fastest(double stiffness) {
+        ParticleSystem cloth = Cloth.hanging(EDGE, stiffness, 0);
+        int n = cloth.getStateSize();
+        double[] direction = new double[n];
+        double[] product = new double[n];
+        for (int x = 0; x < n; x++) {
+            direction[x] = x % 6 < 3 ? (x * 7919 % 101) - 50 : 0;
+        }
+        double eigenvalue = 0;
+        for (int i = 0; i < 200; i++) {                 // converges from below, to a percent or so: enough for a count of steps
+            double length = 0;
+            for (double value : direction) {
+                length += value * value;
+            }
+            length = Math.sqrt(length);
+            for (int x = 0; x < n; x++) {
+                direction[x] /= length;
+            }
+            cloth.getJacobianProduct(direction, product);
+            eigenvalue = 0;
+            for (int x = 0; x < n; x += 6) {
+                for (int c = x; c < x + 3; c++) {
+                    eigenvalue -= direction[c] * product[c + 3];
+                    direction[c] = -product[c + 3];
+                }
+            }
+        }
+        return Math.sqrt(eigenvalue);
+    }
+
+    static ImplicitWork linearisedWork(double stiffness) {
+        BackwardEulerSolver solver = BackwardEulerSolver.linearised();
+        solver.stepState(Cloth.hanging(EDGE, stiffness, 0), FRAME);
+        return solver.getWork();
+    }
+
+    private static double seconds(DESolver solver, ParticleSystem system, double deltaT, int steps) {
+        long before = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+        for (int i = 0; i < steps; i++) {
+            solver.stepState(system, deltaT);
+        }
+        return (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - before) * 1e-9;
+    }
+
+    private static Row measure(double stiffness) {
+        long steps = rk4Steps(stiffness);
+        double rk4 = seconds(new RK4Solver(), Cloth.hanging(EDGE, stiffness, 0), FRAME / steps, TIMED) / TIMED * steps;
+        BackwardEulerSolver linearised = BackwardEulerSolver.linearised();
+        double once = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
+        double newton = steps > NEWTON_UNTIL ? Double.NaN
+                : seconds(new BackwardEulerSolver(), Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
+        return new Row(stiffness, steps, rk4, once, newton, linearised.getWork());
+    }
+
+    /** Prints the sweep, the stiffest cloth last. */
+    static void print(PrintStream out, long[] rk4Steps) {
+        measure(stiffnessFor(5));                       // once for the compiler
+        ParticleSystem cloth = Cloth.hanging(EDGE, 1, 0);
+        out.printf(Locale.ROOT, "%nA frame of 1/60 s of a cloth of %d x %d particles of %s g, %d springs: CPU time%n", EDGE, EDGE,
+                1000 * MASS, ((SpringForce) cloth.getEffects().get(1)).springCount());
+        out.println("stiffness (N/m)  rk4 steps    rk4 (s)  linearised (s)  Newton (s)  rk4/linearised  CG iterations");
+        for (long steps : rk4Steps) {
+            Row row = measure(stiffnessFor(steps));
+            out.printf(Locale.ROOT, "%15.3g  %9d  %9.4f  %14.4f  %10.4f  %14.2f  %13d%n", row.stiffness, row.rk4Steps, row.rk4,
+                    row.linearised, row.newton, row.rk4 / row.linearised, row.work.krylovIterations());
+        }
+    }
+
+    /** @param args none */
+    public static void main(String[] args) {
+        print(System.out, new long[] {2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000});
+    }
+}
