@@ -1,31 +1,23 @@
 package deSolvers.adaptive;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
 import deSolvers.DESolver;
-import deSolvers.DESolverContract;
 import deSolvers.DESolverException;
-import deSolvers.DenseOutput;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.Pole;
 import deSolvers.problems.ReferenceProblem;
-import java.lang.management.ManagementFactory;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** What a solver that chooses its own sub-steps promises besides the contract of all. */
-public abstract class AdaptiveContract extends DESolverContract {
-
-    /** @return a new solver with these tolerances */
-    protected abstract DESolver createSolver(double relativeTolerance, double absoluteTolerance);
+/** What a solver that chooses its own sub-steps promises besides the contracts of all and of the states in between. */
+public abstract class AdaptiveContract extends DenseOutputContract {
 
     /** @return the power of the tolerance with which the error at the end falls in theory */
     protected abstract double toleranceExponent();
@@ -33,11 +25,6 @@ public abstract class AdaptiveContract extends DESolverContract {
     /** @return whether stiff systems make it crawl */
     protected boolean isExplicit() {
         return true;
-    }
-
-    /** @return a bound on the error of the states in between, from the error at the end and the tolerance */
-    protected double inBetween(double errorAtEnd, double tolerance) {
-        return 5 * errorAtEnd;
     }
 
     private double errorAfter(ReferenceProblem problem, double duration, double tolerance) {
@@ -182,67 +169,6 @@ public abstract class AdaptiveContract extends DESolverContract {
     }
 
     @Test
-    void theStatesInBetweenAreAsGoodAsTheStep() {
-        for (double direction : new double[] {1, -1}) {
-            DragInWind problem = new DragInWind(2, 2);
-            DESolver solver = createSolver(1e-8, 1e-8);
-            DenseOutput dense = (DenseOutput) solver;
-            dense.setDenseOutput(true);
-            problem.startAt(6);
-            solver.stepState(problem, direction * 6);
-            double worst = 0;
-            double[] state = new double[problem.getStateSize()];
-            for (int i = 0; i <= 1000; i++) {
-                double t = 6 + direction * 6 * i / 1000;
-                dense.getStateAt(t, state);
-                double[] exact = problem.exactState(t);
-                for (int j = 0; j < state.length; j++) {
-                    worst = Math.max(worst, Math.abs(state[j] - exact[j]));
-                }
-            }
-            // Measured up to 2.9 (step-doubling), 4.0 (dormand-prince), 2.1 (bulirsch-stoer) times the error at the end.
-            assertTrue(worst < inBetween(problem.error(), 1e-8), worst + " in between, " + problem.error() + " at the end");
-            dense.getStateAt(problem.getTime(), state);
-            assertArrayEquals(problem.state(), state, 1e-13);
-        }
-    }
-
-    @Test
-    void theTrajectoryIsTheSameWithAndWithoutTheStatesInBetween() {
-        DragInWind with = new DragInWind(2, 2);
-        DragInWind without = new DragInWind(2, 2);
-        DESolver dense = createSolver(1e-6, 1e-6);
-        ((DenseOutput) dense).setDenseOutput(true);
-        DESolver plain = createSolver(1e-6, 1e-6);
-        for (int i = 0; i < 20; i++) {
-            dense.stepState(with, 0.7);
-            plain.stepState(without, 0.7);
-            assertArrayEquals(without.state(), with.state());
-        }
-        assertTrue(with.evaluations() <= without.evaluations() + 1, with.evaluations() + " " + without.evaluations());
-    }
-
-    @Test
-    void onlyTheLastStepCanBeAskedFor() {
-        DESolver solver = createSolver(1e-6, 1e-6);
-        DenseOutput dense = (DenseOutput) solver;
-        double[] state = new double[1];
-        GrowthInSeason problem = new GrowthInSeason();
-        solver.stepState(problem, 1);
-        assertThrows(IllegalStateException.class, () -> dense.getStateAt(0.5, state));
-        dense.setDenseOutput(true);
-        solver.stepState(problem, 1);
-        dense.getStateAt(1.5, state);
-        assertEquals(problem.exactState(1.5)[0], state[0], 1e-4);
-        for (double outside : new double[] {0.999, 2.001, Double.NaN}) {
-            assertThrows(IllegalArgumentException.class, () -> dense.getStateAt(outside, state));
-        }
-        assertThrows(IllegalArgumentException.class, () -> dense.getStateAt(1.5, new double[2]));
-        solver.reset();
-        assertThrows(IllegalStateException.class, () -> dense.getStateAt(1.5, state));
-    }
-
-    @Test
     void hugeAndTinyValuesAreValuesLikeOthers() {
         for (double size : new double[] {1e150, 1, 1e-150, 1e-300}) {
             Oscillator problem = new Oscillator(1, size, 0);
@@ -276,26 +202,5 @@ public abstract class AdaptiveContract extends DESolverContract {
         // An explicit method needs about 1000 h / 3 of sub-steps, however smooth the solution is.
         assertEquals(isExplicit(), problem.evaluations() > 2000, problem.evaluations() + " evaluations");  // radau: 514
         assertTrue(problem.evaluations() < (isExplicit() ? 20_000 : 1000), problem.evaluations() + " evaluations");
-    }
-
-    @Test
-    void statesInBetweenCostNoMemoryInTheLongRun() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        Oscillator problem = new Oscillator();
-        DESolver solver = createSolver();
-        ((DenseOutput) solver).setDenseOutput(true);
-        double[] state = new double[problem.getStateSize()];
-        long before = 0;
-        for (int i = 0; i < 1100; i++) {
-            if (i == 100) {
-                before = threads.getCurrentThreadAllocatedBytes();
-            }
-            solver.reset();
-            solver.stepState(problem, 1);
-            ((DenseOutput) solver).getStateAt(i + 0.5, state);
-        }
-        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
-        // Measured 72 at most, and up to 2584 (radau) while the compiler is still at work; one array a step would be 32,000.
-        assertTrue(bytes < 8000, bytes + " bytes in 1000 steps");
     }
 }
