@@ -1,0 +1,88 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import particles.Effect;
+import particles.teaching.EffectClaims;
+
+/**
+ * Every effect that a scene can name keeps what it claims: force and potential, Newton's third law, symmetries, energy and
+ * derivatives. The list is that of the scene reader, so that an effect is not added without being held to this.
+ */
+class RegisteredEffectsTest {
+    private static final String SIX = """
+            title: Six particles
+            teaches: What an effect claims of itself.
+            solver: rk4
+            deltaT: 0.001
+            duration: 1
+            particles:
+              - {id: a, position: [0, 0, 0]}
+              - {id: b, mass: 0.7, position: [1, 0, 0.5]}
+              - {id: c, mass: 1.3, position: [2, 0, 1]}
+              - {id: d, position: [0, 1, 1.5]}
+              - {id: e, position: [1, 1, 2], fixed: true}
+              - {id: f, mass: 0.6, position: [2, 1, 2.5]}
+            """;
+    private static final String SPRINGS = """
+            springs:
+              - {from: a, to: b, stiffness: 20, damping: 0.5}
+              - {from: b, to: e, stiffness: 30, restLength: 0.8}
+            """;
+
+    /** How a scene names each effect; what blows needs something that feels it. */
+    private static final Map<String, String> NAMED = Map.of(
+            "gravity", "gravity",
+            "wind", "wind: {mean: [2, 0, 1], gust: [1, 0.5, 0], period: 1.7}\n  - drag: {coefficient: 0.4}",
+            "turbulence", "turbulence: {strength: 1.5, eddySize: 2, seed: 42}\n  - quadraticDrag: {coefficient: 0.4}",
+            "drag", "drag: {coefficient: 0.4}",
+            "quadraticDrag", "quadraticDrag: {coefficient: 0.4}",
+            "attraction", "attraction: {centre: [0.5, -2, 0.4], strength: 3, softening: 0.2}",
+            "cohesion", "cohesion: {range: 1.9, depth: 2, damping: 0.8}",
+            "penaltyPlane", "penaltyPlane: {point: [1, 0.5, 1], normal: [1, 2, -1], stiffness: 30, loss: 0.8}",
+            "penaltySphere", "penaltySphere: {centre: [1, 0.3, 0.8], radius: 1.2, stiffness: 30, loss: 0.8}");
+
+    static List<String> registered() {
+        return EffectKind.ALL.stream().map(EffectKind::name).toList();
+    }
+
+    private static Scene scene(String rest) {
+        return SceneBuilder.build(SceneReader.read("six.yaml", (SIX + rest).getBytes(StandardCharsets.UTF_8)), new Overrides());
+    }
+
+    private static void keepTheirClaims(Scene scene) {
+        assertFalse(scene.system().getEffects().isEmpty());
+        for (Effect effect : scene.system().getEffects()) {
+            assertTrue(effect.hasForceDerivatives(), effect.getName() + " knows its derivatives");
+            assertEquals(List.of(), EffectClaims.broken(scene.system(), effect, 2003), effect.getName());
+        }
+    }
+
+    @Test
+    void eachHasAnExampleHere() {
+        assertEquals(Set.copyOf(registered()), NAMED.keySet());
+        assertEquals(registered().size(), new HashSet<>(registered()).size());
+    }
+
+    @ParameterizedTest
+    @MethodSource("registered")
+    void itKeepsItsClaims(String name) {
+        assertTrue(NAMED.containsKey(name), "'" + name + "' needs an example here");
+        keepTheirClaims(scene("effects:\n  - " + NAMED.get(name) + "\n"));
+    }
+
+    @Test
+    void springsOfASceneKeepTheirClaims() {
+        keepTheirClaims(scene(SPRINGS));
+    }
+}
