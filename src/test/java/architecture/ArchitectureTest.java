@@ -49,7 +49,7 @@ class ArchitectureTest {
             Map.entry("particles.scene", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects", "particles.reactions",
                     "particles.rules", YAML, JSON)),
             Map.entry("particles.experiments", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
-                    "particles.reactions", "particles.rules", "particles.scene")),
+                    "particles.reactions", "particles.rules", "particles.scene", ALGEBRA)),
             Map.entry("particles.output", Set.of("particles", CHARTS, AWT, IMAGES, FILMS, JSON, XML)),
             Map.entry("particles.teaching", Set.of("deSolvers", "deSolvers.", "particles", "particles.effects", "particles.reactions",
                     "particles.rules", "particles.scene", "particles.experiments")),

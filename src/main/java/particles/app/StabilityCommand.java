@@ -1,20 +1,40 @@
 package particles.app;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.NoSuchElementException;
 import particles.DataTable;
 import particles.experiments.ProgressListener;
+import particles.experiments.SolverChoice;
 import particles.experiments.StabilityLimits;
 import particles.experiments.StabilityRegion;
 import particles.experiments.StabilityRegion.Window;
 import particles.output.OutputFolder;
 import particles.output.ResultPage;
 import particles.output.ResultPage.Picture;
+import particles.scene.Overrides;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneDescription;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 
-/** {@code gradle stability}: how long a step may be, measured on every solver's real code. */
+/** {@code gradle stability}: how long a step may be, measured on every solver's real code, or in one scene. */
 @Command(name = StabilityCommand.NAME, description = "Measures how long a stable step of each solver may be.")
 final class StabilityCommand extends ExperimentCommand {
     static final String NAME = "stability";
+    private static final Path SCENES = Path.of("scenes");
+
+    @Option(names = "--scene", paramLabel = "NAME", description = "How long a step may be in this scene: a file, or the name or number of"
+            + " one in scenes (default: each solver by itself).")
+    private String scene = "";
+
+    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers to try in the scene, separated by commas (default: all).")
+    private String solvers = "";
+
+    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "At which step growth is told, instead of the scene's.")
+    private String deltaT = "";
 
     StabilityCommand(OptionStyle style) {
         super(style);
@@ -26,7 +46,40 @@ final class StabilityCommand extends ExperimentCommand {
     }
 
     @Override
+    void check() {
+        if (scene.isEmpty() && !(solvers.isEmpty() && deltaT.isEmpty())) {
+            throw wrong(solvers.isEmpty() ? "deltaT" : "solvers", "goes with " + style().option("scene") + " only");
+        }
+        if (!scene.isEmpty()) {
+            chosen();
+            described();
+        }
+    }
+
+    private List<SolverChoice> chosen() {
+        try {
+            return SolverChoice.list(solvers.isEmpty() ? "all" : solvers);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            throw wrong("solvers", e.getMessage());
+        }
+    }
+
+    private SceneDescription described() {
+        Overrides overrides = new Overrides();
+        if (!deltaT.isEmpty()) {
+            overrides.with("deltaT", deltaT, style().option("deltaT"));
+        }
+        return SceneBuilder.build(SceneReader.read(SceneFiles.find(SCENES, scene)), overrides).description();
+    }
+
+    @Override
     ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        return scene.isEmpty() ? limits(progress) : SceneStabilityPage.measure(described(), chosen(), progress)
+                .orElseThrow(() -> wrong("scene", "at the start of this scene nothing moves by itself that a long step could make grow:"
+                        + " choose one with springs, drag or rods between particles that can move"));
+    }
+
+    private static ResultPage limits(ProgressListener progress) {
         DataTable limits = StabilityLimits.measure((part, what) -> progress.reached(part / 2, what));
         return new ResultPage(NAME, "How long a step may be before it grows", List.of(
                 "Every number was measured on the solver's real code, by bisection on the test equation y' = lambda y. Theory"

@@ -28,6 +28,8 @@ class ExperimentOptionsTest {
         "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean 'kepler'?",
         "workPrecision  | '-Pproblem= ,'      | option -Pproblem: no problem is named",
         "workPrecision  | -Psolvers=no.Such   | option -Psolvers: ",
+        "stability      | -Psolvers=rk4       | option -Psolvers: goes with -Pscene only",
+        "stability      | -Pscene=1           | option -Pscene: at the start of this scene nothing moves by itself",
         "stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 5 to 8",
         "stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: no solver is called 'rk'",
         "lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0",

@@ -1,0 +1,158 @@
+package particles.experiments.spectrum;
+
+import java.util.SplittableRandom;
+import particles.Effect;
+import particles.Effect.Trait;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Reaction;
+
+/**
+ * The linear equations of small motions about a system's present state: x'' = A x + B v for the particles that can move. In
+ * the coordinates q = M<sup>1/2</sup> x the matrix A of forces with a potential is symmetric. In the pair (w q, q') with a
+ * typical angular frequency w both halves are of one size, and an undamped system's matrix is close to skew.
+ */
+final class Linearisation {
+    private static final int POWER_STEPS = 30;
+    private static final long SEED = 715;
+
+    private final ParticleSystem system;
+    private final int[] places;
+    private final double[] rootMasses;
+    private final double[] direction;
+    private final double[] product;
+    private final double frequency;
+
+    /** @param system whose present state it is; neither state nor time is changed */
+    Linearisation(ParticleSystem system) {
+        this.system = system;
+        Particles particles = system.getParticles();
+        int free = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            free += particles.isFixed(i) ? 0 : 3;
+        }
+        places = new int[free];
+        rootMasses = new double[free];
+        direction = new double[system.getStateSize()];
+        product = new double[system.getStateSize()];
+        int k = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            for (int c = 0; c < 3 && !particles.isFixed(i); c++) {
+                places[k] = Particles.STRIDE * i + c;
+                rootMasses[k++] = Math.sqrt(particles.mass(i));
+            }
+        }
+        frequency = typicalFrequency();
+    }
+
+    /** @return how many coordinates there are, three for each particle that can move */
+    int coordinates() {
+        return places.length;
+    }
+
+    /** @return whether A is symmetric and B is 0: all forces have potentials, and no reaction answers them */
+    boolean isConservative() {
+        for (Effect effect : system.getEffects()) {
+            if (effect.dependsOnVelocity() || !effect.getTraits().contains(Trait.CONSERVATIVE)) {
+                return false;
+            }
+        }
+        return system.getReactions().stream().noneMatch(Reaction::isActive);
+    }
+
+    /** @return w (1/s), of the size of the largest angular frequency; 1 where nothing pulls back */
+    double frequency() {
+        return frequency;
+    }
+
+    private double typicalFrequency() {
+        double[] q = random(coordinates());
+        double[] next = new double[q.length];
+        double square = 0;
+        for (int n = 0; n < POWER_STEPS && q.length > 0; n++) {
+            stiffness(q, next);
+            square = norm(next);
+            if (square == 0) {
+                return 1;
+            }
+            for (int k = 0; k < q.length; k++) {
+                q[k] = next[k] / square;
+            }
+        }
+        return square == 0 ? 1 : Math.sqrt(square);
+    }
+
+    /** @return a direction of length 1 without preference, the same every time */
+    static double[] random(int size) {
+        SplittableRandom random = new SplittableRandom(SEED);
+        double[] q = new double[size];
+        for (int k = 0; k < size; k++) {
+            q[k] = random.nextDouble() - 0.5;
+        }
+        double length = norm(q);
+        for (int k = 0; k < size; k++) {
+            q[k] /= length;
+        }
+        return q;
+    }
+
+    /** Minus the acceleration that a displacement makes: result = -M^(1/2) A M^(-1/2) q. */
+    void stiffness(double[] q, double[] result) {
+        multiply(q, 0, 1, null, 0);
+        for (int k = 0; k < places.length; k++) {
+            result[k] = -rootMasses[k] * product[places[k] + 3];
+        }
+    }
+
+    /** Minus the acceleration that a velocity makes: result = -M^(1/2) B M^(-1/2) p. */
+    void damping(double[] p, double[] result) {
+        multiply(null, 0, 0, p, 0);
+        for (int k = 0; k < places.length; k++) {
+            result[k] = -rootMasses[k] * product[places[k] + 3];
+        }
+    }
+
+    /** One multiplication with the whole matrix, (w q, p)' = (w p, M^(1/2) (A x + B v)); twice as many doubles as coordinates. */
+    void derivative(double[] y, double[] result) {
+        int n = places.length;
+        multiply(y, 0, 1 / frequency, y, n);
+        for (int k = 0; k < n; k++) {
+            result[k] = frequency * y[n + k];
+            result[n + k] = rootMasses[k] * product[places[k] + 3];
+        }
+    }
+
+    private void multiply(double[] q, int fromQ, double scale, double[] p, int fromP) {
+        for (int k = 0; k < places.length; k++) {
+            direction[places[k]] = q == null ? 0 : scale * q[fromQ + k] / rootMasses[k];
+            direction[places[k] + 3] = p == null ? 0 : p[fromP + k] / rootMasses[k];
+        }
+        system.getJacobianProduct(direction, product);
+    }
+
+    /**
+     * @param q   coordinates from an offset on
+     * @param p   their velocities from an offset on
+     * @return the direction in the state space
+     */
+    double[] inState(double[] q, double[] p) {
+        double[] state = new double[direction.length];
+        for (int k = 0; k < places.length; k++) {
+            state[places[k]] = q[k] / rootMasses[k];
+            state[places[k] + 3] = p[k] / rootMasses[k];
+        }
+        return state;
+    }
+
+    static double dot(double[] a, double[] b) {
+        double sum = 0;
+        for (int k = 0; k < a.length; k++) {
+            sum += a[k] * b[k];
+        }
+        return sum;
+    }
+
+    static double norm(double[] a) {
+        return Math.sqrt(dot(a, a));
+    }
+}
