@@ -3,7 +3,6 @@ package particles.app;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import particles.ChartData;
 import particles.DataTable;
 import particles.experiments.ProgressListener;
@@ -26,14 +25,11 @@ final class SceneStabilityPage {
     private SceneStabilityPage() {
     }
 
-    /** @return the page; nothing if the scene's start has no motion that a solver could get wrong */
-    static Optional<ResultPage> measure(SceneDescription scene, List<SolverChoice> solvers, ProgressListener progress) {
+    /** @return the page of a scene with at least one mode that does not grow by itself */
+    static ResultPage measure(SceneDescription scene, List<SolverChoice> solvers, ProgressListener progress) {
         progress.reached(0, "the spectrum of the scene's start");
         Spectrum spectrum = SceneStability.spectrum(scene);
-        Optional<Mode> fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst();
-        if (fastest.isEmpty()) {
-            return Optional.empty();
-        }
+        Mode fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst().orElseThrow();
         List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress);
         progress.reached(0.9, "outlines of the regions");
         List<String> outlined = solvers.size() == 1 ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
@@ -41,14 +37,14 @@ final class SceneStabilityPage {
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.map("eigenvalues", "Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and"
                 + " what else the iteration found. A step is safe where all points to the left of the imaginary axis, or on it, lie inside the solver's outline.",
-                SceneStabilityCharts.plane(planeTitle(scene, fastest.get()), spectrum, scene.deltaT(), outlined)));
+                SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(), outlined)));
         ChartData growth = SceneStabilityCharts.growth("Steps are safe until some mode's factor leaves 1", spectrum, limits);
         if (!growth.series().isEmpty()) {
             pictures.add(Picture.chart("growth", "Lines: the largest factor of any mode in one step, by the spectrum. Points: the step at"
                     + " which pairs of runs began to move apart, by bisection.", growth));
         }
-        return Optional.of(new ResultPage(StabilityCommand.NAME, title(scene, limits, fastest.get()), text(spectrum, fastest.get()),
-                pictures, List.of(SceneStability.table(limits), modes(spectrum))));
+        return new ResultPage(StabilityCommand.NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
+                List.of(SceneStability.table(limits), modes(spectrum)));
     }
 
     private static String planeTitle(SceneDescription scene, Mode fastest) {

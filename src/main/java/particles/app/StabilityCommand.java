@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.NoSuchElementException;
 import particles.DataTable;
 import particles.experiments.ProgressListener;
+import particles.experiments.SceneStability;
 import particles.experiments.SolverChoice;
 import particles.experiments.StabilityLimits;
 import particles.experiments.StabilityRegion;
@@ -52,7 +53,10 @@ final class StabilityCommand extends ExperimentCommand {
         }
         if (!scene.isEmpty()) {
             chosen();
-            described();
+            if (SceneStability.spectrum(described()).modes().stream().noneMatch(mode -> mode.re() <= 0)) {
+                throw wrong("scene", "at the start of this scene nothing moves by itself that a long step could make grow: choose one with"
+                        + " springs, drag or rods between particles that can move");
+            }
         }
     }
 
@@ -74,9 +78,7 @@ final class StabilityCommand extends ExperimentCommand {
 
     @Override
     ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        return scene.isEmpty() ? limits(progress) : SceneStabilityPage.measure(described(), chosen(), progress)
-                .orElseThrow(() -> wrong("scene", "at the start of this scene nothing moves by itself that a long step could make grow:"
-                        + " choose one with springs, drag or rods between particles that can move"));
+        return scene.isEmpty() ? limits(progress) : SceneStabilityPage.measure(described(), chosen(), progress);
     }
 
     private static ResultPage limits(ProgressListener progress) {

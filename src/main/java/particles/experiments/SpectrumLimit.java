@@ -101,9 +101,4 @@ final class SpectrumLimit {
         }
         return stable;
     }
-
-    /** @return whether there is any mode that a step could make grow */
-    boolean hasModes() {
-        return !modes.isEmpty();
-    }
 }
