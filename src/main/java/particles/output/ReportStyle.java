@@ -30,7 +30,8 @@ final class ReportStyle {
             table { border-collapse: collapse; font-size: 0.85rem; }
             th, td { padding: 0.2rem 0.6rem; border-bottom: 1px solid #d9dbe0; text-align: left; vertical-align: top; }
             td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-            td.text { min-width: 6rem; }
+            td.text { min-width: 12rem; }
+            td:first-child { min-width: 0; white-space: nowrap; position: sticky; left: 0; background: #fff; }
             th { vertical-align: bottom; border-bottom: 2px solid #8a8f99; }
             th button { all: unset; cursor: pointer; font-weight: bold; }
             th button:focus-visible { outline: 2px solid #0a4b9c; }
@@ -54,6 +55,7 @@ final class ReportStyle {
               thead { display: table-header-group; }
               th, td { padding: 0.5mm 1.2mm; }
               td.text { min-width: 0; }
+              td:first-child { position: static; }
               th button::after, th[aria-sort] button::after { content: ""; }
             }
             @media (max-width: 40rem) {
