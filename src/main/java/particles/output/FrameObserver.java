@@ -86,7 +86,6 @@ public final class FrameObserver implements Observer, AutoCloseable {
         if (memory.isReading()) {
             worker.resume(drawn, index);
         }
-        trails.remember(memory, structure);
     }
 
     @Override

@@ -4,8 +4,6 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.Iterator;
-import java.util.List;
 import java.util.Map;
 import particles.Memory;
 import particles.ParticleSystem;
@@ -94,31 +92,6 @@ final class TrailRecorder {
             before[i] = old.getOrDefault(ids[i], -1);
         }
         return before;
-    }
-
-    /**
-     * For a checkpoint: a run that is continued goes on with the trails that there were.
-     *
-     * @param structure the number of what is there from now on
-     */
-    void remember(Memory memory, int structure) {
-        if (duration == 0) {
-            return;
-        }
-        boolean same = memory.keep(this.structure == structure);
-        if (memory.isReading()) {
-            this.structure = same ? structure : -1;
-            samples.clear();
-        }
-        next = memory.keep(next);
-        ids = memory.keep(String.join("\n", ids)).split("\n", -1);
-        Iterator<TrailSample> old = List.copyOf(samples).iterator();
-        for (int left = memory.keep(samples.size()); left > 0; left--) {
-            TrailSample kept = (memory.isReading() ? TrailSample.NONE : old.next()).remember(memory);
-            if (memory.isReading()) {
-                samples.addLast(kept);
-            }
-        }
     }
 
     /** @return the samples so far, the oldest first */

@@ -11,8 +11,6 @@ import particles.Memory;
  *               had the same
  */
 record TrailSample(double time, float[] places, int[] before) {
-    /** Of nothing, to be filled from a checkpoint. */
-    static final TrailSample NONE = new TrailSample(0, new float[0], new int[0]);
 
     /** Passes a sample through a memory, and returns the one to go on with. */
     static TrailSample remembered(Memory memory, TrailSample sample) {
@@ -32,21 +30,5 @@ record TrailSample(double time, float[] places, int[] before) {
     /** @return the index in the sample before of the particle with this one here, -1 if it was not there */
     int earlier(int i) {
         return before.length == 0 ? i : before[i];
-    }
-
-    /** @return this one, or what it was when the checkpoint was written */
-    TrailSample remember(Memory memory) {
-        double[] wide = new double[places.length];
-        for (int k = 0; k < wide.length; k++) {
-            wide[k] = places[k];
-        }
-        double when = memory.keep(time);
-        double[] kept = memory.keep(wide, wide.length);
-        int[] earlier = memory.keep(before, before.length);
-        float[] narrow = new float[kept.length];
-        for (int k = 0; k < narrow.length; k++) {
-            narrow[k] = (float) kept[k];
-        }
-        return new TrailSample(when, narrow, earlier);
     }
 }
