@@ -12,8 +12,8 @@ import particles.ParticleSystem;
 import particles.effects.SpringForce;
 
 /**
- * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s, for ever
- * stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by power
+ * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s, for
+ * ever stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by power
  * iteration; backward Euler takes one step.
  */
 final class StiffCloth {
@@ -63,7 +63,7 @@ final class StiffCloth {
             direction[x] = x % 6 < 3 ? (x * 7919 % 101) - 50 : 0;
         }
         double eigenvalue = 0;
-        for (int i = 0; i < 200; i++) {                 // converges from below, to a percent or so: enough for a count of steps
+        for (int i = 0; i < 200; i++) {                 // from below, to a percent or so: enough for a count of steps
             double length = 0;
             for (double value : direction) {
                 length += value * value;
@@ -112,13 +112,14 @@ final class StiffCloth {
     static void print(PrintStream out, long[] rk4Steps) {
         measure(stiffnessFor(5));                       // once for the compiler
         ParticleSystem cloth = Cloth.hanging(EDGE, 1, 0);
-        out.printf(Locale.ROOT, "%nA frame of 1/60 s of a cloth of %d x %d particles of %s g, %d springs: CPU time%n", EDGE, EDGE,
-                1000 * MASS, ((SpringForce) cloth.getEffects().get(1)).springCount());
+        out.printf(Locale.ROOT, "%nA frame of 1/60 s of a cloth of %d x %d particles of %s g, %d springs: CPU time%n", EDGE,
+                EDGE, 1000 * MASS, ((SpringForce) cloth.getEffects().get(1)).springCount());
         out.println("stiffness (N/m)  rk4 steps    rk4 (s)  linearised (s)  Newton (s)  rk4/linearised  CG iterations");
         for (long steps : rk4Steps) {
             Row row = measure(stiffnessFor(steps));
-            out.printf(Locale.ROOT, "%15.3g  %9d  %9.4f  %14.4f  %10.4f  %14.2f  %13d%n", row.stiffness, row.rk4Steps, row.rk4,
-                    row.linearised, row.newton, row.rk4 / row.linearised, row.work.krylovIterations());
+            out.printf(Locale.ROOT, "%15.3g  %9d  %9.4f  %14.4f  %10s  %14.2f  %13d%n", row.stiffness, row.rk4Steps, row.rk4,
+                    row.linearised, Double.isNaN(row.newton) ? "-" : String.format(Locale.ROOT, "%.4f", row.newton),
+                    row.rk4 / row.linearised, row.work.krylovIterations());
         }
     }
 

@@ -24,7 +24,7 @@ class StiffClothTest {
         }
         // Measured 1.649e7 products of 3 x 3 blocks at each of the four: one factorisation and one iteration.
         assertTrue(most < 1.1 * least, least + " to " + most + " products of blocks");
-        // A product of blocks costs no more than a spring's force. Measured 29 times as many forces at 5,000 steps of RK4 ...
+        // A product costs no more than a spring's force. Measured 29 times as many forces at 5,000 steps of RK4 ...
         assertTrue(4 * 5000 * SPRINGS > 10 * most, most + " products of blocks");
         assertTrue(4 * 100 * SPRINGS < most, "and soft cloth is cheaper by RK4");           // ... and 0.58 times at 100
     }
