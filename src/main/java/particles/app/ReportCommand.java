@@ -171,7 +171,7 @@ final class ReportCommand extends ResultsCommand {
         List<String> text = new ArrayList<>();
         about.ifPresent(description -> {
             text.add(description.teaches());
-            text.add("energyDrift, phasePlots and race look at this scene, with " + String.join(", ",
+            text.add("Those experiments that run a scene look at this one, with " + String.join(", ",
                     SolverChoice.list(solvers()).stream().map(SolverChoice::label).toList())
                     + "; the other experiments have problems of their own.");
         });
