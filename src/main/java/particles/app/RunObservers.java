@@ -9,6 +9,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.VectorField;
 import particles.experiments.Axis;
+import particles.experiments.EnergyBooks;
 import particles.experiments.EnergyHistory;
 import particles.experiments.PhaseHistory;
 import particles.experiments.VectorFields;
@@ -40,6 +41,7 @@ final class RunObservers implements AutoCloseable {
     private final OutputFolder folder;
     private final TrajectoryWriter trajectory;
     private final EnergyHistory energy;
+    private final EnergyBooks books;
     private final Optional<PhaseHistory> phase;
     private Optional<FrameObserver> frames = Optional.empty();
 
@@ -56,10 +58,13 @@ final class RunObservers implements AutoCloseable {
         long stride = output.trajectoryStride().map(Integer::longValue)
                 .orElseGet(() -> TrajectoryWriter.strideFor(steps, particles, MOST_LINES));
         trajectory = new TrajectoryWriter(folder, stride);
-        energy = new EnergyHistory(TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES));
+        long energies = TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES);
+        energy = new EnergyHistory(energies);
+        books = new EnergyBooks(energies);
         phase = scene.phase().map(plot -> new PhaseHistory(scene.system().getParticles().id(plot.particle())));
         add(trajectory);
         add(energy);
+        add(books);
         phase.ifPresent(this::add);
     }
 
@@ -95,6 +100,10 @@ final class RunObservers implements AutoCloseable {
         return energy;
     }
 
+    EnergyBooks books() {
+        return books;
+    }
+
     /** Completes the files that were written during the run, also where it ended early. */
     @Override
     public void close() {
@@ -109,7 +118,9 @@ final class RunObservers implements AutoCloseable {
     void drawCharts() {
         String title = scene.description().title() + " (" + caption() + ")";
         if (scene.output().energy()) {
-            ChartWriter.writeStacked(folder, RunFiles.ENERGY, energy.charts(title));
+            List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
+            charts.addAll(books.charts(energy.getScale()));
+            ChartWriter.writeStacked(folder, RunFiles.ENERGY, charts);
         }
         phase.ifPresent(history -> drawPhase(history, Axis.values()[scene.phase().orElseThrow().axis()], title));
     }

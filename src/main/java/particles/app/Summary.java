@@ -3,6 +3,7 @@ package particles.app;
 import java.util.ArrayList;
 import java.util.List;
 import particles.Simulation;
+import particles.experiments.EnergyBooks;
 import particles.experiments.EnergyHistory;
 import particles.output.RunSummary;
 import particles.scene.Scene;
@@ -16,15 +17,16 @@ final class Summary {
      * @param name    of the scene
      * @param scene   after its run
      * @param energy  what was seen of its energy
+     * @param books   its ledger
      * @param seconds how long the run took (s)
      */
-    Summary(String name, Scene scene, EnergyHistory energy, double seconds) {
+    Summary(String name, Scene scene, EnergyHistory energy, EnergyBooks books, double seconds) {
         this.scene = scene;
         Simulation simulation = scene.simulation();
         record = new RunSummary(name, scene.description().sha256(), scene.description().solver(), simulation.getDeltaT(),
                 simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
                 scene.system().getEvaluations(), seconds, energy.getStart(), energy.getEnd(), energy.getScale(),
-                energy.getLargestDrift());
+                energy.getLargestDrift(), books.getWork(), books.getNumericalError(), books.getLargestNumericalError());
     }
 
     RunSummary record() {
@@ -42,6 +44,8 @@ final class Summary {
         lines.add("energy " + Digits.few(record.startEnergy()) + " J at the start, " + Digits.few(record.endEnergy())
                 + " J at the end; its largest drift is " + Digits.few(record.largestRelativeDrift()) + " of the energy scale, "
                 + Digits.few(record.energyScale()) + " J");
+        lines.add("of that, physics explains all but " + Digits.few(record.largestRelativeNumericalError())
+                + " of the energy scale at most: the numerical error");
         return lines;
     }
 

@@ -130,15 +130,14 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * The energies, and below them the relative drift of the total. The total is the first series. A potential that no
-     * inner force has, such as gravity's, has its zero at the lowest value of the run, since a chart must not depend on
-     * where the origin lies.
+     * The energies. The total is the first series. A potential that no inner force has, such as gravity's, has its zero at
+     * the lowest value of the run, since a chart must not depend on where the origin lies.
      *
      * @param title of the chart, such as the scene and its solver
-     * @return two charts over the same time
+     * @return the chart
      * @throws IllegalStateException before the run
      */
-    public List<ChartData> charts(String title) {
+    public ChartData chart(String title) {
         if (total.isEmpty()) {
             throw new IllegalStateException("no run was observed");
         }
@@ -153,25 +152,21 @@ public final class EnergyHistory implements Observer {
             boolean internal = effects.get(e).getTraits().contains(Effect.Trait.INTERNAL);
             double lowest = internal ? 0 : energy.smallest();
             zero += lowest;
-            parts.add(line("potential: " + effects.get(e).getName(), energy, lowest, 1));
+            parts.add(line("potential: " + effects.get(e).getName(), energy, lowest));
         }
-        series.add(line("total", total, zero, 1));
-        series.add(line("kinetic", kinetic, 0, 1));
+        series.add(line("total", total, zero));
+        series.add(line("kinetic", kinetic, 0));
         if (parts.size() > 1) {
-            series.add(line("potential", potential, zero, 1));
+            series.add(line("potential", potential, zero));
         }
         series.addAll(parts);
-        double scale = getScale();
-        Series drift = line("drift of the total", total, getStart(), getLargestDrift() == 0 ? 1 : scale);
-        return List.of(new ChartData(title, "time (s)", "energy (J)", false, false, List.copyOf(series)),
-                new ChartData("drift of the total energy", "time (s)", "(E \u2212 E\u2080) / energy scale", false, false,
-                        List.of(drift)));
+        return new ChartData(title, "time (s)", "energy (J)", false, false, List.copyOf(series));
     }
 
-    private static Series line(String name, Extremes energy, double zero, double unit) {
+    private static Series line(String name, Extremes energy, double zero) {
         double[][] points = energy.points();
         for (int k = 0; k < points[1].length; k++) {
-            points[1][k] = (points[1][k] - zero) / unit;
+            points[1][k] -= zero;
         }
         return new Series(name, Mark.LINE, points[0], points[1]);
     }

@@ -1,5 +1,7 @@
 package particles.output;
 
+import java.util.Map;
+
 /**
  * What a run was and how it went, for {@code run.json}.
  *
@@ -18,10 +20,14 @@ package particles.output;
  * @param energyScale        what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or
  *                           for a scene at rest its weight times its height
  * @param largestEnergyDrift the total energy's largest distance from its start during the run (J)
+ * @param work               what each kind of physics put in, by name (J); negative where it took energy out
+ * @param numericalError     the change of energy that no work explains, at the end (J)
+ * @param largestNumericalError the largest of it during the run, without its sign (J)
  */
 public record RunSummary(String scene, String sceneHash, String solver, double deltaT, double duration, double endTime,
                          String version, long steps, long evaluations, double secondsTaken, double startEnergy,
-                         double endEnergy, double energyScale, double largestEnergyDrift) {
+                         double endEnergy, double energyScale, double largestEnergyDrift, Map<String, Double> work,
+                         double numericalError, double largestNumericalError) {
 
     /** @return (end - start) / scale; 0 where nothing changed */
     public double relativeDrift() {
@@ -31,6 +37,16 @@ public record RunSummary(String scene, String sceneHash, String solver, double d
     /** @return the largest |E(t) - E(0)| / scale of the run; 0 where nothing changed */
     public double largestRelativeDrift() {
         return relative(largestEnergyDrift);
+    }
+
+    /** @return the largest numerical error / scale of the run; 0 where there was none */
+    public double largestRelativeNumericalError() {
+        return relative(largestNumericalError);
+    }
+
+    /** @return the numerical error at the end / scale; 0 where there is none */
+    public double relativeNumericalError() {
+        return relative(numericalError);
     }
 
     private double relative(double drift) {

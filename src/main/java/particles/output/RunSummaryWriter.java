@@ -8,6 +8,7 @@ import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Map;
 
 /** Writes {@code run.json}. Numbers that are not finite are written as {@code null}, since JSON has no others. */
 public final class RunSummaryWriter {
@@ -55,6 +56,14 @@ public final class RunSummaryWriter {
         number(json, "scale", run.energyScale());
         number(json, "relativeDrift", run.relativeDrift());
         number(json, "largestRelativeDrift", run.largestRelativeDrift());
+        number(json, "numericalError", run.numericalError());
+        number(json, "relativeNumericalError", run.relativeNumericalError());
+        number(json, "largestRelativeNumericalError", run.largestRelativeNumericalError());
+        json.writeObjectFieldStart("work");
+        for (Map.Entry<String, Double> kind : run.work().entrySet()) {
+            number(json, kind.getKey(), kind.getValue());
+        }
+        json.writeEndObject();
         json.writeEndObject();
         json.writeObjectFieldStart("java");
         json.writeStringField("version", Runtime.version().toString());

@@ -40,7 +40,7 @@ class RunSummaryWriterTest {
     @Test
     void everyValueReadsBack() throws IOException {
         Map<String, String> values = readBack(new RunSummary("one \"spring\"", "ab12", "rk4", 0.1, 10, 9.9, "1.0", 99, 396,
-                0.25, 2, 1.5, 4, 1));
+                0.25, 2, 1.5, 4, 1, Map.of("airDrag (dissipated)", -0.625), 0.125, 0.5));
         assertEquals("one \"spring\"", values.get("scene"));
         assertEquals("ab12", values.get("sceneSha256"));
         assertEquals("rk4", values.get("solver"));
@@ -55,13 +55,17 @@ class RunSummaryWriterTest {
         assertEquals("4.0", values.get("energy.scale"));
         assertEquals("-0.125", values.get("energy.relativeDrift"));
         assertEquals("0.25", values.get("energy.largestRelativeDrift"));
+        assertEquals("-0.625", values.get("work.airDrag (dissipated)"));
+        assertEquals("0.125", values.get("energy.numericalError"));
+        assertEquals("0.03125", values.get("energy.relativeNumericalError"));
+        assertEquals("0.125", values.get("energy.largestRelativeNumericalError"));
         assertEquals(Runtime.version().toString(), values.get("java.version"));
     }
 
     @Test
     void whatIsNoNumberIsNull() throws IOException {
         Map<String, String> values = readBack(new RunSummary("s", "h", "euler", 1, 1, 1, "1", 1, 1, 1, 0,
-                Double.POSITIVE_INFINITY, 1, Double.NaN));
+                Double.POSITIVE_INFINITY, 1, Double.NaN, Map.of(), Double.NaN, Double.NaN));
         assertEquals("null", values.get("energy.end"));
         assertEquals("null", values.get("energy.relativeDrift"));
         assertTrue(Files.readString(top.resolve("run.json")).endsWith("}\n"));
@@ -69,6 +73,6 @@ class RunSummaryWriterTest {
 
     @Test
     void nothingThatMovesDriftsByNothing() {
-        assertEquals(0, new RunSummary("s", "h", "euler", 1, 1, 1, "1", 1, 1, 1, 3, 3, 0, 0).relativeDrift());
+        assertEquals(0, new RunSummary("s", "h", "euler", 1, 1, 1, "1", 1, 1, 1, 3, 3, 0, 0, Map.of(), 0, 0).relativeDrift());
     }
 }
