@@ -118,7 +118,7 @@ public final class EnergyBooks implements Observer {
         work.forEach((name, joules) -> {
             if (joules.smallest() != 0 || joules.largest() != 0) {
                 double[][] points = joules.points();
-                lines.add(new Series(name, Mark.LINE, points[0], points[1]));
+                lines.add(new Series("work: " + name, Mark.LINE, points[0], points[1]));
             }
         });
         if (!lines.isEmpty()) {
@@ -129,7 +129,7 @@ public final class EnergyBooks implements Observer {
             points[1][k] = points[1][k] == 0 ? 0 : points[1][k] / scale;
         }
         charts.add(new ChartData("numerical error: the change of energy that no physics explains", "time (s)",
-                "(E \u2212 E\u2080 \u2212 work) / energy scale", false, false,
+                "error / scale", false, false,
                 List.of(new Series("numerical error", Mark.LINE, points[0], points[1]))));
         return charts;
     }

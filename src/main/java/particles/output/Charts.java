@@ -49,9 +49,12 @@ final class Charts {
                 onlyLines(data.get(0))));
         all.setGap(14);
         long ofQuantities = data.stream().filter(chart -> chart.rows().isEmpty()).count();
+        int looks = 0;                                  // the legend is one: no look stands for two series
         for (int k = 0; k < data.size(); k++) {
             int rows = data.get(k).rows().size();
-            all.add(plot(data.get(k)), rows > 0 ? ROW * (rows + 1) : k > 0 ? 153 : ofQuantities > 1 ? 255 : 400);
+            int series = data.get(k).series().size();
+            all.add(plot(data.get(k), series > 1 ? looks : 0), rows > 0 ? ROW * (rows + 1) : k > 0 ? 153 : ofQuantities > 1 ? 255 : 400);
+            looks += series;
         }
         return finished(data.get(0).title(), all);
     }
@@ -89,10 +92,14 @@ final class Charts {
     }
 
     static XYPlot plot(ChartData data) {
+        return plot(data, 0);
+    }
+
+    private static XYPlot plot(ChartData data, int firstLook) {
         ChartDataset dataset = new ChartDataset(data);
         XYPlot plot = new XYPlot(dataset, axis(data.xLabel(), data.xLog(), range(dataset, true), onlyLines(data)),
                 data.rows().isEmpty() ? axis(data.yLabel(), data.yLog(), range(dataset, false), false)
-                        : inStyle(rowAxis(data.rows()), data.yLabel()), renderer(data));
+                        : inStyle(rowAxis(data.rows()), data.yLabel()), renderer(data, firstLook));
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);     // through dashes the line below is seen
         plot.setBackgroundPaint(Color.WHITE);
         plot.setDomainGridlinePaint(ChartStyle.GRID);
@@ -170,7 +177,7 @@ final class Charts {
         return axis;
     }
 
-    private static XYLineAndShapeRenderer renderer(ChartData data) {
+    private static XYLineAndShapeRenderer renderer(ChartData data, int firstLook) {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
         renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
         renderer.setUseOutlinePaint(true);
@@ -180,7 +187,8 @@ final class Charts {
             Mark mark = data.series().get(k).mark();
             boolean dense = mark == Mark.LINE && k > 0 && isDense(data.series().get(k).y());
             SolverLook look = SolverLook.of(data.series().get(k).name()).orElse(new SolverLook(
-                    ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(k), ChartStyle.stroke(k), ChartStyle.shape(k)));
+                    ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(firstLook + k), ChartStyle.stroke(firstLook + k),
+                    ChartStyle.shape(firstLook + k)));
             boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
             boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS;
             Color colour = failed ? Color.RED.darker() : look.colour();

@@ -1,0 +1,129 @@
+package particles.output;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.H;
+import static particles.output.SmallPictures.W;
+import static particles.output.SmallPictures.area;
+import static particles.output.SmallPictures.look;
+import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.state;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.Camera;
+import particles.CurveView;
+import particles.Look;
+import particles.Scenery;
+import particles.Sphere;
+import particles.Style;
+import particles.Vector3;
+
+/** Rods, wires and spheres are drawn as large, and where, as the camera sees them. */
+class SceneryStylesTest {
+    /** A ball of radius r at the distance d is seen under the angle asin(r/d); a bead on it makes it smaller by its own size. */
+    @Test
+    void aSphereIsAsLargeAsItIsSeen() {
+        Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), true, 60, 0);
+        double focal = H / (2 * Math.tan(Math.PI / 6));
+        FrameRenderer without = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), Scenery.NONE);
+        int[] empty = without.render(state()).clone();
+        Sphere ball = new Sphere(Vector3.ZERO, 1.2, false);
+        double inset = 0.003 * 2 * 5 * Math.tan(Math.PI / 6);
+        for (boolean bead : new boolean[] {false, true}) {
+            FrameState state = bead ? state(0, 100, 0) : state();
+            double r = 1.2 - (bead ? 0.2 : inset);
+            int[] rgb = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state);
+            double seen = focal * r / Math.sqrt(25 - r * r);
+            assertEquals(1, area(rgb, empty) / (Math.PI * seen * seen), 0.05);      // edge pixels in full: measured 1.014, 1.022
+        }
+        int[] hollow = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(new Sphere(Vector3.ZERO, 1.2, true)))
+                .render(state(0, 0, 0));
+        assertTrue((hollow[H / 2 * W + W / 2] & 255) > 120, "what is inside of a hollow is seen");
+        int[] solid = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 0, 0));
+        int[] alone = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 100, 0));
+        assertEquals(alone[H / 2 * W + W / 2], solid[H / 2 * W + W / 2], "what is inside of a ball is not");
+    }
+
+    private static Scenery scenery(Sphere sphere) {
+        return new Scenery(List.of(), List.of(), List.of(sphere), List.of());
+    }
+
+    /** Rods are straight grey bars, whatever their length, and no scale of strain comes with them. */
+    @Test
+    void rodsAreBars() {
+        Look look = new Look(Look.Shown.NEVER, Look.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0, 0, Style.STANDARD);
+        int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
+        int[] heights = new int[2];
+        for (int k = 0; k < 2; k++) {
+            FrameState state = state(-3, 0, 0, 3, 0, 0);
+            state.springs = 1;
+            state.from = new int[] {0};
+            state.to = new int[] {1};
+            state.restLength = new double[] {6};
+            state.rigid = new boolean[] {k == 0};
+            int[] rgb = renderer(FRONT, look, Scenery.NONE).render(state);
+            for (int y = 0; y < 130; y++) {
+                for (int x = 140; x < 180; x++) {
+                    heights[k] += rgb[y * W + x] != empty[y * W + x] ? 1 : 0;
+                }
+            }
+            int scale = 0;
+            for (int p = 170 * W; p < rgb.length; p++) {
+                scale += rgb[p] != empty[p] ? 1 : 0;
+            }
+            assertEquals(k == 1, scale > 100);
+        }
+        // 2 * 0.34 * 0.5 m * 20 pixels a metre * 40 columns = 272, and edge pixels, in full: measured 320; a coil has 412
+        assertEquals(272, heights[0], 50);
+        assertTrue(heights[1] > 380, "a spring is no bar");
+    }
+
+    /** A ring of wire is seen where it is; an endless wire to the end of the picture. */
+    @Test
+    void wiresAreCurves() {
+        CurveView ring = new CurveView() {
+            @Override
+            public Vector3 at(double u) {
+                return new Vector3(3 * Math.cos(u / 3), 3 * Math.sin(u / 3), 0);
+            }
+
+            @Override
+            public double length() {
+                return 6 * Math.PI;
+            }
+        };
+        CurveView parabola = new CurveView() {
+            @Override
+            public Vector3 at(double u) {
+                return new Vector3(u, u * u / 16, 0);
+            }
+
+            @Override
+            public double length() {
+                return Double.POSITIVE_INFINITY;
+            }
+        };
+        Look look = look(Style.Kind.BALLS, 0.5, 0);
+        int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
+        int[] first = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(), List.of(ring))).render(state());
+        double mean = 0;
+        int count = 0;
+        for (int p = 0; p < first.length; p++) {
+            if (first[p] != empty[p]) {
+                double r = Math.hypot(p % W + 0.5 - 160, p / W + 0.5 - 100);
+                assertEquals(60, r, 3.3, "farther from the ring than its wire is thick");     // 0.1 m is 2 pixels
+                mean += r;
+                count++;
+            }
+        }
+        assertEquals(60, mean / count, 0.1);          // measured 60.05
+        assertTrue(count > 2 * Math.PI * 60 * 3, count + " pixels");
+        int[] second = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(), List.of(parabola))).render(state());
+        for (int x = -7; x <= 7; x++) {
+            int p = (int) (100 - 20 * x * x / 16.0) * W + 160 + 20 * x;
+            assertTrue(second[p] != empty[p], "at " + x + " m");
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package particles.output;
+
+import particles.Camera;
+import particles.Look;
+import particles.Scenery;
+import particles.Style;
+import particles.Vector3;
+
+/** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
+final class SmallPictures {
+    static final int W = 320;
+    static final int H = 200;
+    /** 20 pixels a metre, the origin in the middle. */
+    static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+
+    private SmallPictures() {
+    }
+
+    static Look look(Style.Kind kind, double radius, double trail) {
+        return new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, radius, 0.1, 0x3366cc, 0x202020, 0xff0000, 0x0000ff,
+                new Style(kind, Style.STANDARD.ageColours(), trail, kind == Style.Kind.GLOW));
+    }
+
+    static FrameRenderer renderer(Camera camera, Look look, Scenery scenery) {
+        return new FrameRenderer(new Stage(camera, look, scenery, "", ""), W, H, 2);
+    }
+
+    static FrameState state(double... positions) {
+        FrameState state = new FrameState();
+        state.positions = positions;
+        state.particles = positions.length / 3;
+        state.fixed = new boolean[state.particles];
+        state.birth = new double[state.particles];
+        state.death = new double[state.particles];
+        return state;
+    }
+
+    /** How many pixels of a picture something covers: those at its edge as a part. */
+    static double area(int[] picture, int[] empty) {
+        int count = 0;
+        for (int p = 0; p < picture.length; p++) {
+            count += picture[p] != empty[p] ? 1 : 0;
+        }
+        return count;
+    }
+}
