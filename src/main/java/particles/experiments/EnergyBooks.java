@@ -25,7 +25,6 @@ public final class EnergyBooks implements Observer {
     private final long stride;
     private final Extremes error = new Extremes(BUCKETS);
     private final Map<String, Extremes> work = new LinkedHashMap<>();
-    private double startTime;
     private long step;
 
     /** @param stride every how many steps a point is drawn, 1 or more */
@@ -39,8 +38,7 @@ public final class EnergyBooks implements Observer {
     @Override
     public void started(ParticleSystem system) {
         ledger.started(system);
-        startTime = system.getTime();
-        record(startTime);
+        record(system.getTime());
     }
 
     @Override
@@ -77,7 +75,6 @@ public final class EnergyBooks implements Observer {
             String name = memory.keep(memory.isReading() ? "" : names.get(k));
             work.computeIfAbsent(name, unknown -> new Extremes(BUCKETS)).remember(memory);
         }
-        startTime = memory.keep(startTime);
         step = memory.keep(step);
     }
 
@@ -89,7 +86,9 @@ public final class EnergyBooks implements Observer {
     /** The first bounce may come late; until then its work was 0. */
     private Extremes began() {
         Extremes fresh = new Extremes(BUCKETS);
-        fresh.add(startTime, 0);
+        for (double time : error.points()[0]) {
+            fresh.add(time, 0);
+        }
         return fresh;
     }
 
@@ -122,14 +121,15 @@ public final class EnergyBooks implements Observer {
             }
         });
         if (!lines.isEmpty()) {
-            charts.add(new ChartData("what physics put in (+) and took out (\u2212)", "time (s)", "work (J)", false, false, lines));
+            charts.add(new ChartData("what physics put in (+) and took out (\u2212)", "time (s)",
+                    lines.size() == 1 ? lines.get(0).name() + " (J)" : "work (J)", false, false, lines));
         }
         double[][] points = error.points();
         for (int k = 0; k < points[1].length; k++) {
             points[1][k] = points[1][k] == 0 ? 0 : points[1][k] / scale;
         }
         charts.add(new ChartData("numerical error: the change of energy that no physics explains", "time (s)",
-                "error / scale", false, false,
+                "numerical error / scale", false, false,
                 List.of(new Series("numerical error", Mark.LINE, points[0], points[1]))));
         return charts;
     }
