@@ -1,6 +1,8 @@
 package particles.output;
 
 import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.Map;
 import particles.Look;
 import particles.Surface;
 
@@ -17,6 +19,7 @@ final class SurfacePainter {
     private final Projection view;
     private final Lighting lighting;
     private final Look look;
+    private final Map<Surface, WholeTriangles> triangles = new IdentityHashMap<>();
     private double[] normals = {};
     private int[] front = {};
     private int[] back = {};
@@ -42,8 +45,9 @@ final class SurfacePainter {
         }
         Arrays.fill(normals, 0, 3 * n, 0);
         int[] corners = surface.triangles();
+        boolean[] whole = triangles.computeIfAbsent(surface, WholeTriangles::new).in(state);
         for (int t = 0; t + 2 < corners.length; t += 3) {
-            if (isThere(corners, t, n)) {
+            if (whole[t / 3]) {
                 computeNormal(state.positions, corners[t], corners[t + 1], corners[t + 2]);
                 for (int c = t; c < t + 3; c++) {
                     for (int k = 0; k < 3; k++) {
@@ -56,15 +60,10 @@ final class SurfacePainter {
             shade(i);
         }
         for (int t = 0; t + 2 < corners.length; t += 3) {
-            if (isThere(corners, t, n)) {
+            if (whole[t / 3]) {
                 paint(corners, t, state, projected);
             }
         }
-    }
-
-    /** Particles may have gone. */
-    private static boolean isThere(int[] corners, int t, int n) {
-        return corners[t] < n && corners[t + 1] < n && corners[t + 2] < n;
     }
 
     private void computeNormal(double[] p, int a, int b, int c) {

@@ -26,9 +26,10 @@ final class LatticeSurface {
     /**
      * @param lattice of two or three directions
      * @param first   the index of its first particle in the system
+     * @param ofSprings whether neighbours along its directions are held by springs
      * @return its surface
      */
-    static Surface of(Lattice lattice, int first) {
+    static Surface of(Lattice lattice, int first, boolean ofSprings) {
         LatticeSurface surface = new LatticeSurface(lattice, first);
         if (surface.counts.length == 2) {
             surface.addSheet(0, 1, 0);                  // down x across points to who sees [0,0] top left
@@ -38,7 +39,7 @@ final class LatticeSurface {
                 surface.addSheet((surface.counts[d] - 1) * surface.strides[d], (d + 1) % 3, (d + 2) % 3);
             }
         }
-        return new Surface(surface.triangles);
+        return new Surface(surface.triangles, ofSprings);
     }
 
     /** The sheet through a corner along directions u and v, with its front where u x v points. */

@@ -100,7 +100,8 @@ public final class SceneBuilder {
                         lattice.position(to).minus(lattice.position(from)).length(), damping));
             }
             if (shape.surface()) {
-                surfaces.add(LatticeSurface.of(lattice, first));
+                surfaces.add(LatticeSurface.of(lattice, first,
+                        shape.springs().stream().anyMatch(family -> family.sort() == SpringFamily.Sort.STRUCTURAL)));
             }
         }
         return surfaces;

@@ -1,5 +1,6 @@
 package particles.output;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -71,7 +72,7 @@ class FrameRendererTest {
 
     @Test
     void aSurfaceHasTwoSides() {
-        Surface surface = new Surface(new int[] {0, 1, 2});
+        Surface surface = new Surface(new int[] {0, 1, 2}, false);
         FrameRenderer renderer = renderer(FRONT, LOOK, List.of(surface), List.of());
         int front = renderer.render(state(-4, -4, 0, 4, -4, 0, 0, 4, 0))[H / 2 * W + W / 2];
         int back = renderer.render(state(4, -4, 0, -4, -4, 0, 0, 4, 0))[H / 2 * W + W / 2];
@@ -134,13 +135,13 @@ class FrameRendererTest {
     @Test
     void surfacesStandForWhatTheyContain() {
         Look beside = Look.STANDARD;
-        Shown open = new Shown(beside, List.of(new Surface(new int[] {0, 1, 2})));
+        Shown open = new Shown(beside, List.of(new Surface(new int[] {0, 1, 2}, false)));
         assertTrue(!open.particle(0) && open.particle(3));
         assertTrue(!open.spring(0, 1) && open.spring(0, 3) && open.spring(3, 4));
-        Shown closed = new Shown(beside, List.of(new Surface(new int[] {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2})));
+        Shown closed = new Shown(beside, List.of(new Surface(new int[] {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}, false)));
         assertTrue(!closed.particle(3) && closed.particle(4));
         assertTrue(!closed.spring(0, 4) && closed.spring(4, 5));
-        Shown all = new Shown(LOOK, List.of(new Surface(new int[] {0, 1, 2})));
+        Shown all = new Shown(LOOK, List.of(new Surface(new int[] {0, 1, 2}, false)));
         assertTrue(all.particle(0) && all.spring(0, 1));
     }
 
@@ -154,12 +155,33 @@ class FrameRendererTest {
         state.from = new int[] {0, 1, 2, 3};
         state.to = new int[] {1, 2, 3, 4};
         state.restLength = new double[] {1, 0, 1, 1};
-        Surface surface = new Surface(new int[] {0, 1, 2, 2, 3, 4, 7, 8, 9});
+        Surface surface = new Surface(new int[] {0, 1, 2, 2, 3, 4, 7, 8, 9}, false);
         for (boolean perspective : new boolean[] {true, false}) {
             Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40, 9);
             int[] rgb = renderer(camera, LOOK, List.of(surface), List.of(Plane.ground(0))).render(state);
             assertTrue(isGreen(rgb[H / 2 * W + W / 2]), "the one at the origin");
         }
+    }
+
+    /** A square of two triangles that share a diagonal: with its springs gone one by one it is drawn until one has fewer than two. */
+    @Test
+    void aTornTriangleIsNotDrawn() {
+        Surface cloth = new Surface(new int[] {0, 1, 2, 0, 2, 3}, true);
+        FrameState state = state(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0);
+        state.from = new int[] {1, 0, 2, 3};
+        state.to = new int[] {0, 3, 1, 2};
+        state.springs = 4;
+        WholeTriangles whole = new WholeTriangles(cloth);
+        assertArrayEquals(new boolean[] {true, true}, whole.in(state));
+        state.springs = 3;                              // 2-3 is torn: only 3-0 holds the upper triangle
+        state.structure++;
+        assertArrayEquals(new boolean[] {true, false}, whole.in(state));
+        state.springs = 2;
+        state.structure++;
+        assertArrayEquals(new boolean[] {false, false}, whole.in(state));
+        assertArrayEquals(new boolean[] {true, true}, new WholeTriangles(new Surface(cloth.triangles(), false)).in(state));
+        state.particles = 3;
+        assertArrayEquals(new boolean[] {true, false}, new WholeTriangles(new Surface(cloth.triangles(), false)).in(state));
     }
 
     @Test
