@@ -110,14 +110,14 @@ class WiresTest {
             double from = parabola ? -start : 0.1;
             ParticleSystem system = bead(new Vector3(from, profile.value(from), 0), Vector3.ZERO,
                     new GraphWire(Vector3.ZERO, X, Y, profile));
-            double[] state = system.getOwnState();
             RK4Solver solver = new RK4Solver();
-            while (state[0] < bottom) {
+            while (system.getOwnState()[0] < bottom) {
                 solver.stepState(system, 0.001);
             }
             for (int k = 0; k < 5; k++) {
-                solver.stepState(system, (bottom - state[0]) / state[3]);
+                solver.stepState(system, (bottom - system.getOwnState()[0]) / system.getOwnState()[3]);
             }
+            double[] state = system.getOwnState();
             double square = 2 * G * (profile.value(from) - profile.value(bottom));
             assertEquals(Math.sqrt(square), state[3], 1e-9);
             assertEquals(profile.value(bottom), state[1], 1e-9);
