@@ -27,7 +27,7 @@ class BrokenScenesTest {
             """;
 
     private static final String KEYS = "title, teaches, solver, deltaT, duration, particles, shapes, springs, rods, "
-            + "wires, constraints, effects, rules, impact, camera, look, output, blowUpFactor";
+            + "wires, constraints, effects, rules, impact, camera, look, output, blowUpFactor, threads";
 
     private static Arguments added(String text, String... lines) {
         return Arguments.of(HEAD + text, List.of(lines));
