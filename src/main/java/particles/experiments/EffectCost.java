@@ -198,16 +198,19 @@ public final class EffectCost {
 
     /**
      * @param costs as measured
-     * @return a bar for each, as wide as they stand apart but for a gap, in the order of the legend
+     * @return a bar for each, in a row with its name
      */
     public static ChartData chart(List<Cost> costs) {
-        List<Series> bars = new ArrayList<>();
+        double[] x = new double[3 * costs.size()];
+        double[] y = new double[3 * costs.size()];
         for (int k = 0; k < costs.size(); k++) {
-            double height = costs.get(k).overBase();
-            bars.add(new Series(costs.get(k).name(), Mark.LINE, new double[] {k + 0.6, k + 0.6, k + 1.4, k + 1.4, k + 0.6},
-                    new double[] {0, height, height, 0, 0}));
+            x[3 * k + 1] = costs.get(k).overBase();
+            y[3 * k] = k;
+            y[3 * k + 1] = k;
+            y[3 * k + 2] = Double.NaN;                  // the pen is lifted between bars
         }
-        return new ChartData("What is named is paid for, and nothing else", "in the order of the legend",
-                "time for a step over that of springs alone", false, false, bars);
+        return new ChartData("What is named is paid for, and nothing else", "time for a step over that of springs alone",
+                "what the scene names", false, false, costs.stream().map(Cost::name).toList(),
+                List.of(new Series("time for a step", Mark.BAND, x, y)));
     }
 }
