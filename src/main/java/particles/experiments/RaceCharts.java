@@ -81,7 +81,8 @@ public final class RaceCharts {
      */
     public static String finding(Result race) {
         List<String> parts = new ArrayList<>();
-        race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0)
+        // whoever needed more than its share wins nothing
+        race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0 && share(race, lane) <= TOO_MUCH)
                 .min(Comparator.comparingDouble(RaceCharts::mean))
                 .ifPresent(best -> parts.add(label(best) + " stays nearest to the reference"));
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
@@ -92,13 +93,18 @@ public final class RaceCharts {
                     + String.format(Locale.ROOT, " leaves at t = %.3g s", lane.left().getAsDouble())).toList()));
         }
         for (Lane lane : race.lanes()) {
-            double cost = (race.equalTime() ? lane.match().seconds() : lane.match().evaluations()) / race.work();
+            double cost = share(race, lane);
             if (cost > TOO_MUCH) {
                 parts.add(label(lane) + String.format(Locale.ROOT, " cannot do with less than %.3g times the %s", cost,
                         race.equalTime() ? "time" : "work"));
             }
         }
         return String.join("; ", parts);
+    }
+
+    /** What a lane took, over what each was to have. */
+    private static double share(Result race, Lane lane) {
+        return (race.equalTime() ? lane.match().seconds() : lane.match().evaluations()) / race.work();
     }
 
     /** Root mean square over the frames (m); NaN where there is nothing to compare. */
