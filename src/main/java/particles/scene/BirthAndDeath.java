@@ -64,8 +64,9 @@ final class BirthAndDeath {
         }
 
         @Override
-        double alive(Values values, double duration) {
-            return values.get(RATE) * Math.min(duration, values.find(LIFETIME).orElse(duration));
+        double alive(Values values, double deltaT, double duration) {
+            // the dead are taken away at the end of a step, when those of the whole step are born already
+            return values.get(RATE) * Math.min(duration, values.find(LIFETIME).orElse(duration) + deltaT);
         }
 
         @Override

@@ -34,7 +34,7 @@ record MemoryEstimate(double particles, double springs, double bytes) {
         boolean removed = scene.rules().stream().anyMatch(rule -> rule.kind().removes());
         // how many are left, where some are taken away, nobody knows before: those of one step at least
         double duration = removed ? scene.deltaT() : scene.duration();
-        particles += scene.rules().stream().mapToDouble(rule -> rule.kind().alive(rule.values(), duration)).sum();
+        particles += scene.rules().stream().mapToDouble(rule -> rule.kind().alive(rule.values(), scene.deltaT(), duration)).sum();
         double pixels = (double) scene.output().width() * scene.output().height();
         return new MemoryEstimate(particles, springs, BYTES_OF_PROGRAM + BYTES_PER_PIXEL * pixels
                 + (BYTES_PER_PARTICLE + bytesOfSolver(scene.solver())) * particles + BYTES_PER_SPRING * springs);

@@ -64,8 +64,13 @@ public abstract class RuleKind implements Kind {
         return Optional.empty();
     }
 
-    /** @return how many particles it has brought into being that are there at a time, at most, in a run that lasts so long (s) */
-    double alive(Values values, double duration) {
+    /**
+     * How many particles it has brought into being that are there at a time, at most.
+     *
+     * @param deltaT   how long a step is (s)
+     * @param duration how long the run is (s)
+     */
+    double alive(Values values, double deltaT, double duration) {
         return 0;
     }
 

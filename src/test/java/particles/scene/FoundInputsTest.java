@@ -2,6 +2,7 @@ package particles.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -31,6 +32,16 @@ class FoundInputsTest {
                 linesFor("particles:\n  - {id: bob, position: [0, 0, 0], mass: " + mass + "}\n"));
         assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; no number that has to be positive is below 1e-30"),
                 linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3, totalMass: " + mass + "}\n"));
+    }
+
+    /** Sparks that live a second, born for 1e9 s within one step: the run filled its memory with those long dead. */
+    @Test
+    void birthsOfOneEndlessStepAreCounted() {
+        String scene = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 1e9\nduration: 1e10\nparticles:\n  - {id: a, position: [0, 0, 0]}\n"
+                + "rules:\n  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 220, lifetime: 1.2}\n";
+        String line = assertThrows(SceneException.class, () -> SceneBuilder.build(
+                SceneReader.read("x.yaml", scene.getBytes(StandardCharsets.UTF_8)), new Overrides())).getLines().get(0);
+        assertTrue(line.contains("MiB of memory for up to 220000000265 particles"), line);
     }
 
     @Test
