@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import particles.output.ResultPage;
 import particles.output.ResultPage.Picture;
 import particles.teaching.Finding;
@@ -54,10 +55,12 @@ final class CheckSolverCommand extends CheckCommand {
         SolverFigures figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.chart("order", "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.", figures.order()));
-        figures.region().ifPresent(region -> pictures.add(Picture.chart("region",
-                "The stability region: deltaT times each eigenvalue of the system has to lie within the line.", region)));
+        figures.region().ifPresent(region -> pictures.add(Picture.map("region",
+                "Where a step makes nothing larger, measured on its own steps: there each deltaT lambda has to lie, with lambda the eigenvalues of"
+                        + " the system. Beside it the built-in solver that is nearest.", region)));
         pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.", figures.energy()));
         pictures.add(Picture.chart("work-precision", "The error after eight seconds against the work: lower left is better.", figures.workPrecision()));
-        return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures, List.of(figures.facts())));
+        return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures,
+                Stream.concat(Stream.of(figures.facts()), figures.growth().stream()).toList()));
     }
 }

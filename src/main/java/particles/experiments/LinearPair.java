@@ -1,21 +1,24 @@
 package particles.experiments;
 
-import deSolvers.SecondOrderStateSource;
+import deSolvers.DEStateSource;
 
 /**
- * Two linear equations s' = M s as a source: the test equation y' = lambda y with the real and the imaginary part of y as
- * its state, or one damped spring for the methods that need positions and velocities.
+ * Two linear equations (x, v)' = M (x, v) as a source, three times over in the order (x1, x2, x3, v1, v2, v3) that methods for
+ * positions and velocities expect. The first copy starts at (1, 0) and the second at (0, 1), so that one step shows the 2 x 2
+ * matrix by which it multiplies; the third starts at (1, 1) and ends at the sum of the two, if the step is linear.
  */
-final class LinearPair implements SecondOrderStateSource {
+class LinearPair implements DEStateSource {
+    private static final int COPIES = 3;
     private final double[] matrix;
-    private final double[] state = new double[2];
+    private final double[] state = new double[2 * COPIES];
     private double time;
+    private long evaluations;
 
-    private LinearPair(double... matrix) {
+    LinearPair(double... matrix) {
         this.matrix = matrix;
     }
 
-    /** @return y' = (re + i im) y */
+    /** @return the test equation y' = (re + i im) y, with the real part of y as x and the imaginary one as v */
     static LinearPair testEquation(double re, double im) {
         return new LinearPair(re, -im, im, re);
     }
@@ -23,47 +26,70 @@ final class LinearPair implements SecondOrderStateSource {
     /**
      * @param stiffness omega&sup2; (1/s&sup2;)
      * @param damping   c (1/s)
-     * @return x'' = -omega&sup2; x - c x'
+     * @return x'' = -omega&sup2; x - c x', for the methods that need positions and velocities
      */
     static LinearPair spring(double stiffness, double damping) {
-        return new LinearPair(0, 1, -stiffness, -damping);
+        return new LinearSpring(stiffness, damping);
     }
 
-    void start(double first, double second) {
-        state[0] = first;
-        state[1] = second;
+    /** @param size of the unit vectors at which the copies start */
+    void start(double size) {
+        double[] x = {size, 0, size, 0, size, size};
+        System.arraycopy(x, 0, state, 0, x.length);
         time = 0;
     }
 
-    double first() {
-        return state[0];
+    /** @return the matrix that multiplied the start, row by row, for a start of size 1 */
+    double[] product() {
+        return new double[] {state[0], state[1], state[COPIES], state[COPIES + 1]};
     }
 
-    double second() {
-        return state[1];
+    /** @return by how much the third copy is not the sum of the two others, relative to the largest entry; 0 if all are 0 */
+    double nonlinearity() {
+        double largest = Math.max(size(), Double.MIN_NORMAL);
+        return Math.max(Math.abs(state[0] + state[1] - state[2]), Math.abs(state[COPIES] + state[COPIES + 1] - state[COPIES + 2])) / largest;
+    }
+
+    /** @return the largest entry */
+    double size() {
+        double largest = 0;
+        for (double entry : state) {
+            largest = Math.abs(entry) <= largest ? largest : Math.abs(entry);       // NaN stays
+        }
+        return largest;
+    }
+
+    /** @return how often the derivative was asked for */
+    long evaluations() {
+        return evaluations;
+    }
+
+    double damping() {
+        return -matrix[3];
     }
 
     @Override
     public int getStateSize() {
-        return 2;
+        return state.length;
     }
 
     @Override
     public void getState(double[] copy) {
-        copy[0] = state[0];
-        copy[1] = state[1];
+        System.arraycopy(state, 0, copy, 0, state.length);
     }
 
     @Override
     public void setState(double[] newState) {
-        state[0] = newState[0];
-        state[1] = newState[1];
+        System.arraycopy(newState, 0, state, 0, state.length);
     }
 
     @Override
     public void getStateDerivative(double[] dSdt) {
-        dSdt[0] = matrix[0] * state[0] + matrix[1] * state[1];
-        dSdt[1] = matrix[2] * state[0] + matrix[3] * state[1];
+        evaluations++;
+        for (int k = 0; k < COPIES; k++) {
+            dSdt[k] = matrix[0] * state[k] + matrix[1] * state[k + COPIES];
+            dSdt[k + COPIES] = matrix[2] * state[k] + matrix[3] * state[k + COPIES];
+        }
     }
 
     @Override
@@ -74,15 +100,5 @@ final class LinearPair implements SecondOrderStateSource {
     @Override
     public void incTime(double deltaT) {
         time += deltaT;
-    }
-
-    @Override
-    public int getDimension() {
-        return 1;
-    }
-
-    @Override
-    public boolean accelerationDependsOnVelocity() {
-        return matrix[3] != 0;
     }
 }

@@ -91,7 +91,7 @@ public final class SceneStability {
         if (solver.info().isEmpty()) {
             return bisected(solver, Double.NaN, 2 / fastest.size(), fastest);
         }
-        SpectrumLimit theory = new SpectrumLimit(new Amplification(solver.info().get()), solver.info().get().secondOrder(), spectrum);
+        SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()), solver.info().get().secondOrder(), spectrum);
         double predicted = theory.deltaT();
         Mode most = theory.growingMost(scene.deltaT());
         if (solver.adaptive() || predicted == Double.POSITIVE_INFINITY) {

@@ -59,7 +59,7 @@ public final class SceneStabilityCharts {
         }
         for (Limit limit : limits) {
             if (isFinite(limit)) {
-                SpectrumLimit theory = new SpectrumLimit(new Amplification(limit.solver().info().orElseThrow()),
+                SpectrumLimit theory = new SpectrumLimit(Amplification.of(limit.solver().info().orElseThrow()),
                         limit.solver().info().orElseThrow().secondOrder(), spectrum);
                 List<Double> x = new ArrayList<>();
                 List<Double> y = new ArrayList<>();

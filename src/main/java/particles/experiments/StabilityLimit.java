@@ -9,7 +9,7 @@ import java.util.function.DoubleUnaryOperator;
  * @param value  the largest h |lambda| from which 0 on nothing grows; 0 if it always grows, infinite if it never does
  * @param growth what a step at h |lambda| = {@value #SMALL} adds to the amplitude, as a part of it
  */
-record StabilityLimit(double value, double growth) {
+public record StabilityLimit(double value, double growth) {
     /** Where growth is measured that no shorter step ends. */
     static final double SMALL = 0.1;
     /** Growth there is known to a few roundings; bulirsch-stoer's is 9e-14, and still it grows. */
@@ -24,7 +24,7 @@ record StabilityLimit(double value, double growth) {
      * @param amplification of h |lambda|
      * @return the limit; beyond a million is unbounded
      */
-    static StabilityLimit measure(DoubleUnaryOperator amplification) {
+    public static StabilityLimit measure(DoubleUnaryOperator amplification) {
         double growth = amplification.applyAsDouble(SMALL) - 1;
         if (growth > LEAST_GROWTH) {
             return new StabilityLimit(0, growth);

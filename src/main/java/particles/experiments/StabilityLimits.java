@@ -39,12 +39,12 @@ public final class StabilityLimits {
     }
 
     static StabilityLimit real(SolverInfo info) {
-        Amplification amplification = new Amplification(info);
+        Amplification amplification = Amplification.of(info);
         return StabilityLimit.measure(h -> amplification.at(-h, 0));
     }
 
     static StabilityLimit imaginary(SolverInfo info) {
-        Amplification amplification = new Amplification(info);
+        Amplification amplification = Amplification.of(info);
         return StabilityLimit.measure(h -> amplification.at(0, h));
     }
 

@@ -83,7 +83,7 @@ final class KicksDiagnosis {
         Optional<Known> exact = ALL.stream().filter(known -> differences(known, step).isEmpty()).findFirst();
         if (exact.isPresent() && exact.get() == EULER && promised(className).isPresent() && promised(className).get() == SYMPLECTIC) {
             findings.addAll(eulerInstead(className).stream().toList());
-            return new Diagnosis("This is the Euler method.", findings, new double[0]);
+            return new Diagnosis("This is the Euler method.", findings);
         }
         if (exact.isPresent() && promisesEuler && exact.get() != EULER && exact.get().v.length == 1) {
             findings.add(new Finding(Kind.METHOD, "the position is updated with the new velocity; the slide's Euler method takes the old one:"
@@ -99,7 +99,7 @@ final class KicksDiagnosis {
         findings.addAll(differences);
         String identity = exact.isPresent() ? "This is " + exact.get().name + "."
                 : "This is nearest to " + promised.name + ", but for what is wrong below.";
-        return new Diagnosis(identity, findings, new double[0]);
+        return new Diagnosis(identity, findings);
     }
 
     private static List<Finding> differences(Known known, ExtractedKicks step) {

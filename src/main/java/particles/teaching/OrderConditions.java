@@ -35,25 +35,6 @@ final class OrderConditions {
         return four ? 4 : 3;
     }
 
-    /**
-     * The stability polynomial.
-     *
-     * @param a the rows
-     * @param b the weights
-     * @return the coefficients of R(z) = 1 + sum_k b A^(k-1) 1 z^k, that of z^k at k
-     */
-    static double[] stabilityPolynomial(double[][] a, double[] b) {
-        double[] r = new double[b.length + 1];
-        double[] power = new double[b.length];
-        Arrays.fill(power, 1);
-        r[0] = 1;
-        for (int k = 1; k <= b.length; k++) {
-            r[k] = dot(b, power);
-            power = times(a, power);
-        }
-        return r;
-    }
-
     private static boolean is(double x, double y) {
         return Math.abs(x - y) <= ROUNDING;
     }

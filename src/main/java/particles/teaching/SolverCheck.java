@@ -48,14 +48,15 @@ public final class SolverCheck {
             if (!Double.isFinite(MethodDifferences.sum(source.state()))) {
                 return new SolverVerdict("It makes no step.", List.of(new Finding(Kind.STATE, "the new state is NaN or infinite although state"
                         + " and derivative are finite: look for 0/0, the root of a negative number, or a division by something that is 0")),
-                        new double[0]);
+                        false);
             }
         } catch (RuntimeException e) {
             return new SolverVerdict("It makes no step.", List.of(new Finding(Kind.FAILURE, "stepState ends in an exception: "
-                    + StudentFailure.describe(e))), new double[0]);
+                    + StudentFailure.describe(e))), false);
         }
         boolean remembers = remembers();
-        Diagnosis diagnosis = remembers ? measured(evaluations(1.0 / 16) == evaluations(8))
+        boolean multistep = remembers && evaluations(1.0 / 16) == evaluations(8);
+        Diagnosis diagnosis = remembers ? measured(multistep)
                 : tableau().or(this::kicks).orElseGet(() -> measured(false));
         diagnosis.findings().stream().filter(finding -> !findings.contains(finding)).forEach(findings::add);
         if (!remembers || findings.isEmpty()) {
@@ -65,7 +66,7 @@ public final class SolverCheck {
                 findings.add(new Finding(Kind.FAILURE, "stepState ends in an exception: " + StudentFailure.describe(e)));
             }
         }
-        return new SolverVerdict(diagnosis.identity(), findings, diagnosis.polynomial());
+        return new SolverVerdict(diagnosis.identity(), findings, multistep);
     }
 
     /** Where the formula is wrong already, a contract that is broken for the same reason is not said again. */
@@ -187,7 +188,7 @@ public final class SolverCheck {
                     + measured.points().stream().map(point -> Formula.number(point[1])).toList()
                     + " with deltaT = " + measured.points().stream().map(point -> Formula.number(point[0])).toList()));
         }
-        return new Diagnosis(identity, found, new double[0]);
+        return new Diagnosis(identity, found);
     }
 
     private int evaluations(double deltaT) {

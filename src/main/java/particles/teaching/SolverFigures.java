@@ -17,13 +17,16 @@ import particles.DataTable;
  *
  * @param facts         the numbers
  * @param order         error against deltaT
- * @param region        where it is stable, if it has a stability polynomial
+ * @param region        where it is stable, if steps of its own have something to say of that
+ * @param growth        what a step multiplies by, likewise
  * @param energy        the energy of a spring over time
  * @param workPrecision error against evaluations, beside other solvers
  */
-public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData> region, ChartData energy, ChartData workPrecision) {
+public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData> region, Optional<DataTable> growth, ChartData energy,
+                             ChartData workPrecision) {
     private static final double ENERGY_STEP = 0.1;
     private static final int ENERGY_STEPS = 2000;
+    private static final int BEGINNING = 12;
     private static final double BLOWN_UP = 1e12;
     private static final List<String> BESIDE = List.of("midpoint", "rk4", "verlet");
 
@@ -38,8 +41,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     public static SolverFigures of(String name, Supplier<DESolver> maker, SolverVerdict verdict) {
         OrderMeasurement order = OrderMeasurement.of(maker);
         List<double[]> energy = energy(maker);
-        Optional<ChartData> region = verdict.polynomial().length == 0 ? Optional.empty()
-                : Optional.of(StabilityRegion.chart(name, verdict.polynomial()));
+        StabilityFigures stability = StabilityFigures.of(name, maker, verdict.multistep());
         List<Series> energies = new ArrayList<>(List.of(series(name, Mark.LINE, energy)));
         List<Series> work = new ArrayList<>(List.of(series(name, Mark.LINE_AND_POINTS, work(maker))));
         for (String other : BESIDE) {
@@ -48,9 +50,10 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                 work.add(series(other, Mark.LINE_AND_POINTS, work(() -> SolverCatalog.create(other))));
             }
         }
-        return new SolverFigures(facts(maker, verdict, order, energy),
+        return new SolverFigures(facts(maker, verdict, order, energy, stability),
                 new ChartData(String.format(Locale.ROOT, "The error falls as deltaT^%.2f", order.order()), "deltaT (s)", "error after 2 s", true,
-                        true, List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), region,
+                        true, List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
+                stability.growth(),
                 new ChartData("Energy of a spring, deltaT = 0.1 s", "time (s)", "|energy / first energy - 1|", false, true, energies),
                 new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true, work));
     }
@@ -88,32 +91,29 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         return points;
     }
 
-    private static DataTable facts(Supplier<DESolver> maker, SolverVerdict verdict, OrderMeasurement order, List<double[]> energy) {
+    private static DataTable facts(Supplier<DESolver> maker, SolverVerdict verdict, OrderMeasurement order, List<double[]> energy,
+                                   StabilityFigures stability) {
         List<List<Object>> rows = new ArrayList<>();
         rows.add(List.of("order, measured", text(order.order()), "over the same time the error falls as deltaT to this power"));
-        Springs small = step(maker, 0.1);
-        Springs large = step(maker, 1);
-        rows.add(List.of("evaluations in a step", String.valueOf(large.evaluations()), small.evaluations() == large.evaluations()
-                ? "for any deltaT" : "with deltaT = 1 s; " + small.evaluations() + " with 0.1 s"));
-        rows.add(List.of("amplitude of a spring, a step of deltaT omega = 1", text(large.amplification()),
-                "exactly 1; more grows without end, less is damped"));
-        rows.add(List.of("the same with deltaT omega = 0.1", text(small.amplification()), "exactly 1"));
-        double area = large.area() - 1;
-        boolean fixed = small.evaluations() == large.evaluations();
-        rows.add(List.of("area in state space, a step of deltaT omega = 1", text(large.area()), !fixed
-                ? "off by what the tolerance lets pass" : Math.abs(area) > 1e-10 ? "not symplectic: " + (area > 0 ? "gains" : "loses") + " area"
-                : "symplectic on the spring: areas are kept"));
+        int small = evaluations(maker, 0.1);
+        int large = evaluations(maker, 1);
+        rows.add(List.of("evaluations in a step", String.valueOf(large), small == large ? "for any deltaT"
+                : "with deltaT = 1 s; " + small + " with 0.1 s"));
+        if (!verdict.multistep()) {                     // else a step does not multiply the state by a matrix
+            Springs springs = step(maker, 1);
+            rows.add(List.of("amplitude of a spring, a step of deltaT omega = 1", text(springs.amplification()),
+                    "exactly 1; more grows without end, less is damped"));
+            rows.add(List.of("the same with deltaT omega = 0.1", text(step(maker, 0.1).amplification()), "exactly 1"));
+            double area = springs.area() - 1;
+            rows.add(List.of("area in state space, a step of deltaT omega = 1", text(springs.area()), small != large
+                    ? "off by what the tolerance lets pass" : Math.abs(area) > 1e-10 ? "not symplectic: " + (area > 0 ? "gains" : "loses") + " area"
+                    : "symplectic on the spring: areas are kept"));
+        }
         double back = back(maker);
         rows.add(List.of("a step and the same step back", text(back), back < 1e-12 ? "reversible: it ends where it began" : "not reversible"));
         double worst = energy.stream().mapToDouble(p -> p[1]).max().orElse(Double.NaN);
         rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(worst), "relative"));
-        if (verdict.polynomial().length > 0) {
-            rows.add(List.of("largest stable deltaT |lambda|, damping", text(StabilityRegion.reach(verdict.polynomial(), 180)),
-                    "on the negative real axis"));
-            double imaginary = StabilityRegion.reach(verdict.polynomial(), 90);
-            rows.add(List.of("largest stable deltaT omega, undamped spring", text(imaginary < 0.01 ? 0 : imaginary),
-                    "on the imaginary axis" + (imaginary < 0.01 ? "; it always grows" : "")));
-        }
+        rows.addAll(stability.rows());
         return new DataTable("facts", "What it does", List.of(DataTable.column("property"), DataTable.column("value"), DataTable.column("meaning")),
                 rows);
     }
@@ -126,6 +126,18 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         Springs springs = new Springs();
         maker.get().stepState(springs, h);
         return springs;
+    }
+
+    /** In a later step, when what is needed to begin with is there. */
+    private static int evaluations(Supplier<DESolver> maker, double h) {
+        Springs springs = new Springs();
+        DESolver solver = maker.get();
+        int before = 0;
+        for (int step = 0; step < BEGINNING; step++) {
+            before = springs.evaluations();
+            solver.stepState(springs, h);
+        }
+        return springs.evaluations() - before;
     }
 
     private static double back(Supplier<DESolver> maker) {

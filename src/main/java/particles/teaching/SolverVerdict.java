@@ -5,11 +5,11 @@ import java.util.List;
 /**
  * What a solver is, and what was found.
  *
- * @param identity   what method it is, in a sentence
- * @param findings   mistakes and advice
- * @param polynomial the coefficients of its stability polynomial from z^0 on; empty if it has none
+ * @param identity  what method it is, in a sentence
+ * @param findings  mistakes and advice
+ * @param multistep whether a step uses earlier ones
  */
-public record SolverVerdict(String identity, List<Finding> findings, double[] polynomial) {
+public record SolverVerdict(String identity, List<Finding> findings, boolean multistep) {
 
     /** Copies the list. */
     public SolverVerdict {

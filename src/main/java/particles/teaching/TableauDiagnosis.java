@@ -52,10 +52,10 @@ final class TableauDiagnosis {
         boolean clock = checkClock();
         boolean end = checkState() && checkDeltaT();
         if (step.stages() == 0) {
-            return new Diagnosis("It makes no step.", findings, new double[0]);
+            return new Diagnosis("It makes no step.", findings);
         }
         String identity = compare(end, clock);
-        return new Diagnosis(identity, findings, end ? OrderConditions.stabilityPolynomial(a, b) : new double[0]);
+        return new Diagnosis(identity, findings);
     }
 
     /** @return whether the clock tells more than what was said */

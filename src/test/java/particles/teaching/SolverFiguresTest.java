@@ -1,7 +1,6 @@
 package particles.teaching;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.catalog.SolverCatalog;
@@ -44,7 +43,8 @@ class SolverFiguresTest {
         assertTrue(value(verlet, "a step and the same step back").contains("reversible: it ends where it began"));
         // the invariant x^2 (1 - h^2/4) + v^2 keeps the energy within h^2/4 = 0.0025
         assertEquals(0.0025, number(verlet, "largest energy error"), 1e-5);
-        assertFalse(verlet.region().isPresent());
+        assertEquals(2, number(verlet, "largest stable deltaT omega"), 5e-8);
+        assertTrue(verlet.region().isPresent());
     }
 
     @Test

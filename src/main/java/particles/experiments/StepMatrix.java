@@ -1,0 +1,85 @@
+package particles.experiments;
+
+import deSolvers.DESolver;
+
+/**
+ * The 2 x 2 matrix by which a step multiplies the state (x, v) of a linear system.
+ *
+ * @param xx            of x in the new x
+ * @param xv            of v in the new x
+ * @param vx            of x in the new v
+ * @param vv            of v in the new v
+ * @param nonlinearity  how far the step is from multiplying by any matrix, as a part of the largest entry
+ */
+public record StepMatrix(double xx, double xv, double vx, double vv, double nonlinearity) {
+
+    /**
+     * A step of deltaT = 1 on the test equation.
+     *
+     * @param solver one that remembers nothing
+     * @param re     real part of lambda
+     * @param im     its imaginary part
+     * @return the matrix; of a method that treats all entries of the state alike it is (a, -b; b, a) with R = a + i b
+     */
+    public static StepMatrix onTestEquation(DESolver solver, double re, double im) {
+        return of(solver, LinearPair.testEquation(re, im), 1, 1, 1);
+    }
+
+    /**
+     * @param solver one that remembers nothing
+     * @param source the system
+     * @param steps  how many
+     * @param deltaT the time step
+     * @param size   of the state at its start
+     * @return the matrix of all these steps
+     */
+    static StepMatrix of(DESolver solver, LinearPair source, int steps, double deltaT, double size) {
+        source.start(size);
+        for (int i = 0; i < steps; i++) {
+            solver.stepState(source, deltaT);
+        }
+        StepMatrix sized = of(source);
+        return new StepMatrix(sized.xx / size, sized.xv / size, sized.vx / size, sized.vv / size, sized.nonlinearity);
+    }
+
+    static StepMatrix of(LinearPair source) {
+        double[] m = source.product();
+        return new StepMatrix(m[0], m[1], m[2], m[3], source.nonlinearity());
+    }
+
+    /** @return by how much it multiplies areas in state space */
+    double determinant() {
+        return xx * vv - xv * vx;
+    }
+
+    /** @return the larger modulus of its eigenvalues */
+    double radius() {
+        double half = (xx + vv) / 2;
+        double discriminant = half * half - determinant();
+        return discriminant < 0 ? Math.sqrt(determinant()) : Math.abs(half) + Math.sqrt(discriminant);
+    }
+
+    /** @return what an earlier matrix has to be multiplied by from the left to become this */
+    StepMatrix over(StepMatrix earlier) {
+        double d = earlier.determinant();
+        return new StepMatrix((xx * earlier.vv - xv * earlier.vx) / d, (xv * earlier.xx - xx * earlier.xv) / d,
+                (vx * earlier.vv - vv * earlier.vx) / d, (vv * earlier.xx - vx * earlier.xv) / d, nonlinearity);
+    }
+
+    boolean isIdentity() {
+        return xx == 1 && xv == 0 && vx == 0 && vv == 1;
+    }
+
+    /** @return how far it is from multiplying x + i v by one complex number, as a part of the largest entry */
+    double distinction() {
+        return new StepMatrix(xx, -vx, vx, xx, 0).difference(this);
+    }
+
+    /** @return the largest difference of the entries, as a part of the largest */
+    double difference(StepMatrix other) {
+        double largest = Math.max(Math.max(Math.abs(xx), Math.abs(xv)), Math.max(Math.abs(vx), Math.abs(vv)));
+        double difference = Math.max(Math.max(Math.abs(xx - other.xx), Math.abs(xv - other.xv)),
+                Math.max(Math.abs(vx - other.vx), Math.abs(vv - other.vv)));
+        return difference / Math.max(largest, Double.MIN_NORMAL);
+    }
+}
