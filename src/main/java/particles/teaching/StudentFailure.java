@@ -1,26 +1,45 @@
 package particles.teaching;
 
+import java.security.CodeSource;
+import java.util.Arrays;
+import java.util.Optional;
+
 /** Says where in a student's class something went wrong. */
 final class StudentFailure {
     private StudentFailure() {
     }
 
-    /** @return the exception and the first line of a class that is neither the JDK's nor the checker's, if there is one */
+    /** @return the exception and the line of the student's class that led to it, if there is one */
     static String describe(Throwable thrown) {
         return thrown + place(thrown.getStackTrace());
     }
 
-    /** @return such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}; empty if no such line is there */
+    /**
+     * @return such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that is neither the JDK's
+     *         nor the program's; if there is none, the innermost of the program outside the checker; empty without either
+     */
     static String place(StackTraceElement[] stack) {
-        for (StackTraceElement frame : stack) {
-            String name = frame.getClassName();
-            boolean machinery = name.startsWith("java.") || name.startsWith("jdk.") || name.startsWith("sun.")
-                    || name.startsWith("particles.teaching.") && !name.contains("Planted");
-            if (!machinery) {
-                return ", in " + name.replaceAll(".*[.$]", "") + "." + frame.getMethodName() + ", line " + frame.getLineNumber() + " of "
-                        + frame.getFileName();
-            }
+        Optional<StackTraceElement> found = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && !isOurs(frame)).findFirst()
+                .or(() -> Arrays.stream(stack).filter(frame -> !isOfJava(frame) && !frame.getClassName().startsWith("particles.teaching.")).findFirst());
+        return found.map(frame -> ", in " + frame.getClassName().replaceAll(".*[.$]", "") + "." + frame.getMethodName() + ", line "
+                + frame.getLineNumber() + " of " + frame.getFileName()).orElse("");
+    }
+
+    private static boolean isOfJava(StackTraceElement frame) {
+        return frame.getClassName().matches("(java|javax|jdk|sun)[.].*");
+    }
+
+    /** Students' classes come from another place than the program's, whatever their package is. */
+    private static boolean isOurs(StackTraceElement frame) {
+        try {
+            return from(Class.forName(frame.getClassName(), false, Thread.currentThread().getContextClassLoader()))
+                    .equals(from(StudentFailure.class));
+        } catch (ClassNotFoundException e) {
+            return false;                               // not even in sight of the program
         }
-        return "";
+    }
+
+    private static Optional<CodeSource> from(Class<?> type) {
+        return Optional.ofNullable(type.getProtectionDomain().getCodeSource());
     }
 }

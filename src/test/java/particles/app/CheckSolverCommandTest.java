@@ -11,7 +11,6 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,39 +107,28 @@ class CheckSolverCommandTest {
         assertTrue(here(ExitCode.BAD_INPUT, "HeunSolver", folder).contains("no class is called 'exercises.HeunSolver', and no solver; known"));
     }
 
-    /** The screen, after a look at the report that has to say the same. */
-    private static String screenOfProcess(Class<?> solver, Path folder) throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m", "-XX:TieredStopAtLevel=1", "-cp",
-                System.getProperty("java.class.path"), Main.class.getName(), "checkSolver", "--solver=" + solver.getName(), "--inThisProcess", "--out=" + folder)
-                .redirectErrorStream(true).start();
-        String screen = new String(process.getInputStream().readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
-        assertTrue(process.waitFor(120, TimeUnit.SECONDS));
-        assertEquals(ExitCode.BAD_INPUT.code(), process.exitValue(), screen);
-        String report = Files.readString(folder.resolve("checkSolver.md"));
-        assertTrue(report.startsWith("# " + solver.getName() + ": the check did not come to its end."), report);
-        String failure = screen.lines().findFirst().orElseThrow().replaceFirst("failure: ", "");
-        assertTrue(report.contains("- **failure**: " + failure), report);
-        return screen;
+    private static String failure(Class<?> solver, Path folder) throws IOException, InterruptedException {
+        return CheckProcess.failureOf("checkSolver", "--solver=", solver, folder);
     }
 
     @Test
     void aClassThatEndsTheProgramIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(screenOfProcess(Exits.class, folder).startsWith("failure: the class ends the whole program (System.exit), in Exits.stepState, line "));
+        assertTrue(failure(Exits.class, folder).startsWith("failure: the class ends the whole program (System.exit), in Exits.stepState, line "));
     }
 
     @Tag("slow")
     @Test
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(screenOfProcess(Loops.class, folder).startsWith("failure: it did not come back within 8 s: an endless loop, in Loops.stepState, line "));
+        assertTrue(failure(Loops.class, folder).startsWith("failure: it did not come back within 8 s: an endless loop, in Loops.stepState, line "));
     }
 
     @Test
     void aMethodThatCallsItselfIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(screenOfProcess(Overflows.class, folder).startsWith("failure: the stack overflows: a method calls itself without end, in Overflows."));
+        assertTrue(failure(Overflows.class, folder).startsWith("failure: the stack overflows: a method calls itself without end, in Overflows."));
     }
 
     @Test
     void hugeArraysAreFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(screenOfProcess(Hoards.class, folder).startsWith("failure: it asks for more memory than the 256 MB that there are, in Hoards.stepState"));
+        assertTrue(failure(Hoards.class, folder).startsWith("failure: it asks for more memory than the 256 MB that there are, in Hoards.stepState"));
     }
 }

@@ -1,0 +1,42 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+
+/** A check in a process with as little memory as the program gives it, of a class that does not come back. */
+final class CheckProcess {
+    private static final int PATIENCE_SECONDS = 120;
+
+    private CheckProcess() {
+    }
+
+    /**
+     * Runs the check, which has to end with the code for what is typed wrong, and holds the report to saying what the screen says.
+     *
+     * @param command checkSolver or checkEffect
+     * @param option  that names the class
+     * @param planted the class
+     * @param folder  for the report
+     * @return the screen's first line
+     */
+    static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m",
+                "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), Main.class.getName(), command,
+                option + planted.getName(), "--inThisProcess", "--out=" + folder).redirectErrorStream(true).start();
+        String screen = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertEquals(ExitCode.BAD_INPUT.code(), process.exitValue(), screen);
+        String report = Files.readString(folder.resolve(command + ".md"));
+        assertTrue(report.startsWith("# " + planted.getName() + ": the check did not come to its end."), report);
+        String first = screen.lines().findFirst().orElseThrow();
+        assertTrue(report.contains("- **failure**: " + first.replaceFirst("failure: ", "")), report);
+        assertTrue(screen.contains("report: " + folder.resolve(command + ".md")), screen);
+        return first;
+    }
+}
