@@ -1,0 +1,237 @@
+package deSolvers;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What solvers are given by their guard, call by call; the contract of every solver is tested in {@link DESolverContract}. */
+class GuardedStepTest {
+    private static final double START = 0.75;
+    private static final double DELTA_T = 0.25;
+
+    /** Falls, whatever its state: ds/dt = -1 in every entry. */
+    private static class Falling implements DEStateSource {
+        double[] state;
+        double time = START;
+        double slope = -1;
+        int timesSet;
+
+        Falling(int n) {
+            state = new double[n];
+        }
+
+        @Override
+        public int getStateSize() {
+            return state.length;
+        }
+
+        @Override
+        public void getState(double[] copy) {
+            System.arraycopy(state, 0, copy, 0, state.length);
+        }
+
+        @Override
+        public void setState(double[] values) {
+            timesSet++;
+            System.arraycopy(values, 0, state, 0, state.length);
+        }
+
+        @Override
+        public void getStateDerivative(double[] dSdt) {
+            for (int i = 0; i < dSdt.length; i++) {
+                dSdt[i] = slope + 0 * state[i];
+            }
+        }
+
+        @Override
+        public double getTime() {
+            return time;
+        }
+
+        @Override
+        public void incTime(double deltaT) {
+            time += deltaT;
+        }
+    }
+
+    /** The same, with its arrays on offer. */
+    private static final class FallingArrays extends Falling implements ArrayStateSource {
+        FallingArrays(int n) {
+            super(n);
+        }
+
+        @Override
+        public double[] getStateArray() {
+            return state;
+        }
+
+        @Override
+        public void getStateDerivative(double[] given, double[] dSdt) {
+            Arrays.fill(dSdt, slope);
+        }
+
+        @Override
+        public double[] exchangeState(double[] given) {
+            double[] old = state;
+            state = given;
+            return old;
+        }
+    }
+
+    private static double[] filled(int n, double value) {
+        double[] array = new double[n];
+        Arrays.fill(array, value);
+        return array;
+    }
+
+    @Test
+    void aStepStandsForItsClient() {
+        Falling client = new Falling(2);
+        GuardedStep guard = new GuardedStep(new EulerSolver());
+        try (GuardedStep step = guard.begin(client, DELTA_T)) {
+            assertSame(client, step.getClient());
+            assertEquals(START, step.getStartTime());
+            assertEquals(START + DELTA_T, step.getEndTime());
+            assertEquals(2, step.getStateSize());
+            step.setState(new double[] {3, 4});
+            assertArrayEquals(new double[] {3, 4}, client.state);
+            assertArrayEquals(new double[2], step.getStartState());
+            double[] copy = new double[2];
+            step.getState(copy);
+            assertArrayEquals(client.state, copy);
+            step.incTime(DELTA_T / 2);
+            assertEquals(START + DELTA_T / 2, step.getTime());
+            step.setOffset(-DELTA_T);
+            assertEquals(START - DELTA_T, client.time);
+            assertEquals("a step of EulerSolver from t = 0.75 with [0.0, 0.0]", step.toString());
+        }
+        assertArrayEquals(new double[2], client.state, "nothing was finished");
+        assertEquals(START, client.time);
+    }
+
+    /** The state is set where it is another one than the client's, the first one too after a trial, and only there. */
+    @Test
+    void aDerivativeIsTakenAtTheStateAskedFor() {
+        Falling client = new Falling(1);
+        double[] dSdt = new double[1];
+        try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(client, DELTA_T)) {
+            step.getStateDerivative(step.getStartState(), dSdt);
+            assertEquals(0, client.timesSet, "the client is there already");
+            step.getStateDerivative(new double[] {5}, dSdt);
+            assertEquals(5, client.state[0]);
+            step.getStateDerivative(step.getStartState(), dSdt);
+            assertEquals(0, client.state[0]);
+            assertEquals(2, client.timesSet);
+            step.setState(new double[] {6});
+            step.getStateDerivative(step.getStartState(), dSdt);
+            assertEquals(0, client.state[0]);
+        }
+    }
+
+    /** From 64 entries on arrays change hands; a client of the simple interface, or a step of no time, copies. */
+    @Test
+    void largeArraysAreExchangedAndSmallOnesCopied() {
+        for (int n : new int[] {63, 64, 65}) {
+            FallingArrays client = new FallingArrays(n);
+            double[] old = client.state;
+            double[] next = filled(n, -1);
+            try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(client, DELTA_T)) {
+                double[] free = step.handOver(next);
+                assertSame(n < 64 ? next : old, free);
+                assertSame(n < 64 ? old : next, client.state);
+            }
+            assertArrayEquals(filled(n, -1), client.state);
+            assertEquals(START + DELTA_T, client.time);
+        }
+        FallingArrays still = new FallingArrays(64);
+        double[] old = still.state;
+        try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(still, 0)) {
+            double[] next = filled(64, -1);
+            assertSame(next, step.handOver(next));
+        }
+        assertSame(old, still.state);
+        assertArrayEquals(new double[64], still.state);
+        Falling simple = new Falling(64);
+        try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(simple, DELTA_T)) {
+            double[] next = filled(64, -1);
+            assertSame(next, step.handOver(next));
+        }
+        assertArrayEquals(filled(64, -1), simple.state);
+    }
+
+    /** Once a client's own array was moved, it is the copy that says where the step began. */
+    @Test
+    void anArrayThatASolverMovesIsCopiedFirst() {
+        FallingArrays client = new FallingArrays(64);
+        GuardedStep guard = new GuardedStep(new EulerSolver());
+        try (GuardedStep step = guard.begin(client, DELTA_T)) {
+            assertSame(client.state, step.getStartState());
+            step.setState(filled(64, 9));
+            assertNotSame(client.state, step.getStartState());
+            assertArrayEquals(new double[64], step.getStartState());
+        }
+        assertArrayEquals(new double[64], client.state);
+    }
+
+    /** The cause comes first: a state that was bad before the step, then a bad derivative, and only then the step's size. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theFirstCauseIsNamed(boolean arrays) {
+        Falling client = arrays ? new FallingArrays(64) : new Falling(64);
+        double[] beyond = filled(64, 0);
+        beyond[40] = Double.POSITIVE_INFINITY;
+        assertMessage(client, beyond, "entry 40 of the state became Infinity within the step");
+        client.slope = Double.NaN;
+        assertMessage(client, beyond, "entry 0 of the derivative is NaN at t = 0.75");
+        client.state[17] = Double.NaN;
+        assertMessage(client, beyond, "entry 17 of the state is NaN before the step");
+        client.slope = -1;
+        assertMessage(client, beyond, "entry 17 of the state is NaN before the step");
+    }
+
+    private static void assertMessage(Falling client, double[] end, String part) {
+        double[] before = client.state.clone();
+        GuardedStep guard = new GuardedStep(new EulerSolver());
+        for (boolean hand : new boolean[] {false, true}) {
+            DESolverException e = assertThrows(DESolverException.class, () -> {
+                try (GuardedStep step = guard.begin(client, DELTA_T)) {
+                    step.incTime(DELTA_T);
+                    if (hand) {
+                        step.handOver(end);
+                    } else {
+                        step.finish(end);
+                    }
+                }
+            });
+            assertTrue(e.getMessage().contains(part), e.getMessage());
+            assertEquals(START, client.time);
+            assertArrayEquals(before, client.state);
+        }
+    }
+
+    /** A derivative that a solver looks at by itself. */
+    @Test
+    void aBadStateIsTheCauseOfABadDerivative() {
+        Falling client = new Falling(3);
+        try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(client, DELTA_T)) {
+            step.requireFinite(new double[3]);
+            DESolverException e = assertThrows(DESolverException.class, () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
+            assertTrue(e.getMessage().contains("entry 1 of the derivative is NaN"), e.getMessage());
+            assertEquals(1, e.getEntry());
+        }
+        client.state[2] = Double.NEGATIVE_INFINITY;
+        try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(client, DELTA_T)) {
+            DESolverException e = assertThrows(DESolverException.class, () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
+            assertTrue(e.getMessage().contains("entry 2 of the state is -Infinity before the step"), e.getMessage());
+            assertEquals(2, e.getEntry());
+        }
+    }
+}
