@@ -1,6 +1,7 @@
 package particles.scene;
 
 import deSolvers.catalog.SolverCatalog;
+import hunts.TaskOptions;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
@@ -12,7 +13,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import particles.Motion;
 import particles.Observer;
@@ -143,16 +143,18 @@ final class SceneFuzzer {
 
     /** @param args {@code --seconds=20}, {@code --executions=10000000}, {@code --seed=1}, each may be left out */
     public static void main(String[] args) throws IOException {
-        TreeMap<String, String> options = new TreeMap<>();
-        for (String arg : args) {
-            String[] parts = arg.split("=", 2);
-            options.put(parts[0], parts.length > 1 ? parts[1] : "");
-        }
-        long seed = Long.parseLong(options.getOrDefault("--seed", Long.toString(System.nanoTime())));
-        double seconds = Double.parseDouble(options.getOrDefault("--seconds", "1200"));
-        long executions = Long.parseLong(options.getOrDefault("--executions", "10000000"));
-        if (!Set.of("--seed", "--seconds", "--executions").containsAll(options.keySet())) {
-            throw new IllegalArgumentException("allowed: -Pseconds, -Pexecutions, -Pseed; not " + options.keySet());
+        long seed;
+        long seconds;
+        long executions;
+        try {
+            TaskOptions options = new TaskOptions(args, List.of("seconds", "executions", "seed"));
+            seed = options.getCount("seed", System.nanoTime());
+            seconds = options.getCount("seconds", 1200);
+            executions = options.getCount("executions", 10_000_000);
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
+            return;
         }
         System.out.println("seed " + seed);
         SceneFuzzer fuzzer = new SceneFuzzer(seed, Path.of("build", "fuzz"));

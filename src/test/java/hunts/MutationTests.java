@@ -1,0 +1,124 @@
+package hunts;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.DidYouMean;
+import java.io.File;
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Changes the solvers and the effects, one instruction at a time, and counts whether a test notices, package by package. A
+ * package's own tests are run against its mutants, and those others that look closely at it: all of them would take hours.
+ * {@code gradle mutationTests -Ppackage=deSolvers.adaptive} runs it for one package.
+ */
+final class MutationTests {
+    /** Of each package, in percent. */
+    private static final double LEAST_KILLED = 85;
+    /** What a test may take longer than without a mutant: twice its time and this much (ms). */
+    private static final int PATIENCE = 4000;
+    private static final Path REPORTS = Path.of("build", "reports", "mutations");
+
+    /** Package, and which tests besides its own look at it. */
+    private static final Map<String, String> PACKAGES = new TreeMap<>(Map.ofEntries(
+            Map.entry("deSolvers", "particles.ArrayStateSourceTest"),
+            Map.entry("deSolvers.adaptive", ""),
+            Map.entry("deSolvers.catalog", ""),
+            Map.entry("deSolvers.extrapolation", ""),
+            Map.entry("deSolvers.implicit", "particles.Implicit*,particles.ParticleJacobianTest,particles.RadauParticlesTest"),
+            Map.entry("deSolvers.multistep", ""),
+            Map.entry("deSolvers.rungeKutta", "deSolvers.adaptive.DormandPrinceSolverTest"),
+            Map.entry("deSolvers.symplectic", ""),
+            Map.entry("particles.effects", "particles.LawsOnRandomSystemsTest,particles.ParticleJacobianTest,particles.ArrayStateSourceTest")));
+
+    private MutationTests() {
+    }
+
+    private static String classesOf(String packageName) {
+        return "~" + packageName.replace(".", "\\.") + "\\.[^.]+";
+    }
+
+    /** @return how PIT is started for a package */
+    private static List<String> command(String packageName) throws URISyntaxException {
+        String others = PACKAGES.get(packageName);
+        Path classes = Path.of(DESolver.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+        return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", System.getProperty("java.class.path"),
+                "org.pitest.mutationtest.commandline.MutationCoverageReport",
+                "--reportDir", REPORTS.resolve(packageName).toString(), "--timestampedReports=false", "--outputFormats", "HTML,CSV",
+                "--targetClasses", classesOf(packageName), "--mutableCodePaths", classes.toString(),
+                "--targetTests", classesOf(packageName) + (others.isEmpty() ? "" : "," + others), "--excludedGroups", "hard,slow",
+                "--sourceDirs", Path.of("src", "main", "java").toString(), "--verbosity=NO_SPINNER",
+                "--timeoutConst", Integer.toString(PATIENCE), "--timeoutFactor", "2",
+                "--threads", Integer.toString(Math.max(1, Runtime.getRuntime().availableProcessors() / 2)),
+                "--jvmArgs", "-Djava.awt.headless=true");
+    }
+
+    private static MutationTable run(String packageName) throws IOException, InterruptedException, URISyntaxException {
+        Files.createDirectories(REPORTS);
+        File log = REPORTS.resolve(packageName + ".log").toFile();
+        Process pit = new ProcessBuilder(command(packageName)).redirectErrorStream(true).redirectOutput(log).start();
+        Thread end = new Thread(() -> {
+            pit.descendants().forEach(ProcessHandle::destroy);
+            pit.destroy();
+        });
+        Runtime.getRuntime().addShutdownHook(end);          // Ctrl-C ends the processes that this one started, too
+        int exitCode = pit.waitFor();
+        Runtime.getRuntime().removeShutdownHook(end);
+        if (exitCode != 0) {
+            throw new IOException("the tests of " + packageName + " could not be run against mutants; see " + log);
+        }
+        return MutationTable.ofClasses(Files.readAllLines(REPORTS.resolve(packageName).resolve("mutations.csv")));
+    }
+
+    /** @return the packages that fall below what is asked of each */
+    private static List<String> runAll(Iterable<String> packages) throws IOException, InterruptedException, URISyntaxException {
+        MutationTable summary = new MutationTable();
+        for (String name : packages) {
+            long begin = System.nanoTime();
+            System.out.println(name + ":");
+            MutationTable table = run(name);
+            System.out.print(table.print("class"));
+            System.out.printf(Locale.ROOT, "%.1f minutes; line by line: %s%n%n", (System.nanoTime() - begin) / 60e9,
+                    REPORTS.resolve(name).resolve("index.html"));
+            summary.add(name, table.total());
+        }
+        System.out.print(summary.print("package"));
+        return summary.below(LEAST_KILLED);
+    }
+
+    /** @return the packages that were asked for */
+    static List<String> packages(String[] args) {
+        String asked = new TaskOptions(args, List.of("package")).get("package", String.join(",", PACKAGES.keySet()));
+        List<String> names = Arrays.asList(asked.split(",", -1));
+        for (String name : names) {
+            if (!PACKAGES.containsKey(name)) {
+                throw new IllegalArgumentException("unknown package '" + name + "'" + DidYouMean.hint(name, PACKAGES.keySet(), "'%s'"::formatted)
+                        + " allowed: " + String.join(", ", PACKAGES.keySet()));
+            }
+        }
+        return names;
+    }
+
+    /** @param args {@code --package=deSolvers.adaptive,deSolvers.catalog}, or none for all packages */
+    public static void main(String[] args) throws IOException, InterruptedException, URISyntaxException {
+        List<String> packages;
+        try {
+            packages = packages(args);
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
+            return;
+        }
+        List<String> below = runAll(packages);
+        if (!below.isEmpty()) {
+            System.out.println("fewer than " + LEAST_KILLED + " % killed: " + String.join(", ", below));
+            System.exit(1);
+        }
+    }
+}

@@ -1,0 +1,164 @@
+package particles.effects;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleFunction;
+import org.junit.jupiter.api.Test;
+import particles.Effect;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Plane;
+import particles.Sphere;
+import particles.Vector3;
+
+/** What each law says of itself to those who evaluate it, and the numbers it takes: all up to the ends of their ranges. */
+class EffectFactsTest {
+    private static final double MAX = Double.MAX_VALUE;
+    private static final double TINY = Double.MIN_VALUE;
+    private static final double NAN = Double.NaN;
+    private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+    private static final Plane GROUND = Plane.ground(0);
+    private static final Sphere BALL = new Sphere(Vector3.ZERO, 1, false);
+    /** Blows harder with the height, and does not say how. */
+    private static final Wind SHEAR = (state, time, wind, from, to) -> Arrays.fill(wind, 3 * from, 3 * to, state[6 * from + 1]);
+
+    private final Particles particles = new ParticleSystem().getParticles();
+
+    private static void assertFacts(Effect effect, String name, boolean perParticle, boolean byVelocity, Effect.Trait trait) {
+        assertEquals(name, effect.getName());
+        assertEquals(perParticle, effect.isPerParticle(), name + " acts on each particle by itself");
+        assertEquals(perParticle, effect.isConcurrent(), name + " may be evaluated by several threads in any division");
+        assertEquals(byVelocity, effect.dependsOnVelocity(), name + " depends on velocity");
+        assertTrue(effect.hasForceDerivatives(), name + " knows its derivatives");
+        assertTrue(effect.getTraits().contains(trait), name + " is " + effect.getTraits());
+    }
+
+    @Test
+    void eachSaysWhatItIs() {
+        assertFacts(new Gravity(particles, Vector3.ZERO), "gravity", true, false, Effect.Trait.CONSERVATIVE);
+        assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false, Effect.Trait.CONSERVATIVE);
+        assertFacts(new LinearDrag(particles, 1, Wind.STILL), "drag", true, true, Effect.Trait.DISSIPATIVE);
+        assertFacts(new QuadraticDrag(particles, 1, Wind.STILL), "quadraticDrag", true, true, Effect.Trait.DISSIPATIVE);
+        for (double damping : new double[] {0, TINY, 1}) {
+            Effect.Trait trait = damping > 0 ? Effect.Trait.DISSIPATIVE : Effect.Trait.CONSERVATIVE;
+            assertFacts(new PenaltyPlane(particles, GROUND, 1, damping), "penaltyPlane", true, damping > 0, trait);
+            assertFacts(new PenaltySphere(particles, BALL, 1, damping), "penaltySphere", true, damping > 0, trait);
+            assertFacts(new Cohesion(particles, 1, 0.5, 1, damping), "cohesion", false, damping > 0, trait);
+            assertFacts(twoSprings(damping), "springs", false, damping > 0, trait);
+        }
+        assertEquals(0.25, new LinearDrag(particles, 0.25, Wind.STILL).getCoefficient());
+    }
+
+    /** The first spring without damping: one that is damped is enough. */
+    private static SpringForce twoSprings(double damping) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
+        system.addParticle("b", 1, Vector3.ZERO, Vector3.ZERO, false);
+        SpringForce springs = new SpringForce(system.getParticles());
+        springs.addSpring(0, 1, 1, 1, damping);
+        springs.addSpring(1, 0, 1, 1, 0);
+        return springs;
+    }
+
+    /** Drag's derivative by the place is the wind's gradient: without that, it is not all there is. */
+    @Test
+    void dragKnowsItsDerivativesWhereTheWindDoes() {
+        TurbulentWind turbulence = new TurbulentWind(Vector3.ZERO, 1, 1, 1);
+        GustyWind gusts = new GustyWind(Vector3.ZERO, new Vector3(1, 0, 0), 1);
+        assertTrue(turbulence.hasGradient());
+        assertFalse(turbulence.isUniform());
+        assertTrue(gusts.hasGradient());
+        assertTrue(gusts.isUniform());
+        assertFalse(SHEAR.hasGradient());
+        for (Wind wind : List.of(turbulence, gusts, Wind.STILL)) {
+            assertTrue(new LinearDrag(particles, 1, wind).hasForceDerivatives());
+        }
+        assertFalse(new LinearDrag(particles, 1, SHEAR).hasForceDerivatives());
+        assertFalse(new QuadraticDrag(particles, 1, SHEAR).hasForceDerivatives());
+        double[] gradient = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+        gusts.getGradient(new double[6], 0, 0, gradient);
+        assertArrayEquals(new double[9], gradient, "the same everywhere");
+    }
+
+    /** u = mean + gust sin(2 pi t / period). */
+    @Test
+    void aGustIsASine() {
+        GustyWind wind = new GustyWind(new Vector3(1, 2, 3), new Vector3(0.5, 0.25, -1), 4);
+        double[][] expected = {{0, 1, 2, 3}, {1, 1.5, 2.25, 2}, {3, 0.5, 1.75, 4}, {1.0 / 3, 1.25, 2.125, 2.5}};
+        for (double[] row : expected) {
+            double[] air = new double[9];
+            wind.getVelocities(new double[18], row[0], air, 1, 2);
+            assertArrayEquals(new double[] {0, 0, 0, row[1], row[2], row[3], 0, 0, 0}, air, 1e-15);     // measured 1.1e-16
+            Vector3 told = wind.velocityAt(row[0]);
+            assertArrayEquals(Arrays.copyOfRange(air, 3, 6), new double[] {told.x(), told.y(), told.z()});
+        }
+    }
+
+    private static void assertRange(String what, DoubleFunction<Object> maker, double[] allowed, double[] refused) {
+        for (double value : allowed) {
+            maker.apply(value);
+        }
+        for (double value : refused) {
+            assertThrows(IllegalArgumentException.class, () -> maker.apply(value), what + " of " + value);
+        }
+    }
+
+    private static final double[] ZERO_OR_MORE = {0, -0.0, TINY, 1, MAX};
+    private static final double[] LESS = {-TINY, -1, NAN, INFINITE, -INFINITE};
+    private static final double[] MORE_THAN_ZERO = {TINY, 1, MAX};
+    private static final double[] ZERO_OR_LESS = {0, -0.0, -TINY, -1, NAN, INFINITE, -INFINITE};
+
+    @Test
+    void numbersUpToTheEndsOfTheirRangesAreTaken() {
+        assertRange("drag", c -> new LinearDrag(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
+        assertRange("quadratic drag", c -> new QuadraticDrag(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
+        assertRange("softening", s -> new PointAttraction(particles, Vector3.ZERO, 1, s), ZERO_OR_MORE, LESS);
+        assertRange("strength", mu -> new PointAttraction(particles, Vector3.ZERO, mu, 0), new double[] {-MAX, 0, MAX},
+                new double[] {NAN, INFINITE, -INFINITE});
+        assertRange("stiffness", k -> new PenaltyPlane(particles, GROUND, k, 0), ZERO_OR_MORE, LESS);
+        assertRange("loss", b -> new PenaltySphere(particles, BALL, 1, b), ZERO_OR_MORE, LESS);
+        assertRange("depth", e -> new Cohesion(particles, 1, 0.5, e, 0), MORE_THAN_ZERO, ZERO_OR_LESS);
+        assertRange("damping", b -> new Cohesion(particles, 1, 0.5, 1, b), ZERO_OR_MORE, LESS);
+        assertRange("distance", d -> new Cohesion(particles, 1, d, 1, 0), new double[] {TINY, 0.5, Math.nextDown(1.0)},
+                new double[] {0, -1, 1, 2, NAN});
+        assertRange("range", h -> new Cohesion(particles, h, 0.5, 1, 0), new double[] {Math.nextUp(0.5), MAX},
+                new double[] {0.5, 0, NAN, INFINITE});
+        assertRange("period", t -> new GustyWind(Vector3.ZERO, Vector3.ZERO, t), MORE_THAN_ZERO, ZERO_OR_LESS);
+        assertRange("turbulence", s -> new TurbulentWind(Vector3.ZERO, s, 1, 1), ZERO_OR_MORE, LESS);
+        assertRange("eddies", l -> new TurbulentWind(Vector3.ZERO, 1, l, 1), MORE_THAN_ZERO, ZERO_OR_LESS);
+        assertRange("a spring's damping", EffectFactsTest::twoSprings, ZERO_OR_MORE, LESS);
+        Vector3 nowhere = new Vector3(0, NAN, 0);
+        assertThrows(IllegalArgumentException.class, () -> new Gravity(particles, nowhere));
+        assertThrows(IllegalArgumentException.class, () -> new PointAttraction(particles, nowhere, 1, 0));
+        assertThrows(IllegalArgumentException.class, () -> new GustyWind(nowhere, Vector3.ZERO, 1));
+        assertThrows(IllegalArgumentException.class, () -> new GustyWind(Vector3.ZERO, nowhere, 1));
+        assertThrows(IllegalArgumentException.class, () -> new TurbulentWind(nowhere, 1, 1, 1));
+    }
+
+    /** At the surface, at the end of the range and at the centre a law is the limit from either side: nothing, and a number. */
+    @Test
+    void nothingHappensJustAtTheEdge() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("a", 1, Vector3.ZERO, new Vector3(0, -1, 0), false);
+        system.addParticle("b", 1, new Vector3(1, 0, 0), new Vector3(1, 0, 0), false);
+        Particles both = system.getParticles();
+        double[] state = system.getOwnState();
+        for (Effect effect : List.of(new PenaltyPlane(both, GROUND, 7, 0.5), new Cohesion(both, 1, 0.5, 7, 0.5),
+                new PenaltySphere(both, BALL, 7, 0.5))) {
+            double[] force = new double[12];
+            effect.addForces(state, 0, force, 0, 2);
+            assertArrayEquals(new double[12], force, effect.getName());
+        }
+        // The particle at a ball's centre is as deep as can be, and there is no way out that would be nearer than another.
+        assertEquals(3.5, new PenaltySphere(both, BALL, 7, 0.5).getPotentialEnergy(state, 0));
+        assertEquals(0, new PenaltyPlane(both, GROUND, 7, 0.5).getPotentialEnergy(state, 0));
+        assertEquals(0, new Cohesion(both, 1, 0.5, 7, 0.5).getPotentialEnergy(state, 0));
+    }
+}
