@@ -174,4 +174,25 @@ public abstract class FailureContract extends ContractBasics {
                     "a's step after b failed at evaluation " + k);
         }
     }
+
+    /** A step that never began may have made arrays for another size: nothing that was remembered in them is left. */
+    @Test
+    void aStepOfAnotherSizeThatNeverBeganDoesNotSpoilTheNext() {
+        DESolver solver = createSolver();
+        DESolver other = createSolver();
+        SecondOrderProblem problem = windy(1);
+        SecondOrderProblem unbroken = windy(1);
+        for (int i = 0; i < 6; i++) {
+            solver.stepState(problem, STEP);
+            other.stepState(unbroken, STEP);
+        }
+        assertThrows(DESolverException.class, () -> solver.stepState(windy(2), Double.NaN));
+        SecondOrderProblem restarted = windy(1);
+        moveTo(restarted, problem);
+        createSolver().stepState(restarted, STEP);
+        solver.stepState(problem, STEP);
+        other.stepState(unbroken, STEP);
+        assertTrue(Arrays.equals(problem.state(), unbroken.state()) || Arrays.equals(problem.state(), restarted.state()),
+                "as if unbroken, or anew");
+    }
 }

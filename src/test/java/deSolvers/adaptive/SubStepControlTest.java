@@ -1,0 +1,352 @@
+package deSolvers.adaptive;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolverException;
+import deSolvers.DEStateSource;
+import deSolvers.GuardedStep;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Which sub-steps are tried, one by one, with a method whose error is whatever the test says. */
+class SubStepControlTest {
+    private static final double CLOSE = 1e-14;          // a few roundings of sums and roots; measured 2.2e-16
+
+    /** s' = f(t), one entry. */
+    private static final class Ramp implements DEStateSource {
+        private final DoubleUnaryOperator slope;
+        private final List<Double> asked = new ArrayList<>();
+        private double state;
+        private double time;
+
+        Ramp(double state, DoubleUnaryOperator slope) {
+            this.state = state;
+            this.slope = slope;
+        }
+
+        @Override
+        public int getStateSize() {
+            return 1;
+        }
+
+        @Override
+        public void getState(double[] copy) {
+            copy[0] = state;
+        }
+
+        @Override
+        public void setState(double[] values) {
+            state = values[0];
+        }
+
+        @Override
+        public void getStateDerivative(double[] dSdt) {
+            asked.add(time);
+            dSdt[0] = slope.applyAsDouble(time);
+        }
+
+        @Override
+        public double getTime() {
+            return time;
+        }
+
+        @Override
+        public void incTime(double deltaT) {
+            time += deltaT;
+        }
+    }
+
+    /** Integrates by Euler's step; its error falls with h squared, and is as large as it is told to be. */
+    private static final class Scripted extends AdaptiveSolver {
+        private final DoubleBinaryOperator error;
+        private final boolean knowsEndSlope;
+        private final List<Double> offsets = new ArrayList<>();
+        private final List<Double> tried = new ArrayList<>();
+        private final List<Double> slopes = new ArrayList<>();
+        private DoubleUnaryOperator growth = h -> Double.NaN;
+        private double end;
+
+        /** @param error from offset and length, in units of the tolerance */
+        Scripted(boolean knowsEndSlope, DoubleBinaryOperator error) {
+            super(0, 1);
+            this.error = error;
+            this.knowsEndSlope = knowsEndSlope;
+        }
+
+        @Override
+        protected void resize(int n) {
+            assertEquals(1, n);
+        }
+
+        @Override
+        protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+                                 double[] newState) {
+            offsets.add(offset);
+            tried.add(h);
+            slopes.add(slope[0]);
+            newState[0] = state[0] + h * slope[0];
+            end = offset + h;
+            return error.applyAsDouble(offset, h);
+        }
+
+        @Override
+        protected int errorExponent() {
+            return 2;
+        }
+
+        @Override
+        protected double nextSubStep(double h, double error) {
+            double factor = growth.applyAsDouble(h);    // a rule of its own, where the test has one
+            return Double.isNaN(factor) ? super.nextSubStep(h, error) : h * factor;
+        }
+
+        @Override
+        protected boolean endSlope(double[] newSlope) {
+            if (knowsEndSlope) {
+                newSlope[0] = 100 + end;
+            }
+            return knowsEndSlope;
+        }
+
+        @Override
+        protected int interpolationDegree() {
+            return 1;
+        }
+
+        @Override
+        protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
+                                   double[][] coefficients) {
+            coefficients[0][0] = state[0];
+            coefficients[1][0] = newState[0] - state[0];
+        }
+    }
+
+    private static Ramp constant() {
+        return new Ramp(0, t -> 1);
+    }
+
+    /** From s = 0, s' = 1 the guess is the root of a hundredth: 0.1. */
+    private static final double FIRST = 0.1;
+
+    private static void assertTried(List<Double> tried, double... expected) {
+        assertArrayEquals(expected, tried.stream().limit(expected.length).mapToDouble(Double::doubleValue).toArray(), CLOSE);
+    }
+
+    private static Scripted step(double deltaT, DoubleBinaryOperator error) {
+        Scripted solver = new Scripted(false, error);
+        solver.stepState(constant(), deltaT);
+        return solver;
+    }
+
+    private static Scripted step(double deltaT, double growth) {
+        return step(deltaT, h -> growth);
+    }
+
+    private static Scripted step(double deltaT, DoubleUnaryOperator growth) {
+        Scripted solver = new Scripted(false, (offset, h) -> 0.81);
+        solver.growth = growth;
+        solver.stepState(constant(), deltaT);
+        return solver;
+    }
+
+    /** The next one is 0.9 error^(-1/2) as long, but no less than a fifth and no more than ten times. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 0.25, 0.81, 0.01, 0.0081, 1e-4, 0})
+    void lengthsFollowTheError(double error) {
+        double factor = Math.min(10, 0.9 / Math.sqrt(error));
+        int[] tried = {0};
+        Scripted solver = step(1e4, (offset, h) -> tried[0]++ < 2 ? error : 0.01);
+        assertTried(solver.tried, FIRST, FIRST * factor, FIRST * factor * factor);
+        assertTried(solver.offsets, 0, FIRST, FIRST * (1 + factor));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1.0000001, 2, 4, 20, 20.25, 21, 1e6, Double.POSITIVE_INFINITY})
+    void whatErrsTooMuchIsTriedAgainShorter(double error) {
+        double factor = Math.max(0.2, 0.9 / Math.sqrt(error));
+        Scripted solver = step(10, (offset, h) -> offset < 0.05 && h > 0.9 * FIRST * factor * factor ? error : 0.81);
+        // 0.81 asks for the same length again.
+        assertTried(solver.tried, FIRST, FIRST * factor, FIRST * factor * factor);
+        assertTried(solver.offsets, 0, 0, 0);
+    }
+
+    /** A method's own rule may propose a longer one after a failure: it gets a shorter one. */
+    @Test
+    void afterARejectionItIsShorterAndThenNotLonger() {
+        Scripted solver = new Scripted(false, (offset, h) -> offset == 0 && h > 0.85 * FIRST ? 2 : 0.5);
+        solver.growth = h -> 3;
+        solver.stepState(constant(), 1000);
+        double h = FIRST * 0.9 * 0.9;
+        assertTried(solver.tried, FIRST, FIRST * 0.9, h, h, 3 * h, 9 * h);
+        assertTried(solver.offsets, 0, 0, 0, h, 2 * h, 5 * h);
+    }
+
+    /** Rather two halves than a long and a tiny one; the last ends exactly at deltaT. */
+    @Test
+    void theEndIsMetExactly() {
+        for (double direction : new double[] {1, -1}) {
+            assertTried(step(direction * 0.25, 1.0625).tried, direction * FIRST, direction * 0.075, direction * 0.075);
+            assertTried(step(direction * 0.35, 1.0625).tried, direction * FIRST, direction * 0.10625, direction * 0.071875,
+                    direction * 0.071875);
+            assertEquals(3, step(direction * 0.25, 1.0625).tried.size());
+            assertEquals(4, step(direction * 0.35, 1.0625).tried.size());
+            Scripted one = step(direction * 0.09375, (offset, h) -> 0.81);
+            assertEquals(List.of(direction * 0.09375), one.tried);
+        }
+    }
+
+    /** What was cut short to meet the end does not shorten the first sub-step of the next step, if it went well. */
+    @Test
+    void aCutSubStepDoesNotChangeThePlan() {
+        Scripted solver = new Scripted(false, (offset, h) -> 0.0081);           // asks for ten times more
+        Ramp source = constant();
+        solver.stepState(source, 0.5);
+        assertTried(solver.tried, 0.1, 0.4);            // 1 was planned; ten times 0.4 is more than that
+        solver.tried.clear();
+        solver.stepState(source, 0.5);
+        assertTried(solver.tried, 0.5);
+        // Well is: the next could be twice as long, or longer. 1 is planned when 0.13125 is left.
+        for (double growth : new double[] {1.9375, 2, 2.0625}) {
+            Scripted plan = new Scripted(false, (offset, h) -> 0.81);
+            plan.growth = h -> plan.tried.size() < 5 ? 1 : plan.tried.size() == 5 ? 10 : growth;
+            Ramp other = constant();
+            plan.stepState(other, 0.63125);
+            assertTried(plan.tried, 0.1, 0.1, 0.1, 0.1, 0.1, 0.13125);
+            plan.stepState(other, 0.63125);
+            assertEquals(growth < 2 ? 0.13125 * growth : 0.63125, plan.tried.get(6), CLOSE);
+        }
+        // One that was not cut is what it is.
+        Scripted whole = step(10, (offset, h) -> 0.0081);
+        assertTried(whole.tried, 0.1, 1, 8.9);
+    }
+
+    /** Where the method does not know the slope at the end, it is asked for there, once; else it is taken over. */
+    @Test
+    void theSlopeOfASubStepIsThatOfItsBeginning() {
+        for (boolean known : new boolean[] {false, true}) {
+            for (double direction : new double[] {1, -1}) {
+                Scripted solver = new Scripted(known, (offset, h) -> Math.abs(offset) > 0.15 && Math.abs(h) > 0.05 ? 2 : 0.81);
+                Ramp source = new Ramp(0, t -> 1 + t / 8);
+                solver.stepState(source, direction * 2);
+                for (int k = 0; k < solver.tried.size(); k++) {
+                    double offset = solver.offsets.get(k);
+                    assertEquals(offset == 0 ? 1 : known ? 100 + offset : 1 + offset / 8, solver.slopes.get(k), CLOSE);
+                }
+                long accepted = solver.offsets.stream().distinct().count();
+                // At the beginning, for the first guess, and where each but the first one begins.
+                assertEquals(known ? 2 : 1 + accepted, source.asked.size());
+                assertEquals(direction * 2, source.time);
+            }
+        }
+    }
+
+    @Test
+    void givingUpSaysWhereAndWhy() {
+        Scripted never = new Scripted(false, (offset, h) -> offset > 0.15 ? 2 : 0.81);
+        Ramp source = constant();
+        DESolverException e = assertThrows(DESolverException.class, () -> never.stepState(source, 1));
+        assertTrue(e.getMessage().matches(".*the sub-step fell to \\S+E-17 s after 0.2\\d* s.*"), e.getMessage());
+        // 4 ulp of what was done: the last that is tried is no shorter, and the next would have been.
+        double last = never.tried.get(never.tried.size() - 1);
+        assertTrue(last >= 4 * Math.ulp(0.2) && last * 0.9 / Math.sqrt(2) < 4 * Math.ulp(0.2), "last " + last);
+        assertEquals(0, source.time);
+
+        Scripted slow = new Scripted(false, (offset, h) -> 0.81);
+        e = assertThrows(DESolverException.class, () -> slow.stepState(constant(), 1e6));
+        assertTrue(e.getMessage().contains("given up after 500000 sub-steps"), e.getMessage());
+        assertEquals(AdaptiveSolver.MOST_SUB_STEPS, slow.tried.size());
+        // A clock far from 0 resolves less.
+        Scripted late = new Scripted(false, (offset, h) -> 2);
+        Ramp far = constant();
+        far.time = 1e6;
+        assertThrows(DESolverException.class, () -> late.stepState(far, 1));
+        assertTrue(late.tried.get(late.tried.size() - 1) >= 4 * Math.ulp(1e6));
+        // But deltaT itself may be as short as it likes.
+        Scripted tiny = new Scripted(false, (offset, h) -> 0.5);
+        tiny.stepState(far, 1e-300);
+        assertEquals(List.of(1e-300), tiny.tried);
+    }
+
+    /** Euler's pieces: straight from state to state, at any time of the step, in either direction. */
+    @Test
+    void theStatesInBetweenAreThoseOfTheirSubStep() {
+        for (double direction : new double[] {1, -1}) {
+            Scripted solver = new Scripted(false, (offset, h) -> 0.81);
+            solver.setDenseOutput(true);
+            Ramp source = new Ramp(0, t -> Math.floor(Math.abs(t) * 10 + 0.5));
+            solver.stepState(source, direction * 20);
+            double[] state = new double[1];
+            double expected = 0;
+            for (int k = 0; k < solver.tried.size(); k++) {
+                double offset = solver.offsets.get(k);
+                double h = solver.tried.get(k);
+                solver.getStateAt(offset + h / 4, state);
+                assertEquals(expected + h / 4 * solver.slopes.get(k), state[0], 1e-9);
+                expected += h * solver.slopes.get(k);
+            }
+            solver.getStateAt(direction * 20, state);
+            assertEquals(source.state, state[0], 1e-9);
+            solver.setDenseOutput(false);
+            assertThrows(IllegalStateException.class, () -> solver.getStateAt(direction, state));
+        }
+    }
+
+    private static double firstTried(double state, double deltaT, DoubleUnaryOperator slope) {
+        Scripted solver = new Scripted(true, (offset, h) -> 0.81);
+        solver.stepState(new Ramp(state, slope), deltaT);
+        return solver.tried.get(0);
+    }
+
+    /**
+     * Hairer, N&oslash;rsett and Wanner's guess: with d0 = |s|, d1 = |s'|, d2 = |s''| in units of the tolerance, the root of
+     * 0.01/max(d1, d2), but no more than d0/d1 and deltaT.
+     */
+    @Test
+    void theFirstGuess() {
+        for (double sign : new double[] {1, -1}) {
+            assertEquals(sign * Math.sqrt(0.01 / 4), firstTried(100, sign * 50, t -> -4), CLOSE, "by d1");
+            assertEquals(sign * Math.sqrt(0.01 / 9), firstTried(0, sign * 50, t -> 9 * t), CLOSE, "by d2");
+            assertEquals(sign * Math.sqrt(0.01 / 9), firstTried(0.5, sign * 50, t -> 5 - 9 * t), CLOSE, "by d2, from the trial");
+            assertEquals(sign * 2e-4, firstTried(2, sign * 50, t -> 1e4), CLOSE, "by d0/d1");
+            assertEquals(sign * 0.0625, firstTried(0, sign * 0.0625, t -> 1e-3), CLOSE, "all of deltaT");
+            assertEquals(sign * 7, firstTried(0, sign * 7, t -> 0), CLOSE, "nothing moves");
+            assertEquals(sign * 7, firstTried(3, sign * 7, t -> 0), CLOSE, "nothing moves");
+        }
+    }
+
+    /** How far the trial for the second derivative goes: a hundredth of d0/d1, or 1/d1 where the state is about 0. */
+    @Test
+    void theTrialOfTheFirstGuess() {
+        assertEquals(0.01 * 50 / 4, trial(50, 4, 10), CLOSE);
+        assertEquals(10, trial(50, 0, 10), CLOSE, "at rest");
+        assertEquals(0.125, trial(50, 4, 0.125), CLOSE, "0.125 is all there is");
+        assertEquals(0.25, trial(1, 4, 10), CLOSE, "a state of about 0 is one within its tolerance");
+        assertEquals(10, trial(0, 0.1, 10), CLOSE);
+        assertEquals(10, trial(0, 0.05, 10), CLOSE);
+        assertEquals(5, trial(0, 0.2, 10), CLOSE);
+        assertEquals(-5, trial(0, 0.2, -10), CLOSE);
+    }
+
+    private static double trial(double state, double slope, double deltaT) {
+        Ramp source = new Ramp(state, t -> slope);
+        new Scripted(true, (offset, h) -> 0).stepState(source, deltaT);
+        assertEquals(2, source.asked.size());
+        return source.asked.get(1);
+    }
+
+    /** A state that changes beyond all numbers, or too fast for the trial to be told from 0, still gives a first attempt. */
+    @Test
+    void aGuessIsAlwaysALength() {
+        assertEquals(0.02, firstTried(8, 50, t -> t > 0.01 ? Double.POSITIVE_INFINITY : 4), CLOSE, "as long as the trial");
+        assertEquals(1e-310, firstTried(1, 1e-310, t -> 1), 0);
+        assertEquals(1e-300, firstTried(1, 1e-300, t -> 1), 0);
+    }
+}
