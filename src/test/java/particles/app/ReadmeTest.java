@@ -25,7 +25,7 @@ import picocli.CommandLine;
 /** What README tells people to type is there to be typed. */
 class ReadmeTest {
     private static final Pattern GRADLE = Pattern.compile("\\bgradle ([a-z]\\w*)");
-    private static final Pattern TASK = Pattern.compile("(?m)^(?:program '|task |junit5\\()(\\w+)");
+    private static final Pattern TASK = Pattern.compile("(?m)^(?:program '|hunt '|task |junit5\\()(\\w+)");
 
     private static final String README = read("README.md");
 
@@ -107,7 +107,7 @@ class ReadmeTest {
     @Test
     void theTasksAreThoseOfTheBuild() throws IOException {
         List<String> rows = new ArrayList<>();
-        Matcher task = Pattern.compile("(?m)^program '([^']*)', '([^']*)'").matcher(Files.readString(Path.of("build.gradle")));
+        Matcher task = Pattern.compile("(?m)^(?:program|hunt) '([^']*)', '([^']*)'").matcher(Files.readString(Path.of("build.gradle")));
         while (task.find()) {
             rows.add("| `" + task.group(1) + "` | " + task.group(2) + " |");
         }

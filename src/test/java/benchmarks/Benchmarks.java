@@ -1,0 +1,136 @@
+package benchmarks;
+
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import particles.DataTable;
+import particles.Effect;
+import particles.ParticleSystem;
+import particles.experiments.ProgressListener;
+import particles.output.FrameBenchmark;
+
+/** All that is measured, each under a name by which it can be chosen, as tables. */
+public final class Benchmarks {
+    private static final int STEPS = 16;
+    private static final double MICRO = 1e3;
+    private static final double MILLI = 1e6;
+    private static final List<String> SCENES = List.of("02-one-spring", "09-cloth-in-wind", "10-jelly-block");
+    private static final List<String> FRAMES = List.of("05-hanging-chain", "08-cloth", "09-cloth-in-wind");
+
+    private final Predicate<String> included;
+    private final Stopwatch stopwatch;
+    private final ProgressListener progress;
+    private int begun;
+
+    /**
+     * @param included of which names
+     * @param times    how each is measured
+     * @param progress hears how far it is
+     */
+    public Benchmarks(Predicate<String> included, Measurement times, ProgressListener progress) {
+        this(included, (Stopwatch) times, progress);
+    }
+
+    Benchmarks(Predicate<String> included, Stopwatch stopwatch, ProgressListener progress) {
+        this.included = included;
+        this.stopwatch = stopwatch;
+        this.progress = progress;
+    }
+
+    /** @return the names of all that can be measured */
+    public static List<String> names() {
+        List<String> names = new ArrayList<>();
+        Comparison.plans().forEach(plan -> names.add(plan.toString()));
+        runs().forEach(run -> names.add(name(run)));
+        EffectCases.names().forEach(effect -> names.add("effect " + effect));
+        SCENES.forEach(scene -> names.add("scene " + scene));
+        FRAMES.forEach(scene -> names.add("frame " + scene));
+        return names;
+    }
+
+    private static List<Run> runs() {
+        List<Run> runs = new ArrayList<>();
+        for (String workload : List.of("oscillator", "chain")) {
+            for (String solver : SolverCatalog.names()) {
+                runs.add(Run.steps(workload, solver, STEPS * Workload.of(workload).deltaT(), STEPS));
+            }
+        }
+        return runs;
+    }
+
+    private static String name(Run run) {
+        return "solver " + run.workload() + " " + run.method();
+    }
+
+    /** @return a table for each kind of thing that was measured, the comparison first */
+    public List<DataTable> measure() {
+        List<DataTable> tables = new ArrayList<>();
+        List<Comparison> comparisons = new ArrayList<>();
+        List<Comparison.Plan> plans = Comparison.plans().stream().filter(plan -> included.test(plan.toString())).toList();
+        for (Comparison.Plan plan : plans) {
+            progress.reached(0, "settings for " + plan);
+            comparisons.add(Comparison.of(plan));
+        }
+        List<Run> both = comparisons.stream().flatMap(pair -> List.of(pair.ours(), pair.theirs()).stream()).distinct().toList();
+        List<Run> runs = runs().stream().filter(run -> included.test(name(run))).toList();
+        List<String> effects = chosen("effect ", EffectCases.names());
+        List<String> scenes = chosen("scene ", SCENES);
+        List<String> frames = chosen("frame ", FRAMES);
+        int all = both.size() + runs.size() + effects.size() + scenes.size() + frames.size();
+        if (!comparisons.isEmpty()) {
+            tables.add(BenchmarkTables.comparison(plans, comparisons, medians(SolveBenchmark.class, both, all)));
+        }
+        if (!runs.isEmpty()) {
+            tables.add(BenchmarkTables.solvers(runs, medians(SolveBenchmark.class, runs, all)));
+        }
+        if (!effects.isEmpty()) {
+            tables.add(effectTable(medians(EffectBenchmark.class, effects, all)));
+        }
+        if (!scenes.isEmpty()) {
+            tables.add(timeTable("scenes", "Reading, checking and building a scene", "scene", MILLI,
+                    medians(SceneBenchmark.class, scenes, all)));
+        }
+        if (!frames.isEmpty()) {
+            tables.add(timeTable("frames", "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread", "scene",
+                    MILLI, medians(FrameBenchmark.class, frames, all)));
+        }
+        return tables;
+    }
+
+    private List<String> chosen(String kind, List<String> names) {
+        return names.stream().filter(name -> included.test(kind + name)).toList();
+    }
+
+    private <T> Map<T, Double> medians(Class<?> benchmark, List<T> what, int all) {
+        Map<String, Double> byText = stopwatch.medians(benchmark, what.stream().map(Object::toString).toList(),
+                text -> progress.reached((double) begun++ / all, label(text)));
+        Map<T, Double> medians = new LinkedHashMap<>();
+        what.forEach(one -> medians.put(one, byText.get(one.toString())));
+        return medians;
+    }
+
+    private static String label(String text) {
+        return text.contains(" ") ? Run.parse(text).label() : text;
+    }
+
+    private static DataTable effectTable(Map<String, Double> medians) {
+        List<List<Object>> rows = new ArrayList<>();
+        medians.forEach((name, nanos) -> {
+            ParticleSystem system = EffectCases.build(name);
+            Effect effect = EffectCases.effect(name, system);
+            rows.add(List.of(name, effect.size(), nanos / MICRO, nanos / effect.size()));
+        });
+        return new DataTable("effects", "One evaluation of an effect's forces", List.of(DataTable.column("effect"),
+                DataTable.column("particles or springs"), new DataTable.Column("time (\u00b5s)", 3),
+                new DataTable.Column("each (ns)", 3)), rows);
+    }
+
+    private static DataTable timeTable(String name, String title, String of, double unit, Map<String, Double> medians) {
+        List<List<Object>> rows = new ArrayList<>();
+        medians.forEach((what, nanos) -> rows.add(List.of(what, nanos / unit)));
+        return new DataTable(name, title, List.of(DataTable.column(of), new DataTable.Column("time (ms)", 3)), rows);
+    }
+}

@@ -1,0 +1,84 @@
+package benchmarks;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.DataTable;
+
+/** The tables, with a stopwatch that always shows the same: 1 ms, and 3 ms for Hipparchus. */
+class BenchmarksTest {
+    private final List<Double> parts = new ArrayList<>();
+
+    private static final Stopwatch STOPPED = (benchmark, what, begun) -> {
+        Map<String, Double> medians = new TreeMap<>();
+        for (String one : what) {
+            begun.accept(one);
+            medians.put(one, one.matches("\\w+ [A-Z].*") ? 3e6 : 1e6);
+        }
+        return medians;
+    };
+
+    private List<DataTable> tables(String included) {
+        return new Benchmarks(name -> name.contains(included), STOPPED, (part, what) -> parts.add(part)).measure();
+    }
+
+    @Test
+    void namesAreDifferent() {
+        assertEquals(Benchmarks.names().size(), new HashSet<>(Benchmarks.names()).size());
+        assertTrue(Benchmarks.names().contains("solver chain radau"), Benchmarks.names().toString());
+    }
+
+    @Test
+    void theRatioIsTheirTimeOverOurs() {
+        List<DataTable> tables = tables("comparison oscillator");
+        assertEquals(List.of("comparison"), tables.stream().map(DataTable::name).toList());
+        assertEquals(7, tables.get(0).rows().size());
+        tables.get(0).rows().forEach(row -> assertEquals(3.0, row.get(row.size() - 1)));
+        assertEquals("Hipparchus takes 3.0 to 3.0 times as long as ours at equal evaluations, and 3.0 to 3.0 times as long as"
+                + " ours at equal error", BenchmarkTables.finding(tables));
+    }
+
+    @Test
+    void aStepIsDividedByItsEvaluations() {
+        DataTable table = tables("solver oscillator midpoint").get(0);
+        assertEquals(List.of("oscillator", "midpoint", 2.0, 1e3 / 16, 1e6 / 32), table.rows().get(0));
+    }
+
+    @Test
+    void whatIsNotIncludedIsNotMeasured() {
+        List<DataTable> tables = tables("effect gravity");
+        assertEquals(List.of(List.of("gravity", 1600, 1e3, 1e6 / 1600)), tables.get(0).rows());
+        assertEquals(List.of(0.0), parts);
+        assertEquals(1, tables.size());
+    }
+
+    @Test
+    void progressGoesFromNothingToAll() {
+        assertEquals(List.of("scenes", "frames"), List.of(tables("scene ").get(0).name(), tables("frame ").get(0).name()));
+        parts.clear();
+        tables("05");
+        tables("scene");
+        assertEquals(List.of(0.0, 0.0, 1.0 / 3, 2.0 / 3), parts);
+    }
+
+    /** JMH refuses a class that is not public, or a benchmark without a state: here, and not in the middle of a night. */
+    @Tag("slow")
+    @Test
+    void jmhTakesTheBenchmarks(@TempDir Path folder) throws IOException {
+        Harness.write(folder);
+        assertFalse(Files.readString(folder.resolve("META-INF/BenchmarkList")).isEmpty());
+        assertTrue(Files.exists(folder.resolve("benchmarks/jmh_generated/SolveBenchmark_solve_jmhTest.class")));
+    }
+}

@@ -1,0 +1,43 @@
+package benchmarks;
+
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import particles.Effect;
+import particles.ParticleSystem;
+
+/** The time for an effect's forces, of all its particles or springs. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+public class EffectBenchmark {
+    /** The name of one of {@link EffectCases}. */
+    @Param("gravity")
+    public String what;
+
+    private Effect effect;
+    private double[] state;
+    private double[] force;
+
+    /** Builds a scene with the effect. */
+    @Setup
+    public void prepare() {
+        ParticleSystem system = EffectCases.build(what);
+        effect = EffectCases.effect(what, system);
+        state = system.getStateArray();
+        force = new double[state.length];
+    }
+
+    /** @return the forces so far, added up */
+    @Benchmark
+    public double[] addForces() {
+        effect.addForces(state, 0, force, 0, effect.size());
+        return force;
+    }
+}

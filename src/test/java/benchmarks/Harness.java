@@ -1,0 +1,65 @@
+package benchmarks;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.openjdk.jmh.generators.core.BenchmarkGenerator;
+import org.openjdk.jmh.generators.core.FileSystemDestination;
+import org.openjdk.jmh.generators.reflection.RFGeneratorSource;
+import particles.output.FrameBenchmark;
+
+/**
+ * Writes and compiles what JMH runs: a class around each benchmark with its loop and clock. Usually an annotation processor
+ * does it while everything is compiled; done in a step of its own it costs nobody anything who does not measure.
+ */
+final class Harness {
+    static final List<Class<?>> BENCHMARKS = List.of(SolveBenchmark.class, EffectBenchmark.class, SceneBenchmark.class,
+            FrameBenchmark.class);
+
+    private Harness() {
+    }
+
+    /**
+     * @param folder where classes and lists go, to be put on the class path of who measures
+     * @throws IllegalStateException if a class is no benchmark as it should be
+     */
+    static void write(Path folder) throws IOException {
+        Path sources = Files.createTempDirectory("benchmarks");
+        Files.createDirectories(folder);
+        RFGeneratorSource benchmarks = new RFGeneratorSource();
+        benchmarks.processClasses(BENCHMARKS.toArray(Class<?>[]::new));
+        FileSystemDestination written = new FileSystemDestination(folder.toFile(), sources.toFile());
+        BenchmarkGenerator generator = new BenchmarkGenerator();
+        generator.generate(benchmarks, written);
+        generator.complete(benchmarks, written);
+        if (written.hasErrors()) {
+            throw new IllegalStateException(written.getErrors().toString());
+        }
+        List<String> arguments = new ArrayList<>(List.of("-proc:none", "-nowarn", "-d", folder.toString(), "-cp",
+                System.getProperty("java.class.path")));
+        try (Stream<Path> files = Files.walk(sources)) {
+            files.filter(file -> file.toString().endsWith(".java")).map(Path::toString).forEach(arguments::add);
+        }
+        if (ToolProvider.getSystemJavaCompiler().run(null, null, null, arguments.toArray(String[]::new)) != 0) {
+            throw new IllegalStateException("what JMH wrote does not compile; the lines above say why");
+        }
+        delete(sources);
+    }
+
+    private static void delete(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.sorted((a, b) -> b.compareTo(a)).toList()) {
+                Files.delete(file);
+            }
+        }
+    }
+
+    /** @param args the folder */
+    public static void main(String[] args) throws IOException {
+        write(Path.of(args[0]));
+    }
+}

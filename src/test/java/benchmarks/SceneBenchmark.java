@@ -1,0 +1,32 @@
+package benchmarks;
+
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.State;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+
+/** The time from a scene's file to a simulation that is ready to run. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+public class SceneBenchmark {
+    /** The name of a scene. */
+    @Param("02-one-spring")
+    public String what;
+
+    /** @return the scene, read, checked and built */
+    @Benchmark
+    public Scene load() {
+        return SceneBuilder.build(SceneReader.read(SceneFiles.find(Path.of("scenes"), what)), new Overrides());
+    }
+}

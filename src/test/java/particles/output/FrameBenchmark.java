@@ -1,0 +1,60 @@
+package particles.output;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import particles.ParticleSystem;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+
+/** The time to draw a frame of 1280 x 720 pixels, and to make a PNG picture of it. */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+public class FrameBenchmark {
+    private static final int WIDTH = 1280;
+    private static final int HEIGHT = 720;
+    private static final int STEPS = 100;
+
+    /** The name of a scene that has a camera. */
+    @Param("09-cloth-in-wind")
+    public String what;
+
+    private final FrameState state = new FrameState();
+    private final PngEncoder encoder = new PngEncoder(WIDTH, HEIGHT);
+    private FrameRenderer renderer;
+
+    /** Runs the scene for a while, so that there are folds and shadows. */
+    @Setup
+    public void prepare() {
+        Scene scene = SceneBuilder.build(SceneReader.read(SceneFiles.find(Path.of("scenes"), what)), new Overrides());
+        ParticleSystem system = scene.system();
+        for (int n = 0; n < STEPS; n++) {
+            scene.solver().stepState(system, scene.simulation().getDeltaT());
+        }
+        state.take(system.getStateArray(), system.getParticles().count(), system.getTime());
+        state.takeStructure(system, false);
+        renderer = new FrameRenderer(new Stage(scene.camera().orElseThrow(), scene.look(), scene.scenery(),
+                scene.description().title(), ""), WIDTH, HEIGHT, 2);
+    }
+
+    /** @return the pixels */
+    @Benchmark
+    public int[] draw() throws IOException {
+        int[] pixels = renderer.render(state);
+        encoder.write(pixels, OutputStream.nullOutputStream());
+        return pixels;
+    }
+}
