@@ -44,7 +44,7 @@ final class Program {
     }
 
     private void run(String... args) throws Exception {
-        CommandLine program = commandLine();
+        CommandLine program = commandLine(args);
         ParseResult parsed = program.parseArgs(args);
         ParseResult chosen = parsed.hasSubcommand() ? parsed.subcommand() : parsed;
         if (chosen.isUsageHelpRequested()) {
@@ -61,17 +61,22 @@ final class Program {
         command.run(out);
     }
 
-    private CommandLine commandLine() {
+    private CommandLine commandLine(String... args) {
         CommandLine program = new CommandLine(new Root());
-        for (ProgramCommand command : commands) {
-            CommandLine line = new CommandLine(command);
-            program.addSubcommand(line.getCommandName(), line);
+        // Options are found by reflection, which takes a while for all commands: only where none is named are all needed.
+        List<ProgramCommand> named = commands.stream().filter(command -> args.length > 0 && name(command).equals(args[0])).toList();
+        for (ProgramCommand command : named.isEmpty() ? commands : named) {
+            program.addSubcommand(name(command), new CommandLine(command));
         }
         // No @file: a value is a value. All that is wrong is said in one go.
         program.setExpandAtFiles(false);
         collectErrors(program.getCommandSpec());
         program.getSubcommands().values().forEach(line -> collectErrors(line.getCommandSpec()));
         return program;
+    }
+
+    private static String name(ProgramCommand command) {
+        return command.getClass().getAnnotation(Command.class).name();
     }
 
     private static void collectErrors(CommandSpec spec) {

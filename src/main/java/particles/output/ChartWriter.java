@@ -4,12 +4,11 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.jfree.chart.JFreeChart;
 import particles.ChartData;
 import particles.VectorField;
@@ -93,14 +92,14 @@ public final class ChartWriter {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         drawing.accept(g);
         g.dispose();
+        PngEncoder encoder = new PngEncoder(image.getWidth(), image.getHeight());
         try (OutputFile file = folder.create(name)) {
-            // in memory: ImageIO's own streams would put a cache into the system's temporary folder
-            try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(file)) {
-                ImageIO.write(image, "png", stream);
-            }
+            encoder.write(((DataBufferInt) image.getRaster().getDataBuffer()).getData(), file);
             file.commit();
         } catch (IOException e) {
             throw new OutputException(folder.getPath().resolve(name), "write", e);
+        } finally {
+            encoder.close();
         }
     }
 }
