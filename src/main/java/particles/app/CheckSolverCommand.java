@@ -52,7 +52,16 @@ final class CheckSolverCommand extends CheckCommand {
         if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE)) {
             return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, List.of(), List.of()));
         }
-        SolverFigures figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
+        SolverFigures figures;
+        try {
+            figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
+        } catch (RuntimeException e) {                  // the class's own: what was found out is told all the same
+            List<Finding> all = new ArrayList<>(verdict.findings());
+            if (verdict.wrong().isEmpty()) {            // else it is a consequence of what is said already
+                all.add(SolverFigures.failure(e));
+            }
+            return new Checked(title, all, new ResultPage(NAME, title, paragraphs(all), List.of(), List.of()));
+        }
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.chart("order", "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.", figures.order()));
         figures.region().ifPresent(region -> pictures.add(Picture.map("region",

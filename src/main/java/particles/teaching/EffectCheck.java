@@ -82,6 +82,11 @@ public final class EffectCheck {
         force(copy, 0, effect.size());
         if (!Arrays.equals(copy, state)) {
             wrong(Kind.STATE, "addForces changes the state, which is there to be read only");
+            return;
+        }
+        if (!Arrays.equals(force, force(state, 0, effect.size()))) {
+            wrong(Kind.STATE, "two calls at the same state and time give different forces: something is random, or kept from the call before");
+            return;
         }
         double[] filled = new double[n];
         Arrays.fill(filled, 1);
@@ -140,8 +145,9 @@ public final class EffectCheck {
                 wrong(Kind.METHOD, "item " + item + " pushes particle " + names.get(0) + " and forgets the partner: F_ji = -F_ij has to be added to"
                         + " the other particle");
             } else {
+                int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
                 wrong(Kind.METHOD, "item " + item + " pushes particles " + String.join(" and ", names) + " with forces that add up to "
-                        + Formula.number(rest) + " and not to 0" + (Math.abs(rest / 2) <= size * (1 + 1e-9) && sameForces(force, pushed)
+                        + Formula.number(rest) + " along " + XYZ.charAt(axis) + " and not to 0" + (Math.abs(rest / 2) <= size * (1 + 1e-9) && sameForces(force, pushed)
                                 ? ": the partner gets the same force, and has to get the opposite one, F_ji = -F_ij" : ": F_ji has to be -F_ij"));
             }
             return;
@@ -186,49 +192,9 @@ public final class EffectCheck {
                 continue;
             }
             wrong(Kind.METHOD, entry(k) + " is " + Formula.number(force[k]) + " where " + authority + " " + Formula.number(expected[k])
-                    + cause(force, expected, size, other));
+                    + new ForceComparison(system, force, expected, size).cause(effect.dependsOnVelocity(), other));
             return;
         }
-    }
-
-    private String cause(double[] force, double[] expected, double size, String other) {
-        if (fits(force, expected, size, -1, 0)) {
-            return ": the sign is wrong, in the force or in " + other;
-        }
-        if (fits(force, expected, size, 0.5, 0)) {
-            return ": the half is missing in " + other + ", or one was taken too often in the force";
-        }
-        if (fits(force, expected, size, 2, 0)) {
-            return ": the force is twice what it should be, or a half too many stands in " + other;
-        }
-        if (fits(force, expected, size, 1, -1)) {
-            return ": the mass is missing in the force, which is mass times acceleration";
-        }
-        if (fits(force, expected, size, 1, 1)) {
-            return ": the mass is missing in " + other + ", or stands in the force once too often";
-        }
-        List<String> off = new ArrayList<>();
-        for (int c = 0; c < 3; c++) {
-            for (int k = 3 + c; k < n; k += 6) {
-                if (!system.getParticles().isFixed(k / 6) && Math.abs(force[k] - expected[k]) > SAME * size) {
-                    off.add(XYZ.substring(c, c + 1));
-                    break;
-                }
-            }
-        }
-        return off.size() == 3 ? "" : ": only " + String.join(" and ", off) + (off.size() == 1 ? " is" : " are") + " wrong";
-    }
-
-    /** Whether force = factor * mass^power * expected, for all free particles. */
-    private boolean fits(double[] force, double[] expected, double size, double factor, int power) {
-        for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
-            double mass = system.getParticles().mass(k / 6);
-            double scaled = factor * expected[k] * (power == 0 ? 1 : power > 0 ? mass : 1 / mass);
-            if (!system.getParticles().isFixed(k / 6) && Math.abs(force[k] - scaled) > SAME * size * 2) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** What damps takes as much power as it says. */
@@ -253,7 +219,9 @@ public final class EffectCheck {
         String start = "the forces do the work " + Formula.number(power) + " W and the effect says that it turns " + Formula.number(dissipated)
                 + " W into heat";
         double ratio = -power / dissipated;
-        wrong(Kind.METHOD, start + (Math.abs(ratio + 1) < 1e-4 ? ": the sign is wrong; damping has to push against the velocity"
+        wrong(Kind.METHOD, start + (dissipated == 0 ? ": getDissipatedPower is missing"
+                : Math.abs(ratio + 1) < 1e-4 && dissipated < 0 ? ": the sign of the dissipated power is wrong; what becomes heat counts as positive"
+                : Math.abs(ratio + 1) < 1e-4 ? ": the sign is wrong; damping has to push against the velocity"
                 : Math.abs(ratio - 2) < 1e-4 ? ": twice as much; a half stands in the dissipated power that does not belong there"
                 : Math.abs(ratio - 0.5) < 1e-4 ? ": half as much; a half is missing in the dissipated power, or is too much in the force" : ""));
     }
@@ -286,7 +254,11 @@ public final class EffectCheck {
         }
     }
 
-    private static String hint(String line) {
+    private String hint(String line) {
+        if (line.startsWith("power") && Set.of().equals(effect.getTraits())) {
+            return "; the forces do work that the effect does not account for. Claim CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with"
+                    + " getDissipatedPower or DRIVING with getDrivenPower";
+        }
         if (line.startsWith("translation")) {
             return "; the force uses places and not differences of places, though it claims TRANSLATION_INVARIANT";
         }

@@ -28,7 +28,8 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
     /** Three blocks of six and one more, whatever a solver believes of particles. */
     private static final int SIZE = 24;
     private static final int KEPT = 20;
-    private static final double START = 2;
+    /** The clock at the start (s). */
+    static final double START = 2;
 
     /**
      * Makes one step.
@@ -69,14 +70,15 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
      * Makes a step with numbers that use all digits of a double, and compares it with what these coefficients say.
      *
      * @param solver a new solver
+     * @param size   of the derivatives
      * @return by entry, the difference relative to the numbers that are added; NaN where the solver left the entry as it was
      */
-    double[] misfit(DESolver solver) {
+    double[] misfit(DESolver solver, double size) {
         Random random = new Random(2003);
         double[] start = random.doubles(SIZE, 1, 2).toArray();
         double[][] slopes = new double[Probe.MOST_EVALUATIONS][];
         for (int j = 0; j < slopes.length; j++) {
-            slopes[j] = random.doubles(SIZE, -1, 1).toArray();
+            slopes[j] = random.doubles(SIZE, -size, size).toArray();
         }
         Probe probe = new Probe(start, START, (j, dSdt) -> System.arraycopy(slopes[j], 0, dSdt, 0, SIZE));
         solver.stepState(probe, h);
@@ -88,12 +90,12 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
         }
         for (int k = 0; k < SIZE; k++) {
             double expected = kept * start[k];
-            double size = Math.abs(start[k]);
+            double added = Math.abs(start[k]);
             for (int j = 0; j < stages(); j++) {
                 expected += b[j] * slopes[j][k];
-                size += Math.abs(b[j] * slopes[j][k]);
+                added += Math.abs(b[j] * slopes[j][k]);
             }
-            double difference = Math.abs(found[k] - expected) / size;
+            double difference = Math.abs(found[k] - expected) / added;
             misfit[k] = difference > 1e-12 && found[k] == start[k] ? Double.NaN : difference;
         }
         return misfit;

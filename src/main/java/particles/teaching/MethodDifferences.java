@@ -72,6 +72,9 @@ final class MethodDifferences {
             return ": setState is missing before this getStateDerivative, so that it is "
                     + (sum(a[i]) == 0 ? "the derivative at the old state once more, " + slope(0) + " again" : slope(i - 1) + " again");
         }
+        if (i > 0 && sum(a[i]) == 0) {
+            return ": nothing is added to s; 1/2 is 0 in Java, as both are whole numbers, and 0.5 is meant";
+        }
         if (i > 0 && same(a[i], plus(expected, a[i - 1]))) {
             return ": go back to the start s before adding";
         }
@@ -143,7 +146,7 @@ final class MethodDifferences {
         if (last > 0 && Math.abs(sum(weights)) == 0 && Arrays.stream(weights).allMatch(w -> w == 0)) {
             return ": no evaluation is in it; 1/6 is 0 in Java, as both are whole numbers, and 1.0/6 is meant";
         }
-        if (last > 0 && Formula.same(weights[last], 1) && Formula.same(sum(weights), 1) && expected[last] != 1) {
+        if (last > 0 && method.stages() == b.length && Formula.same(weights[last], 1) && Formula.same(sum(weights), 1) && expected[last] != 1) {
             return ": all of them are " + slope(last) + ", as if " + slope(0) + " to " + slope(last)
                     + " were one array, which each evaluation writes over";
         }
@@ -162,6 +165,16 @@ final class MethodDifferences {
     static boolean same(double[] x, double[] y) {
         for (int j = 0; j < x.length; j++) {
             if (!Formula.same(x[j], y[j])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** @return whether each stage is where its time leads */
+    static boolean isConsistent(double[][] rows, double[] clocks) {
+        for (int i = 0; i < rows.length; i++) {
+            if (!Formula.same(sum(rows[i]), clocks[i])) {
                 return false;
             }
         }

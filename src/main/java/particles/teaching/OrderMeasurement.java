@@ -17,9 +17,14 @@ record OrderMeasurement(double order, List<double[]> points) {
 
     /** @return the measurement, on {@link WindyOscillators} */
     static OrderMeasurement of(Supplier<DESolver> maker) {
+        return of(maker, 1);
+    }
+
+    /** @return the measurement, on so many particles */
+    static OrderMeasurement of(Supplier<DESolver> maker, int particles) {
         List<double[]> points = new ArrayList<>();
         for (int steps = 8; steps <= 256; steps *= 2) {
-            WindyOscillators source = new WindyOscillators(1);
+            WindyOscillators source = new WindyOscillators(particles);
             DESolver solver = maker.get();
             for (int i = 0; i < steps; i++) {
                 solver.stepState(source, TIME / steps);

@@ -14,22 +14,29 @@ final class SolverContract {
     /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
     private static final double SAME = 1e-9;
 
+    private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, state and deltaT are what the"
+            + " last step left, and has to be forgotten in reset()";
+
     private final Supplier<DESolver> maker;
+    private final boolean multistep;
     private final List<Finding> findings = new ArrayList<>();
 
-    private SolverContract(Supplier<DESolver> maker) {
+    private SolverContract(Supplier<DESolver> maker, boolean multistep) {
         this.maker = maker;
+        this.multistep = multistep;
     }
 
     /**
-     * @param maker makes a new solver
+     * @param maker     makes a new solver
+     * @param multistep whether its steps use earlier ones
      * @return what is wrong with it, and advice
      */
-    static List<Finding> check(Supplier<DESolver> maker) {
-        SolverContract contract = new SolverContract(maker);
+    static List<Finding> check(Supplier<DESolver> maker, boolean multistep) {
+        SolverContract contract = new SolverContract(maker, multistep);
         if (contract.checkOwnCopy()) {
             contract.checkSizes();
             contract.checkTurns();
+            contract.checkChangedDeltaT();
         }
         contract.checkZero();
         contract.advise();
@@ -53,7 +60,8 @@ final class SolverContract {
         solver.reset();
         solver.stepState(source, H);
         if (distance(expected, source.state()) > SAME) {
-            wrong("the state was set from outside, as a collision does, and the step afterwards does not start there: an array is kept"
+            wrong(multistep ? "the state was set from outside, as a collision does, and the step afterwards still uses the steps before it" + FORGET
+                    : "the state was set from outside, as a collision does, and the step afterwards does not start there: an array is kept"
                     + " from the step before. getState has to be called in every step, and the arrays filled anew");
             return false;
         }
@@ -107,6 +115,23 @@ final class SolverContract {
                             + " before (an array that is not filled anew, a derivative that is not asked for again)");
                     return;
                 }
+            }
+        }
+    }
+
+    /** The simulation shortens the last step before an event, so that deltaT changes from step to step. */
+    private void checkChangedDeltaT() {
+        DESolver solver = maker.get();
+        WindyOscillators source = new WindyOscillators(1);
+        for (double deltaT : new double[] {H, H, H / 4, H / 2}) {
+            WindyOscillators twin = source.copy();
+            maker.get().stepState(twin, deltaT);
+            boolean changed = source.getTime() > H;
+            solver.stepState(source, deltaT);
+            if (changed && distance(twin.state(), source.state()) > SAME) {
+                wrong("deltaT changes from one step to the next, and the step is not the one that a new solver makes with it"
+                        + (multistep ? FORGET : ": deltaT of an earlier step is kept. It is an argument of each call, and may differ in each"));
+                return;
             }
         }
     }

@@ -58,6 +58,11 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                 new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true, work));
     }
 
+    /** @return what to say of an exception of the solver's in the midst of this */
+    public static Finding failure(RuntimeException thrown) {
+        return new Finding(Finding.Kind.FAILURE, "while it was measured on springs, stepState ended in an exception: " + StudentFailure.describe(thrown));
+    }
+
     private static Series series(String name, Mark mark, List<double[]> points) {
         List<double[]> shown = points.stream().filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList();
         return new Series(name, mark, shown.stream().mapToDouble(p -> p[0]).toArray(), shown.stream().mapToDouble(p -> p[1]).toArray());

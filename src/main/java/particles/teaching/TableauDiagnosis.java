@@ -9,6 +9,9 @@ import particles.teaching.Finding.Kind;
 
 /** Names a method whose coefficients were read off with three time steps, and what is wrong with it. */
 final class TableauDiagnosis {
+    /** More evaluations than in a method that somebody got wrong. */
+    private static final int MANY = 4;
+
     private final ExtractedTableau step;
     private final ExtractedTableau twice;
     private final ExtractedTableau back;
@@ -74,6 +77,17 @@ final class TableauDiagnosis {
             return false;
         }
         boolean calls = step.clockMoves().stream().allMatch(move -> move == h);
+        double ahead = step.end() - h;
+        if (ahead != 0 && Formula.same(twice.end() - twice.h(), ahead) && Formula.same(back.end() - back.h(), ahead)) {
+            wrong(Kind.TIME, "the clock moves by " + Formula.number(step.end()) + " s in a step of " + Formula.number(h) + " s that begins at "
+                    + Formula.number(ahead) + " s: incTime takes how far the clock moves, deltaT, and not the new time");
+            return false;
+        }
+        if (calls && step.stages() > 2) {
+            wrong(Kind.TIME, "the clock moves by " + Formula.number(end) + " deltaT: incTime(deltaT) is called " + step.clockMoves().size()
+                    + " times, and all moves together have to make one deltaT");
+            return false;
+        }
         if (calls) {
             wrong(Kind.TIME, "the clock moves by " + Formula.number(end) + " deltaT: incTime(deltaT) is called " + step.clockMoves().size()
                     + " times, once is right");
@@ -142,6 +156,7 @@ final class TableauDiagnosis {
         if (Formula.same(ratio, 1)) {
             return Formula.same(once, 1) || Formula.same(once, 0.5)
                     ? "deltaT is ignored; the derivative has to be multiplied by deltaT"
+                    : Formula.same(once, ExtractedTableau.START) ? "its length is the time, source.getTime(), and deltaT is ignored"
                     : "a time step of " + Formula.number(once) + " s is hard-coded, and deltaT is ignored";
         }
         if (Formula.same(ratio, 0.5)) {
@@ -190,7 +205,7 @@ final class TableauDiagnosis {
             return "This is " + exact.get().name() + (findings.isEmpty() ? "." : " but for what is wrong below.");
         }
         int order = end && clock ? OrderConditions.order(a, b, c) : 0;
-        if (order >= 2) {
+        if (order >= 2 || order == 1 && b.length > MANY && MethodDifferences.isConsistent(a, c)) {
             return "This is a Runge-Kutta method of order " + order + (order == 4 ? " or more" : "") + " with " + b.length
                     + " evaluations a step; its coefficients are none that we know by name.";
         }
@@ -198,10 +213,27 @@ final class TableauDiagnosis {
     }
 
     private String nearest(double[] weights, double[] clocks) {
+        if (isTwoEulerSteps()) {
+            findings.clear();
+            wrong(Kind.METHOD, "two Euler steps of deltaT are made, and the clock moves by 2 deltaT; one is wanted");
+            return "This is the Euler method, twice.";
+        }
         KnownMethod nearest = KnownMethod.all().stream()
                 .min(Comparator.comparingInt(method -> MethodDifferences.of(method, a, weights, clocks, step).size())).orElseThrow();
-        findings.addAll(MethodDifferences.of(nearest, a, weights, clocks, step));
+        List<Finding> differences = MethodDifferences.of(nearest, a, weights, clocks, step);
+        if (b.length > MANY && differences.size() > MANY) {
+            wrong(Kind.METHOD, "with " + b.length + " evaluations this is no method that we know, and its weights " + (weights.length == 0
+                    || Formula.same(MethodDifferences.sum(weights), 1) ? "" : "do not add up to 1 but to " + Formula.number(MethodDifferences.sum(weights))
+                    + ", or its ") + "places and clocks do not belong together: each stage at the time t + c deltaT has to be where c deltaT leads");
+            return "This is a method of one's own, but for what is wrong below.";
+        }
+        findings.addAll(differences);
         return "This is nearest to " + nearest.name() + ", but for what is wrong below.";
+    }
+
+    private boolean isTwoEulerSteps() {
+        return b.length == 2 && Formula.same(step.end(), 2 * h) && Formula.same(b[0], 1) && Formula.same(b[1], 1) && Formula.same(a[1][0], 1)
+                && Formula.same(c[1], 1);
     }
 
     /** An evaluation at the end that enters nothing is a waste, but no mistake. */

@@ -1,5 +1,8 @@
 package particles.teaching.exercises;
 
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -12,7 +15,11 @@ import java.util.regex.Pattern;
  */
 record AnswerText(Optional<Double> value, String problem) {
     private static final int LONGEST = 60;
-    private static final String NUMBER = "[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:[eE][+-]?\\d+)?";
+    private static final String NUMBER = "[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:\\s*[eE][+-]?\\d+)?";
+    /** What stands before a number: x = or an equals sign alone. */
+    private static final String NAME = "^(?:[A-Za-z]\\w*\\s*)?[=\u2248~]\\s*";
+    /** Other ways to write a unit, without spaces and signs of multiplication. */
+    private static final Map<String, List<String>> SAME_UNITS = Map.of("Ns/m", List.of("kg/s"), "m/s", List.of("ms^-1", "ms-1"));
     private static final Pattern FORM = Pattern.compile("(" + NUMBER + ")(?:\\s*/\\s*(" + NUMBER + "))?\\s*(.*)");
     private static final String ALLOWED = "a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8";
 
@@ -22,12 +29,12 @@ record AnswerText(Optional<Double> value, String problem) {
      * @return the number, or what is wrong
      */
     static AnswerText read(String typed, String unit) {
-        String text = typed.strip().replace('\u2212', '-').replaceAll("\\s*[x*\u00d7\u00b7]\\s*10\\s*\\^\\s*", "e");
+        String text = typed.strip().replaceFirst(NAME, "").replace('\u2212', '-').replaceAll("\\s*[x*\u00d7\u00b7]\\s*10\\s*\\^\\s*", "e");
         if (text.isEmpty()) {
             return refused("The answer is empty; " + ALLOWED + ".");
         }
         String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
-        if (text.toLowerCase(java.util.Locale.ROOT).matches("[+-]?(nan|inf|infinity|\u221e).*")) {
+        if (text.toLowerCase(Locale.ROOT).matches("[+-]?(nan|inf|infinity|\u221e).*")) {
             return refused("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up; " + ALLOWED
                     + ".");
         }
@@ -45,19 +52,23 @@ record AnswerText(Optional<Double> value, String problem) {
         if (!Double.isFinite(value)) {
             return refused("'" + shown + "' is no finite number; " + ALLOWED + ".");
         }
-        String rest = matcher.group(3).replaceAll("\\s", "");
+        String rest = packed(matcher.group(3));
         if (unit.isEmpty() && rest.equals("%")) {
             return new AnswerText(Optional.of(value / 100), "");
         }
-        if (!rest.isEmpty() && !rest.equals(unit.replaceAll("\\s", ""))) {
+        if (!rest.isEmpty() && !rest.equals(packed(unit)) && !SAME_UNITS.getOrDefault(packed(unit), List.of()).contains(rest)) {
             return refused("'" + matcher.group(3).strip() + "' after the number is not understood: the answer is wanted "
                     + (unit.isEmpty() ? "as a pure number" : "in " + unit) + ", with or without the unit.");
         }
         return new AnswerText(Optional.of(value), "");
     }
 
+    private static String packed(String unit) {
+        return unit.replaceAll("[\\s*\u00b7]", "");
+    }
+
     private static double number(String text) {
-        return Double.parseDouble(text.replace(',', '.'));
+        return Double.parseDouble(text.replace(',', '.').replaceAll("\\s", ""));
     }
 
     private static AnswerText refused(String problem) {

@@ -3,7 +3,9 @@ package particles.teaching.exercises;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -14,7 +16,8 @@ class AnswerTextTest {
     @CsvSource(delimiter = '|', value = {"0.125|0.125", "0,125|0.125", " -1.5 |-1.5", "\u22121.5|-1.5", "+2|2", ".5|0.5",
             "3.|3", "1/8|0.125", "1 / 8|0.125",
         "1,5/3|0.5", "1.25e-1|0.125", "1.25E-1|0.125", "1.25 x 10^-1|0.125", "1,25*10^-1|0.125", "0.125 m/s|0.125",
-                "0.125m / s|0.125", "-1/8 m/s|-0.125"})
+                "0.125m / s|0.125", "-1/8 m/s|-0.125", "1.25 e-1|0.125", "v = 0.125|0.125", "= 0,125 m/s|0.125",
+                "\u22480.125|0.125", "0.125 ms^-1|0.125", "0.125 m\u00b7s^-1|0.125"})
     void numbersAreRead(String typed, double value) {
         assertEquals(Optional.of(value), AnswerText.read(typed, "m/s").value(), AnswerText.read(typed, "m/s").problem());
     }
@@ -32,6 +35,14 @@ class AnswerTextTest {
         assertEquals(Optional.empty(), read.value());
         assertTrue(read.problem().contains(problem), read.problem());
         assertEquals(1, read.problem().lines().count());
+    }
+
+    @Test
+    void aUnitMayBeWrittenOtherwise() {
+        for (String unit : List.of("N s/m", "Ns/m", "N*s/m", "N\u00b7s/m", "kg/s")) {
+            assertEquals(Optional.of(0.5), AnswerText.read("0.5 " + unit, "N s/m").value(), unit);
+        }
+        assertEquals(Optional.empty(), AnswerText.read("0.5 kg", "N s/m").value());
     }
 
     @ParameterizedTest
