@@ -13,7 +13,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: a class to begin with. */
 abstract class NewClassCommand extends ProgramCommand {
-    @Option(names = "--class", paramLabel = "NAME", required = true, description = "What the class is to be called, such as HeunSolver.")
+    @Option(names = "--class", paramLabel = "NAME", required = true, description = "What the class is to be called, such as HeunSolver or MyForce.")
     private String className;
 
     private final Path folder;

@@ -136,25 +136,24 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit drag, StabilityLimit spring) {
-        StabilityView view = StabilityView.of(plane::growth, plane.amplification::getEvaluations, !plane.springs);
+        DoubleBinaryOperator other = builtIn(nearest, plane);
+        StabilityView view = StabilityView.of(plane::growth, other, plane.amplification::getEvaluations, !plane.springs);
         StabilityMap own = new StabilityMap(plane::growth, view.window(), !plane.springs);
-        List<Series> series = new ArrayList<>();
-        series.add(own.stripes("stable", view.rowsBetweenStripes()));
-        series.add(own.outline(name));
-        series.add(new StabilityMap(builtIn(nearest, plane), view.window(), !plane.springs).outline(nearest));
+        Series beside = new StabilityMap(other, view.window(), !plane.springs).outline(nearest);
+        // pale and wide, so that a line along which it runs is seen
+        List<Series> series = new ArrayList<>(List.of(own.outline(name), own.stripes("stable", view.rowsBetweenStripes()),
+                new Series(nearest, Mark.BAND, beside.x(), beside.y())));
         if (!plane.springs) {
             double top = view.window().top();
             series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-top, top}));
         }
-        String title = "Stable where striped: " + most(drag, plane.springs ? "deltaT c/m" : "deltaT |lambda|", "damping") + ", "
-                + most(spring, "deltaT omega", "undamped springs");
+        String title = "Stable where striped: " + most(drag) + " for damping, " + most(spring) + " for undamped springs";
         return new ChartData(title, plane.springs ? "deltaT omega: stiffness" : "Re(deltaT lambda): decay to the left, growth to the right",
                 plane.springs ? "deltaT c/m: damping" : "Im(deltaT lambda): oscillation", false, false, series);
     }
 
-    private static String most(StabilityLimit limit, String quantity, String what) {
-        return (limit.value() == 0 ? "no deltaT" : limit.value() == Double.POSITIVE_INFINITY ? "any deltaT"
-                : quantity + String.format(Locale.ROOT, " to %.4g", limit.value())) + " for " + what;
+    private static String most(StabilityLimit limit) {
+        return limit.value() == 0 ? "never" : limit.value() == Double.POSITIVE_INFINITY ? "always" : String.format(Locale.ROOT, "to %.4g", limit.value());
     }
 
     private static DataTable table(String name, Plane plane, String nearest) {

@@ -25,11 +25,12 @@ record StabilityView(Window window, int rowsBetweenStripes) {
      * Looks from 0 in all directions for places where stable and unstable meet.
      *
      * @param growth      of a step at a place in the plane
-     * @param evaluations counts what that takes
+     * @param beside      another growth, whose places are to be seen as well
+     * @param evaluations counts what the first takes
      * @param both        whether the plane is that of deltaT lambda; else both coordinates are positive
      * @return a part of the plane with all of these places
      */
-    static StabilityView of(DoubleBinaryOperator growth, LongSupplier evaluations, boolean both) {
+    static StabilityView of(DoubleBinaryOperator growth, DoubleBinaryOperator beside, LongSupplier evaluations, boolean both) {
         double left = 0;
         double right = 0;
         double top = 0;
@@ -40,10 +41,14 @@ record StabilityView(Window window, int rowsBetweenStripes) {
             double cos = StrictMath.cos(Math.PI * k / 12);
             double sin = StrictMath.sin(Math.PI * k / 12);
             boolean stable = growth.applyAsDouble(NEAREST * cos, NEAREST * sin) <= STABLE;
+            boolean otherStable = beside.applyAsDouble(NEAREST * cos, NEAREST * sin) <= STABLE;
             for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
                 looks++;
-                if (growth.applyAsDouble(size * cos, size * sin) <= STABLE != stable) {
-                    stable = !stable;
+                boolean was = stable;
+                boolean otherWas = otherStable;
+                stable = growth.applyAsDouble(size * cos, size * sin) <= STABLE;
+                otherStable = beside.applyAsDouble(size * cos, size * sin) <= STABLE;
+                if (stable != was || otherStable != otherWas) {
                     left = Math.min(left, size * cos);
                     right = Math.max(right, size * cos);
                     top = Math.max(top, size * sin);

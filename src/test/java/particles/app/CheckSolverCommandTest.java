@@ -33,6 +33,17 @@ class CheckSolverCommandTest {
         }
     }
 
+    /** Euler that gives up at one deltaT, after all of the contract was looked at. */
+    public static final class GivesUp extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            if (deltaT == 0.1) {
+                throw new IllegalStateException("not with 0.1");
+            }
+            new deSolvers.EulerSolver().stepState(source, deltaT);
+        }
+    }
+
     /** Ends everything. */
     public static final class Exits extends DESolver {
         @Override
@@ -100,6 +111,15 @@ class CheckSolverCommandTest {
         assertTrue(screen.contains("  time: " + mistake), screen);
         assertTrue(screen.strip().endsWith("one thing is wrong"), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **time**: " + mistake));
+    }
+
+    @Test
+    void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.BAD_INPUT, GivesUp.class.getName(), folder);
+        assertTrue(screen.startsWith("GivesUp: This is the Euler method."), screen);
+        String mistake = "while it was measured on springs, stepState ended in an exception: java.lang.IllegalStateException: not with 0.1, in GivesUp.";
+        assertTrue(screen.contains("  failure: " + mistake), screen);
+        assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
     }
 
     @Test

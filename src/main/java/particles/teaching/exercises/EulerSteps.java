@@ -33,6 +33,7 @@ final class EulerSteps extends NumericExercise {
                         "These are four steps; three are wanted."),
                 new Slip(new Spring(m, k, 0, x, v).after("euler", 1, STEPS * h).x(),
                         "This is one step of three times deltaT; the derivative has to be evaluated anew after each step."),
+                new Slip(new Spring(m, k, 0, x, v).after("euler", STEPS, h).v(), "This is the velocity; asked is the place."),
                 new Slip(new Spring(1, k, 0, x, v).after("euler", STEPS, h).x(), "The mass is missing: a = F/m = -(k/m) x."),
                 new Slip(new Spring(m, -k, 0, x, v).after("euler", STEPS, h).x(),
                         "The spring pulls back: the sign of its force is minus."),
