@@ -65,8 +65,8 @@ final class CheckSolverCommand extends CheckCommand {
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.chart("order", "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.", figures.order()));
         figures.region().ifPresent(region -> pictures.add(Picture.map("region",
-                "Where a step makes nothing larger, measured on its own steps: there each deltaT lambda has to lie, with lambda the eigenvalues of"
-                        + " the system. Beside it the built-in solver that is nearest.", region)));
+                "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie there: deltaT times its"
+                        + " eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m. Pale: the built-in solver that is nearest.", region)));
         pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.", figures.energy()));
         pictures.add(Picture.chart("work-precision", "The error after eight seconds against the work: lower left is better.", figures.workPrecision()));
         return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures,

@@ -57,13 +57,15 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                 new ChartData(String.format(Locale.ROOT, "The error falls as deltaT^%.2f", order.order()), "deltaT (s)", "error after 2 s", true,
                         true, List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
                 stability.growth(),
-                new ChartData(String.format(Locale.ROOT, "Energy of a spring, deltaT = 0.1 s: off by up to %.2g of it", largest(energy)), "time (s)", "|energy / first energy - 1|", false, true, energies),
+                new ChartData(String.format(Locale.ROOT, "Energy of a spring, deltaT = 0.1 s: off by up to %.2g of it", largest(energy)),
+                        "time (s)", "|energy / first energy - 1|", false, true, energies),
                 new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true, work));
     }
 
     /** @return what to say of an exception of the solver's in the midst of this */
     public static Finding failure(RuntimeException thrown) {
-        return new Finding(Finding.Kind.FAILURE, "while it was measured on springs, stepState ended in an exception: " + StudentFailure.describe(thrown));
+        return new Finding(Finding.Kind.FAILURE, "while it was measured on springs, stepState ended in an exception: "
+                + StudentFailure.describe(thrown));
     }
 
     private static Series series(String name, Mark mark, List<double[]> points) {

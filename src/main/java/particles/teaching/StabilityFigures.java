@@ -67,8 +67,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         boolean builtIn = SolverCatalog.names().contains(name);
         Optional<Amplification> own = builtIn ? Optional.of(Amplification.of(SolverCatalog.info(name))) : trial.amplification();
         if (own.isEmpty()) {
-            return new StabilityFigures(List.of(List.of(DRAG, "-", trial.objection()), List.of(SPRING, "-", "the same")), Optional.empty(),
-                    Optional.empty());
+            return new StabilityFigures(List.of(List.of(DRAG, "-", trial.objection()), List.of(SPRING, "-", "the same")),
+                    Optional.empty(), Optional.empty());
         }
         boolean subStep = builtIn && SolverCatalog.info(name).adaptive();
         Plane plane = new Plane(own.get(), builtIn ? 0 : trial.noise(), own.get().isOfSprings());
@@ -85,7 +85,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                 (plane.springs ? "the drag is -c v" : "on the negative real axis") + how));
         rows.add(List.of(SPRING, text(spring), (plane.springs ? "omega^2 is k/m" : "on the imaginary axis")
                 + (spring.value() == 0 ? "; it always grows" : "") + how));
-        return new StabilityFigures(rows, Optional.of(chart(name, plane, nearest, drag, spring)), Optional.of(table(name, plane, nearest)));
+        return new StabilityFigures(rows, Optional.of(chart(name, plane, nearest, drag, spring)),
+                Optional.of(table(name, plane, nearest)));
     }
 
     private static String text(StabilityLimit limit) {
@@ -153,7 +154,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     private static String most(StabilityLimit limit) {
-        return limit.value() == 0 ? "never" : limit.value() == Double.POSITIVE_INFINITY ? "always" : String.format(Locale.ROOT, "to %.4g", limit.value());
+        return limit.value() == 0 ? "never" : limit.value() == Double.POSITIVE_INFINITY ? "always"
+                : String.format(Locale.ROOT, "to %.4g", limit.value());
     }
 
     private static DataTable table(String name, Plane plane, String nearest) {
