@@ -61,7 +61,8 @@ final class Newton {
         }
         boolean haveCorrection = false;
         double size = 0;
-        while (iterations++ < MOST_ITERATIONS) {
+        while (iterations < MOST_ITERATIONS) {
+            iterations++;
             work.newtonIterations++;
             if (!haveCorrection) {
                 problem.linearise(u);
