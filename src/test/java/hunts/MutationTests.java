@@ -22,7 +22,7 @@ final class MutationTests {
     /** Of each package, in percent. */
     private static final double LEAST_KILLED = 85;
     /** What a test may take longer than without a mutant: twice its time and this much (ms). */
-    private static final int PATIENCE = 4000;
+    private static final int PATIENCE = 2000;
     private static final Path REPORTS = Path.of("build", "reports", "mutations");
 
     /** Package, and which tests besides its own look at it. */
