@@ -89,13 +89,14 @@ final class RaceCommand extends ExperimentCommand {
 
     private static ResultPage page(Result race, int count) {
         double speed = race.duration() * PLAYBACK / count;
+        String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which cannot do with less,")
+                .orElse("rk4 at the scene's step");
         String rule = race.equalTime()
-                ? "All take the same time, as much as rk4 takes at the scene's step: an implicit solver does more than"
-                        + " evaluate"
-                        + " the derivative, so that evaluations would not be fair."
-                : "All get as many evaluations of the derivative as rk4 takes at the scene's step, to within one step:"
-                        + " a cheap"
-                        + " method makes more and shorter steps, an adaptive one gets the tolerance that costs as much.";
+                ? "All run for the same measured time, as long as " + pace + " needs: an implicit solver does more than"
+                        + " evaluate the derivative, so that equal evaluations would not be fair. A time is that of a busy"
+                        + " processor, the median of runs that were made in turn after a warm-up."
+                : "All get as many evaluations of the derivative as " + pace + " needs, to within one step: a cheap method"
+                        + " makes more and shorter steps, an adaptive one gets the tolerance that costs as much.";
         return new ResultPage(NAME, RaceCharts.title(race), List.of(rule,
                 "The grey ghost is the reference, " + Race.REFERENCE + ". The strip below shows the energy error of"
                         + " each solver, physics taken out, over the energy scale. Who goes where the reference never"
@@ -104,7 +105,7 @@ final class RaceCommand extends ExperimentCommand {
                 String.format(Locale.ROOT, "The animation is played %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : String.format(Locale.ROOT, "at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
-                        Picture.made(SHEET, "The race at four moments, and the energy error over time."),
+                        Picture.made(SHEET, "The race at some moments, and the energy error over time."),
                         Picture.stacked("race-charts", "Above the distance of each solver from the reference, root mean"
                                 + " square over"
                                 + " the particles; below its energy error. A cross is where one left.",

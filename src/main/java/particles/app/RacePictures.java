@@ -1,5 +1,7 @@
 package particles.app;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -85,13 +87,19 @@ final class RacePictures implements Race.Audience, AutoCloseable {
                 "Grey ghost: the reference, " + Race.REFERENCE + "."), words, RaceCharts.energy(race), progress);
     }
 
+    /** Two digits, as there is little room; the table has the others. */
     private static String step(Lane lane) {
-        return lane.match().setting().tolerance().map(t -> String.format(Locale.ROOT, "tolerance %.1e", t))
-                .orElseGet(() -> "deltaT = " + Digits.few(lane.match().setting().deltaT()) + " s");
+        return lane.match().setting().tolerance().map(t -> "tolerance " + two(t)).orElseGet(() -> "deltaT = "
+                + two(lane.match().setting().deltaT()) + " s");
+    }
+
+    private static String two(double value) {
+        return Digits.few(new BigDecimal(value).round(new MathContext(2)).doubleValue());
     }
 
     private static String cost(Lane lane, boolean equalTime) {
-        return equalTime ? Digits.few(1000 * lane.match().seconds()) + " ms" : lane.match().evaluations() + " evaluations";
+        return equalTime ? Digits.few(1000 * lane.match().seconds().orElse(Double.NaN)) + " ms"
+                : lane.match().evaluations() + " evaluations";
     }
 
     @Override

@@ -1,6 +1,7 @@
 package particles.experiments;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -13,6 +14,7 @@ import particles.SimulationException;
 import particles.Vector3;
 import particles.experiments.EnergyDrift.Drift;
 import particles.experiments.EqualWork.Match;
+import particles.experiments.EqualWork.Shares;
 import particles.experiments.SceneRun.Outcome;
 import particles.experiments.SceneRun.Setting;
 import particles.scene.Scene;
@@ -23,9 +25,9 @@ import particles.scene.SceneDescription;
  * whose work is more than that, time; who stays near a run that is as good as exact?
  */
 public final class Race {
-    private static final double REFERENCE_TOLERANCE = 1e-9;
+    private static final double REFERENCE_TOLERANCE = 1e-11;
     /** What the reference is, in words. */
-    public static final String REFERENCE = "dormand-prince with a tolerance of 1e-9";
+    public static final String REFERENCE = "dormand-prince with a tolerance of 1e-11";
     private static final long MOST_EVALUATIONS = 20_000_000;
     /** Who is farther than this, of the scene's extent, from where the reference goes has left the race. */
     private static final double BEYOND = 0.25;
@@ -50,7 +52,7 @@ public final class Race {
      * @param drift    how it keeps the energy, as far as it came
      * @param states   at the frames' times, as far as it came: (x1, v1, x2, v2, ...)
      * @param distance from the reference at these times, root mean square over the particles (m); NaN where there are not as
-     *                 many particles
+     *                 many particles, or between the steps of an adaptive solver
      * @param left     when it left the race (s): it failed, or went where the reference never comes near
      */
     public record Lane(Match match, Drift drift, List<double[]> states, double[] distance, OptionalDouble left) {
@@ -63,12 +65,12 @@ public final class Race {
      * @param duration  of the race (s)
      * @param times     of the frames (s)
      * @param equalTime whether all take the same time, and not the same number of evaluations
-     * @param work      evaluations, or seconds, that each was to take
+     * @param shares    what each was to take, and who cannot do with less
      * @param scale     what energy errors are divided by (J)
      * @param reference its states at the frames' times
      * @param lanes     one a solver
      */
-    public record Result(String scene, double duration, double[] times, boolean equalTime, double work, double scale,
+    public record Result(String scene, double duration, double[] times, boolean equalTime, Shares shares, double scale,
                          List<double[]> reference, List<Lane> lanes) {
     }
 
@@ -79,11 +81,11 @@ public final class Race {
 
     /**
      * @param scene   with the duration that is wanted; rk4 at its step sets how much work all get
-     * @param solvers who takes part
+     * @param solvers who takes part; who cannot do with so little sets the work of all
      * @param frames  into how many parts the duration is divided, 1 or more
      */
     public Race(SceneDescription scene, List<SolverChoice> solvers, int frames) {
-        this(scene, solvers, frames, Outcome::seconds);
+        this(scene, solvers, frames, Outcome::busy);
     }
 
     Race(SceneDescription scene, List<SolverChoice> solvers, int frames, ToDoubleFunction<Outcome> clock) {
@@ -107,18 +109,14 @@ public final class Race {
         double scale = runReference(reference, extent);
         long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
         boolean equalTime = solvers.stream().anyMatch(SolverChoice::implicit);
-        EqualWork work = equalTime ? EqualWork.ofTime(scene, scene.duration(), evaluations, clock)
-                : new EqualWork(scene, scene.duration(), evaluations);
-        List<Match> matches = new ArrayList<>();
-        for (SolverChoice solver : solvers) {
-            progress.reached(0.5 * matches.size() / solvers.size(), "equal work for " + solver.label());
-            matches.add(work.find(solver));
-        }
+        ProgressListener half = (part, what) -> progress.reached(0.5 * part, what);
+        Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, half)
+                : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, half);
         progress.reached(0.5, "the race: the reference");
         Scene again = SceneRun.build(scene, tight(), scene.duration());
         SceneRun.run(again, MOST_EVALUATIONS, audience.of(again, Optional.empty(), extent));
         List<Lane> lanes = new ArrayList<>();
-        for (Match match : matches) {
+        for (Match match : shares.matches()) {
             progress.reached(0.5 + 0.5 * (lanes.size() + 1) / (solvers.size() + 1), "the race: "
                     + match.setting().solver().label());
             lanes.add(lane(match, rate, scale, reference.states(), extent, audience));
@@ -127,12 +125,14 @@ public final class Race {
         for (int k = 0; k < times.length; k++) {
             times[k] = k / rate;
         }
-        return new Result(scene.title(), scene.duration(), times, equalTime, work.getTarget(), scale, reference.states(),
-                lanes);
+        return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.states(), lanes);
     }
 
+    /** Its steps end at the frames, about as long as the scene's: nothing that is compared is interpolated. */
     private Setting tight() {
-        return new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(), Optional.of(REFERENCE_TOLERANCE));
+        double frame = scene.duration() / frames;
+        return new Setting(SolverChoice.of("dormand-prince"), frame / Math.ceil(frame / scene.deltaT()),
+                Optional.of(REFERENCE_TOLERANCE));
     }
 
     /** @return the energy scale */
@@ -154,12 +154,19 @@ public final class Race {
         observers.addAll(audience.of(built, Optional.of(match.setting().solver()), extent));
         Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
         double[] distance = new double[states.states().size()];
-        for (int k = 0; k < distance.length; k++) {
+        Arrays.fill(distance, Double.NaN);
+        for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
             distance[k] = distance(states.states().get(k), reference.get(k));
         }
         OptionalDouble left = drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
                 : OptionalDouble.empty();
         return new Lane(match, drift, states.states(), distance, left);
+    }
+
+    /** What an adaptive solver does within its steps is not seen: what is interpolated there has errors that are not its own. */
+    private int framesAStep(Setting setting) {
+        double a = setting.deltaT() * frames / scene.duration();
+        return setting.solver().adaptive() ? Math.max(1, (int) Math.round(a)) : 1;
     }
 
     private static double distance(double[] state, double[] exact) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import particles.ChartData;
 import particles.ChartData.Mark;
 import particles.ChartData.Series;
@@ -39,16 +40,19 @@ public final class RaceCharts {
      */
     public static ChartData distance(Result race) {
         List<Series> series = new ArrayList<>();
+        List<double[]> left = new ArrayList<>();
         for (Lane lane : race.lanes()) {
-            double[] distance = Arrays.stream(lane.distance()).map(d -> d < SMALLEST ? Double.NaN : d).toArray();
-            series.add(new Series(label(lane), Mark.LINE, Arrays.copyOf(race.times(), distance.length), distance));
+            int[] known = IntStream.range(1, lane.distance().length).filter(k -> lane.distance()[k] >= SMALLEST).toArray();
+            double[] time = Arrays.stream(known).mapToDouble(k -> race.times()[k]).toArray();
+            double[] distance = Arrays.stream(known).mapToDouble(k -> lane.distance()[k]).toArray();
+            series.add(new Series(label(lane), Mark.LINE, time, distance));
+            if (lane.left().isPresent() && known.length > 0) {
+                left.add(new double[] {time[known.length - 1], distance[known.length - 1]});
+            }
         }
-        List<Lane> left = race.lanes().stream()
-                .filter(lane -> lane.left().isPresent() && lane.distance().length > 1).toList();
         if (!left.isEmpty()) {
-            series.add(new Series(DriftCharts.STOPPED, Mark.FAILURES,
-                    left.stream().mapToDouble(lane -> race.times()[lane.distance().length - 1]).toArray(),
-                    left.stream().mapToDouble(lane -> lane.distance()[lane.distance().length - 1]).toArray()));
+            series.add(new Series(DriftCharts.STOPPED, Mark.FAILURES, left.stream().mapToDouble(end -> end[0]).toArray(),
+                    left.stream().mapToDouble(end -> end[1]).toArray()));
         }
         return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
     }
@@ -59,11 +63,17 @@ public final class RaceCharts {
 
     /**
      * @param race what happened
-     * @return what each got, such as {@code 1000 evaluations each}
+     * @return what each got, such as {@code equal work, 1000 evaluations each}, and how nearly
      */
     public static String work(Result race) {
-        return race.equalTime() ? String.format(Locale.ROOT, "equal time, %.3g ms each", 1000 * race.work())
-                : String.format(Locale.ROOT, "equal work, %d evaluations each", Math.round(race.work()));
+        double work = race.shares().work();
+        if (!race.equalTime()) {
+            return String.format(Locale.ROOT, "equal work, %d evaluations each", Math.round(work));
+        }
+        double spread = EqualTime.spread(race.shares());
+        return spread > TOO_MUCH - 1 ? String.format(Locale.ROOT, "no equal time, up to %.3g times as long", 1 + spread)
+                : String.format(Locale.ROOT, "equal time, %.3g ms each to within %.0f %%", 1000 * work,
+                        Math.ceil(100 * spread));
     }
 
     /**
@@ -104,12 +114,13 @@ public final class RaceCharts {
 
     /** What a lane took, over what each was to have. */
     private static double share(Result race, Lane lane) {
-        return (race.equalTime() ? lane.match().seconds() : lane.match().evaluations()) / race.work();
+        return (race.equalTime() ? lane.match().seconds().orElse(Double.NaN) : lane.match().evaluations())
+                / race.shares().work();
     }
 
     /** Root mean square over the frames (m); NaN where there is nothing to compare. */
     private static double mean(Lane lane) {
-        return Math.sqrt(Arrays.stream(lane.distance()).map(d -> d * d).average().orElse(Double.NaN));
+        return Math.sqrt(Arrays.stream(lane.distance()).filter(d -> d >= 0).map(d -> d * d).average().orElse(Double.NaN));
     }
 
     /**
@@ -122,7 +133,7 @@ public final class RaceCharts {
             double[] distance = lane.distance();
             rows.add(List.of(label(lane), lane.match().setting().deltaT(),
                     lane.match().setting().tolerance().orElse(Double.NaN),
-                    lane.match().evaluations(), 1000 * lane.match().seconds(), mean(lane),
+                    lane.match().evaluations(), 1000 * lane.match().seconds().orElse(Double.NaN), mean(lane),
                     lane.left().isPresent() ? Double.NaN : distance[distance.length - 1], lane.drift().largest(),
                     lane.left().orElse(Double.NaN), lane.drift().outcome().failure().orElse("")));
         }

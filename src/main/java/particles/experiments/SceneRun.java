@@ -34,9 +34,11 @@ public final class SceneRun {
      * @param steps       steps made
      * @param evaluations of the derivative
      * @param seconds     of wall-clock time, observers included
+     * @param busy        seconds for which the calling thread kept a processor busy, whatever else the machine does
      * @param failure     why it ended early, if it did
      */
-    public record Outcome(double endTime, long steps, long evaluations, double seconds, Optional<String> failure) {
+    public record Outcome(double endTime, long steps, long evaluations, double seconds, double busy,
+                          Optional<String> failure) {
     }
 
     /**
@@ -63,6 +65,7 @@ public final class SceneRun {
         observers.forEach(scene.simulation()::addObserver);
         scene.simulation().addObserver(new Budget(mostEvaluations));
         long begin = System.nanoTime();
+        double busy = BusyClock.seconds();
         Optional<String> failure = Optional.empty();
         try {
             scene.simulation().run();
@@ -70,7 +73,7 @@ public final class SceneRun {
             failure = Optional.of(e.getMessage());
         }
         return new Outcome(scene.system().getTime(), scene.simulation().getSteps(), scene.system().getEvaluations(),
-                (System.nanoTime() - begin) * 1e-9, failure);
+                (System.nanoTime() - begin) * 1e-9, BusyClock.seconds() - busy, failure);
     }
 
     /** Ends a run that would go on for hours. */
