@@ -107,12 +107,8 @@ public final class RaceFilm implements AutoCloseable {
                 progress.accept((index + 1.0) / ghost.count());
             }
         }
-        RaceSheet.write(folder, sheet, head, moments(), words, this::panels, chart, rate);
-    }
-
-    /** A quarter, half, three quarters, and all of the time. */
-    private int[] moments() {
-        return IntStream.rangeClosed(1, RaceSheet.MOMENTS).map(k -> k * (ghost.count() - 1) / RaceSheet.MOMENTS).toArray();
+        RaceSheet.write(folder, sheet, head, RaceSheet.moments(films.size(), ghost.count() - 1),
+                words, this::panels, chart, rate);
     }
 
     /** @return each run's picture, over the ghost */

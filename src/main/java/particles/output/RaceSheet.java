@@ -8,11 +8,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 
-/** A race on paper: a row a run, its picture at some moments beside each other, and the chart with these moments below. */
+/**
+ * A race on paper: a row a run, its picture at some moments beside each other, and the chart with these moments below. Many
+ * runs stand in two columns, with half the moments.
+ */
 final class RaceSheet {
-    /** How many moments there are. */
-    static final int MOMENTS = 4;
+    /** How many pictures stand beside each other. */
+    private static final int PICTURES = 4;
+    private static final int MOST_ROWS = 5;
     private static final int WIDTH = 1000;
     private static final int GAP = 8;
     private static final int HEAD = 96;
@@ -24,10 +29,20 @@ final class RaceSheet {
     }
 
     /**
+     * @param runs how many there are
+     * @param last the index of the last frame
+     * @return the frames that are shown: after equal parts of the time, the last one at the end
+     */
+    static int[] moments(int runs, int last) {
+        int count = runs > MOST_ROWS ? PICTURES / 2 : PICTURES;
+        return IntStream.rangeClosed(1, count).map(k -> k * last / count).toArray();
+    }
+
+    /**
      * @param folder  where it goes
      * @param name    the file's name
      * @param head    at the top
-     * @param moments indices of frames
+     * @param moments from {@link #moments}
      * @param words   for each run
      * @param panels  each run's picture at a frame
      * @param chart   below
@@ -38,25 +53,28 @@ final class RaceSheet {
         Lettering.require(folder.getPath().resolve(name));
         List<List<BufferedImage>> pictures = Arrays.stream(moments).mapToObj(panels).toList();
         BufferedImage one = pictures.get(0).get(0);
-        int width = (WIDTH - (MOMENTS + 1) * GAP) / MOMENTS;
+        int columns = PICTURES / moments.length;
+        int rows = (words.size() + columns - 1) / columns;
+        int width = (WIDTH - (PICTURES + 1) * GAP) / PICTURES;
         int height = width * one.getHeight() / one.getWidth();
         int row = LABEL + height + GAP;
-        int bottom = HEAD + words.size() * row;
+        int bottom = HEAD + rows * row;
         double[] times = Arrays.stream(moments).mapToDouble(index -> index / rate).toArray();
         ChartWriter.write(folder, name, WIDTH, bottom + STRIP, g -> {
             RacePage.smooth(g);
             g.setColor(Color.WHITE);
             g.fillRect(0, 0, WIDTH, bottom + STRIP);
             RacePage.drawHead(g, head, WIDTH);
-            for (int m = 0; m < MOMENTS; m++) {
-                int x = GAP + m * (width + GAP);
-                g.setFont(TIME);
-                g.setColor(ChartStyle.TEXT);
-                g.drawString(String.format(Locale.ROOT, "t = %.2f s", times[m]), x, HEAD - 6);
-                for (int k = 0; k < words.size(); k++) {
-                    int y = HEAD + k * row;
-                    if (m == 0) {
-                        RacePage.drawLabel(g, words.get(k), GAP, y, WIDTH - 2 * GAP);
+            for (int k = 0; k < words.size(); k++) {
+                int left = GAP + k / rows * moments.length * (width + GAP);
+                int y = HEAD + k % rows * row;
+                RacePage.drawLabel(g, words.get(k), left, y, moments.length * (width + GAP) - GAP);
+                for (int m = 0; m < moments.length; m++) {
+                    int x = left + m * (width + GAP);
+                    if (k % rows == 0) {
+                        g.setFont(TIME);
+                        g.setColor(ChartStyle.TEXT);
+                        g.drawString(String.format(Locale.ROOT, "t = %.2f s", times[m]), x, HEAD - 6);
                     }
                     RacePage.drawPanel(g, pictures.get(m).get(k), new Rectangle2D.Double(x, y + LABEL, width, height),
                             words.get(k).left(), times[m]);
