@@ -86,8 +86,8 @@ final class LectureFiguresCommand extends ExperimentCommand {
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", COLUMNS, panels));
         return new ResultPage(NAME,
                 "Euler triples the velocity in three oscillations, midpoint grows slowly, RK4 decays slowly",
-                List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the circle; it takes 2"
-                        + " pi"
+                List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed"
+                        + " ellipse, a circle if both axes had one scale; it takes 2 pi"
                         + " seconds to go round, clockwise. The arrows are the vector field that a solver sees.",
                         "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N steps"
                                 + " multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R - h). The"

@@ -109,7 +109,8 @@ public final class LectureFigures {
         Mark mark = n <= 200 ? Mark.LINE_AND_POINTS : Mark.LINE;
         double[] end = Oscillator.exactState(n * result.figure().deltaT());
         return new ChartData(title, "position x (m)", "velocity v (m/s)", false, false, List.of(
-                new Series("numerical path", mark, result.x(), result.v()), exact(), point("start", Mark.POINTS, 1, 0),
+                new Series(SolverChoice.of(result.figure().solver()).label(), mark, result.x(), result.v()), exact(),
+                point("start", Mark.POINTS, 1, 0),
                 point("end", Mark.POINTS, result.x()[n], result.v()[n]),
                 point("exact end", Mark.OPEN_POINTS, end[0], end[1])));
     }
@@ -121,7 +122,7 @@ public final class LectureFigures {
     /** @return the exact solution alone, which is what the vector field says, with the looks that it has in the others */
     public static ChartData exactChart() {
         return new ChartData("Vectors show the vector field (v, \u2212x); each solution is an ellipse", "position x (m)",
-                "velocity v (m/s)", false, false, List.of(new Series("numerical path", Mark.LINE, new double[0],
+                "velocity v (m/s)", false, false, List.of(new Series("no path", Mark.LINE, new double[0],
                         new double[0]),
                         exact(), point("start", Mark.POINTS, 1, 0)));
     }

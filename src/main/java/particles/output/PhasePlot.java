@@ -18,9 +18,9 @@ import particles.ChartData.Series;
 import particles.VectorField;
 
 /**
- * A path in state space: the first series of the chart data, with heads along it that show its direction, its start
- * marked, and, where it is known, the vector field behind it. The arrows of the field are as long as the field is
- * strong.
+ * A path in state space: the first series of the chart data, in the colour of the solver that it is named after, with heads
+ * along it that show its direction, its start marked, and, where it is known, the vector field behind it. The arrows of the
+ * field are as long as the field is strong.
  */
 final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
@@ -40,22 +40,23 @@ final class PhasePlot {
         XYPlot plot = chart.getXYPlot();
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
         boolean dense = data.series().get(0).x().length > DENSE;
-        renderer.setSeriesPaint(0, dense ? ChartStyle.pale(ChartStyle.colour(1)) : ChartStyle.colour(1));
-        renderer.setSeriesFillPaint(0, ChartStyle.colour(1));
+        Color colour = SolverLook.of(data.series().get(0).name()).map(SolverLook::colour).orElse(ChartStyle.colour(1));
+        renderer.setSeriesPaint(0, dense ? ChartStyle.pale(colour) : colour);
+        renderer.setSeriesFillPaint(0, colour);
         renderer.setSeriesStroke(0, dense ? ChartStyle.THIN : PATH);
         renderer.setSeriesShape(0, ChartStyle.disc(2.2));
         for (int k = 1; k < data.series().size(); k++) {
             boolean open = data.series().get(k).mark() == Mark.OPEN_POINTS;
-            renderer.setSeriesPaint(k, ChartStyle.colour(k + 1));
-            renderer.setSeriesFillPaint(k, open ? Color.WHITE : ChartStyle.colour(k + 1));
-            renderer.setSeriesOutlinePaint(k, open ? ChartStyle.colour(k + 1) : Color.WHITE);
+            renderer.setSeriesPaint(k, ChartStyle.AXIS);            // colours are the solvers'
+            renderer.setSeriesFillPaint(k, open ? Color.WHITE : ChartStyle.AXIS);
+            renderer.setSeriesOutlinePaint(k, open ? ChartStyle.AXIS : Color.WHITE);
             renderer.setSeriesShape(k, LARGE.createTransformedShape(ChartStyle.shape(k - 1)));
         }
         chart.removeLegend();
         ChartLegend.addTo(chart, plot);
         field.ifPresent(f -> addField(plot, renderer, f));
         data.series().stream().filter(series -> series.x().length > 1).findFirst()
-                .ifPresent(path -> addHeads(renderer, path, data.series().indexOf(path)));
+                .ifPresent(path -> addHeads(renderer, path, path == data.series().get(0) ? colour : ChartStyle.AXIS));
         return chart;
     }
 
@@ -93,13 +94,13 @@ final class PhasePlot {
         axis.setRange(new Range(low - margin, high + margin));
     }
 
-    private static void addHeads(XYLineAndShapeRenderer renderer, Series path, int series) {
+    private static void addHeads(XYLineAndShapeRenderer renderer, Series path, Color colour) {
         int last = path.x().length - 1;
         for (double place : HEADS) {
             int k = (int) (place * last);
             if (k < last) {
                 renderer.addAnnotation(new ArrowAnnotation(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1],
-                        PATH_HEAD, true, ChartStyle.colour(series + 1)), Layer.FOREGROUND);
+                        PATH_HEAD, true, colour), Layer.FOREGROUND);
             }
         }
     }

@@ -97,6 +97,7 @@ class LectureFiguresTest {
         Result result = LectureFigures.run(new Figure("midpoint", 0.1, 5000));
         ChartData chart = LectureFigures.chart(result, "a title");
         assertEquals(5001, chart.series().get(0).x().length);
+        assertEquals("midpoint", chart.series().get(0).name(), "it has the solver's colour");
         ChartData.Series exact = chart.series().get(1);
         for (int k = 0; k < exact.x().length; k++) {
             assertEquals(1, Math.hypot(exact.x()[k], exact.y()[k]), 4e-16);

@@ -145,6 +145,19 @@ class ChartsTest {
         assertEquals("0.0001", DecimalTicks.label(new BigDecimal("1e-4")));
     }
 
+    /** In state space too; what is no solver's has no solver's colour. */
+    @Test
+    void pathsHaveTheirSolversColour() {
+        for (String solver : List.of("euler", "midpoint", "rk4")) {
+            XYPlot plot = PhasePlot.of(chart(false, series(solver, 1, 2, 3), series("exact", 1, 2), series("start", 1)),
+                    Optional.empty()).getXYPlot();
+            assertEquals(SolverLook.of(solver).orElseThrow().colour(), plot.getRenderer().getSeriesPaint(0));
+            for (int k = 1; k < 3; k++) {
+                assertEquals(ChartStyle.AXIS, plot.getRenderer().getSeriesPaint(k));
+            }
+        }
+    }
+
     @Test
     void pathAndFieldAreDrawnAndWritten() throws IOException {
         VectorField field = new VectorField(new double[] {0, 1, 0, 1}, new double[] {0, 0, 1, 1}, new double[] {0, 0, 1, 1},
