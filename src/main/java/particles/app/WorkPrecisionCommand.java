@@ -104,7 +104,8 @@ final class WorkPrecisionCommand extends ExperimentCommand {
                     + " Filled points are those of the fitted slope."
                     + FAILURES, WorkCharts.byEvaluations(solved, curves)));
             pictures.add(Picture.stacked(solved.name() + "-time", caption
-                    + " Times are medians of three runs, bars go from the fastest to the slowest." + FAILURES,
+                    + " Times are those of a busy processor, medians of three or more runs after a warm-up; bars"
+                    + " go from the fastest to the slowest." + FAILURES,
                     WorkCharts.byTime(solved, curves)));
         });
         return new ResultPage(NAME, CostExercise.finding(costs), List.of(

@@ -76,7 +76,7 @@ public final class WorkCharts {
             series.add(new Series(curve.solver().label(), Mark.BARS, x, y));
         }
         String title = problem.title() + ", by the clock: " + cheapest(curves, Point::seconds, "is first to", "to");
-        return charts(new ChartData(title, "time, median of three runs (s)", problem.errorLabel(), true, true, series),
+        return charts(new ChartData(title, "time of a busy processor, median (s)", problem.errorLabel(), true, true, series),
                 curves,
                 Point::seconds);
     }

@@ -18,8 +18,13 @@ public final class WorkPrecision {
     private static final int FEWEST_STEPS = 16;
     private static final int FEWEST_WHOLE_STEPS = 4;
     private static final int TIMED = 3;
-    /** A first run that takes longer than this was warmed up by the coarser ones before it (s). */
+    /** Short runs are repeated more often: until all together took so long (s), but not more often than that. */
+    private static final double ENOUGH = 1e-3;
+    private static final int MOST_TIMED = 51;
+    /** Java makes code fast while it runs: so long, or for one run at least, before a time counts (s). */
     private static final double WARM = 0.05;
+    private static final double WARM_TOLERANCE = 1e-4;
+    private static final int WARM_PART = 256;
     private static final double LOOSEST = 1e-1;
     private static final double TIGHTEST = 1e-11;
     /** So loose that an adaptive solver takes each step whole. */
@@ -40,7 +45,7 @@ public final class WorkPrecision {
      * @param tolerance   relative and absolute; NaN for fixed steps
      * @param evaluations of the derivative
      * @param error       at the end; NaN where the run failed
-     * @param seconds     the median of three runs that were warmed up
+     * @param seconds     for which a processor was busy with it, the median of three or more runs that were warmed up
      * @param least       the fastest of them (s)
      * @param most        the slowest (s)
      * @param failure     in which way it failed, if it did
@@ -75,10 +80,13 @@ public final class WorkPrecision {
         return measure(problem, solver, TIMED);
     }
 
-    /** @param timed how many runs are for the clock, an odd number; 0 for none, and times of NaN */
+    /** @param timed how many runs are for the clock at least, an odd number; 0 for none, and times of NaN */
     static Curve measure(WorkProblem problem, SolverChoice solver, int timed) {
         boolean inStiff = solver.implicit() && problem.stiff().isPresent();
         boolean byStep = !solver.adaptive() || inStiff;
+        if (timed > 0) {
+            warmUp(problem, solver, byStep);
+        }
         List<Point> points = byStep ? overSteps(problem, solver, timed) : overTolerances(problem, solver, timed);
         SlopeFit fit = byStep ? SlopeFit.byStep(points, problem, inStiff) : SlopeFit.byWork(points, problem);
         return new Curve(solver, byStep, points, fit, expected(problem, solver));
@@ -114,21 +122,32 @@ public final class WorkPrecision {
         return points;
     }
 
+    /** With a run that is neither so coarse that it fails at once nor long. */
+    private static void warmUp(WorkProblem problem, SolverChoice solver, boolean byStep) {
+        long budget = solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
+        int steps = byStep ? (int) Math.max(FEWEST_STEPS, budget / WARM_PART) : 1;
+        double tolerance = byStep ? WHOLE_STEPS
+                : Math.max(WARM_TOLERANCE, solver.implicit() ? problem.budget().tightestTolerance() : 0);
+        double begin = BusyClock.seconds();
+        while (BusyClock.seconds() - begin < WARM) {
+            solve(problem.start().get(), solver.create(tolerance), problem.duration() / steps, steps);
+        }
+    }
+
     private static Point point(WorkProblem problem, SolverChoice solver, int steps, double tolerance, int timed) {
         List<Double> seconds = new ArrayList<>();
         DEStateSource source = problem.start().get();
-        long start = System.nanoTime();
+        double start = BusyClock.seconds();
         Optional<DESolverException> thrown = solve(source, solver.create(tolerance), problem.duration() / steps, steps);
-        double first = (System.nanoTime() - start) * 1e-9;
-        if (first > WARM && timed > 0) {
-            seconds.add(first);
-        }
-        while (seconds.size() < timed) {
+        double all = BusyClock.seconds() - start;
+        seconds.add(all);
+        while (seconds.size() < timed || timed > 0 && all < ENOUGH && seconds.size() < MOST_TIMED) {
             DEStateSource again = problem.start().get();
             DESolver fresh = solver.create(tolerance);
-            long begin = System.nanoTime();
+            double begin = BusyClock.seconds();
             solve(again, fresh, problem.duration() / steps, steps);
-            seconds.add((System.nanoTime() - begin) * 1e-9);
+            seconds.add(BusyClock.seconds() - begin);
+            all += seconds.get(seconds.size() - 1);
         }
         double[] sorted = timed == 0 ? new double[] {Double.NaN}
                 : seconds.stream().mapToDouble(Double::doubleValue).sorted().toArray();
@@ -137,8 +156,8 @@ public final class WorkPrecision {
                 : Optional.of(Failure.UNSTABLE));
         String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error : "");
         return new Point(problem.duration() / steps, tolerance, problem.evaluations().applyAsLong(source),
-                failure.isPresent() ? Double.NaN : error, sorted[timed / 2], sorted[0], sorted[sorted.length - 1], failure,
-                        why);
+                failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[0], sorted[sorted.length - 1],
+                failure, why);
     }
 
     /** What overflows has an entry that did; an iteration that ends nowhere has none, and sub-steps end by getting short. */

@@ -66,7 +66,7 @@ public final class WorkTables {
                         kind == Failure.UNSTABLE ? "unstable" : "did not converge").orElse(""), p.why()));
             }
         }));
-        return new DataTable("runs", "Every run; times are medians of three runs that were warmed up", List.of(
+        return new DataTable("runs", "Every run; times are medians of three or more runs that were warmed up", List.of(
                 DataTable.column("problem"), DataTable.column("solver"), DataTable.column("deltaT (s)"),
                 new DataTable.Column("tolerance", 2), DataTable.column("evaluations"), new DataTable.Column("error", 3),
                 DataTable.column("fitted"), new DataTable.Column("time (s)", 2), new DataTable.Column("fastest (s)", 2),
