@@ -20,6 +20,8 @@ public final class ChartWriter {
     private static final int STACKED_HEIGHT = 760;
     /** Device pixels for each pixel of the layout, so that print and large screens get sharp lines. */
     private static final int SCALE = 2;
+    /** How wide the picture of a chart is. */
+    static final int PIXELS_WIDE = SCALE * WIDTH;
 
     private ChartWriter() {
     }

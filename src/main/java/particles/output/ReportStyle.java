@@ -2,7 +2,7 @@ package particles.output;
 
 /** What a report looks like, on screens, phones and paper, and what its buttons do. */
 final class ReportStyle {
-    /** A figure is not divided between two sheets, and tables repeat their heads. */
+    /** On paper two charts fit on a sheet, or one of many parts; none is divided, and tables repeat their heads. */
     static final String CSS = """
             :root { color-scheme: light; }
             body { margin: 0 auto; padding: 1rem; max-width: 62rem; color: #1b1b1f; background: #fff;
@@ -40,16 +40,21 @@ final class ReportStyle {
             th[aria-sort=ascending] button::after { content: " \\2191"; color: inherit; }
             th[aria-sort=descending] button::after { content: " \\2193"; color: inherit; }
             summary { cursor: pointer; }
+            .printed { display: none; }
             footer { margin-top: 2rem; color: #555a64; font-size: 0.875rem; }
             @media print {
-              @page { margin: 15mm; }
+              @page { margin: 12mm; }
               body { font-size: 10pt; max-width: none; padding: 0; }
               a { color: inherit; text-decoration: none; }
               section { break-before: page; border: 0; margin: 0; padding: 0; }
               h1, h2, h3 { break-after: avoid; }
               figure, tr { break-inside: avoid; }
-              figure.animation, details { display: none; }
-              img, button.large img { max-width: 100%; max-height: 205mm; }
+              figure { margin: 2mm 0; }
+              figcaption { margin-top: 0.5mm; font-size: 8.5pt; line-height: 1.3; }
+              figure.animation, .folded { display: none; }
+              .printed { display: block; }
+              img, button.large img { max-width: 100%; max-height: 108mm; }
+              .whole img, .whole button.large img { max-height: 185mm; }
               .table, figure .scroll { overflow: visible; }
               table { font-size: 7.5pt; width: 100%; }
               thead { display: table-header-group; }

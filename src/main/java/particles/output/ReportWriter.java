@@ -2,6 +2,7 @@ package particles.output;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.Base64;
@@ -18,6 +19,8 @@ import particles.output.Report.Section;
 public final class ReportWriter {
     /** A longer table is folded up, and not printed. */
     private static final int MOST_ROWS = 60;
+    /** Where in a PNG file its width stands, and behind it its height. */
+    private static final int PNG_WIDTH = 16;
 
     private final OutputFile file;
     private final Html html = new Html();
@@ -89,15 +92,28 @@ public final class ReportWriter {
         byte[] bytes = Files.readAllBytes(section.folder().resolve(picture.file()));
         boolean moves = picture.file().endsWith(".gif");
         String caption = Html.escaped(picture.caption());
-        put("<figure id=\"" + html.id(section.name() + "-" + picture.name())
-                + (moves ? "\" class=\"animation\">\n" : "\">\n") + "<div class=\"scroll\"><button type=\"button\" title=\"larger or smaller\"><img alt=\"" + caption
+        String kind = moves ? "\" class=\"animation\">\n" : hasManyParts(bytes) ? "\" class=\"whole\">\n" : "\">\n";
+        put("<figure id=\"" + html.id(section.name() + "-" + picture.name()) + kind
+                + "<div class=\"scroll\"><button type=\"button\" title=\"larger or smaller\"><img alt=\"" + caption
                 + "\" src=\"data:image/" + (moves ? "gif" : "png") + ";base64,");
         file.write(Base64.getEncoder().encode(bytes));
         put("\"/></button></div>\n<figcaption>" + caption + "</figcaption>\n</figure>\n");
     }
 
+    /** Whose lettering would be too small on half a sheet: wider pictures than a chart, and tall ones. */
+    private static boolean hasManyParts(byte[] png) {
+        ByteBuffer header = ByteBuffer.wrap(png);
+        int width = header.getInt(PNG_WIDTH);
+        int height = header.getInt(PNG_WIDTH + Integer.BYTES);
+        return width > ChartWriter.PIXELS_WIDE || height > width;
+    }
+
     private void table(Section section, DataTable table) {
         boolean isLong = table.rows().size() > MOST_ROWS;
+        if (isLong) {
+            put("<p class=\"printed\">Not printed: " + Html.escaped(table.title()) + "; " + table.rows().size()
+                    + " rows, in " + Html.escaped(table.name()) + ".csv.</p>\n<div class=\"folded\">\n");
+        }
         put("<h3>" + Html.escaped(table.title()) + "</h3>\n");
         if (isLong) {
             put("<details>\n<summary>All " + table.rows().size() + " rows</summary>\n");
@@ -116,7 +132,7 @@ public final class ReportWriter {
             }
             put(row.append("</tr>\n").toString());
         }
-        put("</tbody>\n</table></div>\n" + (isLong ? "</details>\n" : ""));
+        put("</tbody>\n</table></div>\n" + (isLong ? "</details>\n</div>\n" : ""));
     }
 
     /** All digits are there to be sorted by, a few to be read. */

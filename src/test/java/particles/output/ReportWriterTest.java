@@ -181,6 +181,37 @@ class ReportWriterTest {
         assertTrue(script.contains("th button") && script.contains("data-value") && script.contains("aria-sort"));
     }
 
+    /** A long table has no lone heading on paper: what hides it hides the heading too, and a sentence stands for both. */
+    @Test
+    void longTablesAreNotPrintedButNamed() {
+        Element section = all("section").get(0);
+        Element folded = all(section, "div").stream().filter(div -> div.getAttribute("class").equals("folded")).findFirst()
+                .orElseThrow();
+        assertEquals(List.of("All"), all(folded, "h3").stream().map(Element::getTextContent).toList());
+        assertEquals(2, all(section, "h3").size(), "the short table's stands alone");
+        Element note = all(section, "p").stream().filter(p -> p.getAttribute("class").equals("printed")).findFirst()
+                .orElseThrow();
+        assertEquals("Not printed: All; 200 rows, in cost.csv.", note.getTextContent());
+        String print = ReportStyle.CSS.substring(ReportStyle.CSS.indexOf("@media print"));
+        assertTrue(print.contains(".folded { display: none; }") && print.contains(".printed { display: block; }"));
+    }
+
+    /** A chart is as wide as charts are; of a film there is nothing to print. */
+    @Test
+    void onlyPicturesOfManyPartsHaveASheet() throws IOException {
+        assertEquals(List.of("", "animation", "", "animation"),
+                all("figure").stream().map(figure -> figure.getAttribute("class")).toList());
+        try (OutputFolder folder = OutputFolder.open(top.resolve("wide"))) {
+            ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false, List.of());
+            ResultPage panels = new ResultPage("wide", "Wide", List.of(), List.of(Picture.panels("many", "Many.", "Many", 2,
+                    Collections.nCopies(2, new ResultPage.Panel(chart, false, Optional.empty())))), List.of());
+            ResultPageWriter.write(folder, panels);
+            ReportWriter.write(folder, "report.html", new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.",
+                    top.resolve("wide"), 1, Optional.of(panels), Optional.empty())), "The end."));
+        }
+        assertTrue(Files.readString(top.resolve("wide/report.html")).contains("class=\"whole\""));
+    }
+
     @Test
     void whatFailedIsWrittenAsSuch() {
         Element jump = all("section").get(2);
