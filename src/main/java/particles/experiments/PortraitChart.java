@@ -74,11 +74,13 @@ final class PortraitChart {
                 : ": on the curve to " + percent(off));
     }
 
-    /** @return a share with two digits, such as 0.00012 % */
+    /** @return a share with one or two digits, such as 3.2 %, 0.08 % and 2e-5 % */
     static String percent(double share) {
         double percent = 100 * share;
         return percent > 1000 ? "over 1000 %" : percent >= 10 ? String.format(Locale.ROOT, "%.0f %%", percent)
                 : percent >= 0.1 ? String.format(Locale.ROOT, "%.1f %%", percent)
+                : percent >= 0.0095 ? String.format(Locale.ROOT, "%.2f %%", percent)
+                : percent >= 0.00095 ? String.format(Locale.ROOT, "%.3f %%", percent)
                 : percent == 0 ? "0 %" : String.format(Locale.ROOT, "%.0e %%", percent).replace("e-0", "e-");
     }
 }

@@ -48,7 +48,7 @@ public final class StiffCharts {
             charts.add(new ChartData("", STIFFNESS, "... to be stable", true, true, stable));
         }
         if (!left.isEmpty()) {
-            charts.add(new ChartData("", STIFFNESS, "vibration left", true, true, left));
+            charts.add(new ChartData("", STIFFNESS, "energy left / start", true, true, left));
         }
         List<String> rows = sweeps.stream().filter(sweep -> sweep.neverStable()
                 || sweep.costs().stream().anyMatch(cost ->
