@@ -35,7 +35,10 @@ public final class EulerSolver extends DESolver {
             for (int i = 0; i < n; i++) {
                 next[i] = state[i] + dSdt[i] * deltaT;
             }
-            this.next = source.handOver(next);
+            double[] free = source.handOver(next);
+            if (free != next) {                         // storing a reference costs the garbage collector's note
+                this.next = free;
+            }
         }
     }
 }

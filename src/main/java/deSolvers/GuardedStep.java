@@ -46,12 +46,10 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @throws DESolverException if deltaT or the client's time is not finite
      */
     public GuardedStep begin(DEStateSource client, double deltaT) {
-        if (!Double.isFinite(deltaT)) {
-            throw new DESolverException(solver, client.getTime(), deltaT, -1, "the time step has to be a finite number");
-        }
         double time = client.getTime();
-        if (!Double.isFinite(time)) {
-            throw new DESolverException(solver, time, deltaT, -1, "the clock of the source has to be a finite number");
+        if (!Double.isFinite(deltaT) || !Double.isFinite(time)) {
+            throw new DESolverException(solver, time, deltaT, -1, Double.isFinite(deltaT)
+                    ? "the clock of the source has to be a finite number" : "the time step has to be a finite number");
         }
         if (this.client != client) {
             this.client = client;
@@ -122,7 +120,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         }
         requireFiniteEnd(newState);
         double[] free = arrays.exchangeState(newState);
-        moveClockTo(timeFound + deltaT);
+        moveClockToEnd();
         open = false;
         return free;
     }
@@ -140,7 +138,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         }
         requireFiniteEnd(newState);
         client.setState(newState);
-        moveClockTo(timeFound + deltaT);
+        moveClockToEnd();
         open = false;
     }
 
@@ -227,6 +225,16 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      */
     public DESolverException failure(int entry, String cause) {
         return new DESolverException(solver, timeFound, deltaT, entry, cause);
+    }
+
+    /** Where the body left the clock alone one addition does: on small systems the next step waits for it. */
+    private void moveClockToEnd() {
+        double end = timeFound + deltaT;
+        double now = client.getTime();
+        client.incTime(now == timeFound ? deltaT : end - now);
+        if (client.getTime() != end) {
+            moveClockTo(end);
+        }
     }
 
     /** A difference of two clock readings may round; what is left after one move is so small that a second is exact. */

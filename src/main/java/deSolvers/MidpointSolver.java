@@ -49,7 +49,10 @@ public final class MidpointSolver extends DESolver {
             for (int i = 0; i < n; i++) {
                 next[i] = state[i] + deltaT * gMid[i];
             }
-            this.next = source.handOver(next);
+            double[] free = source.handOver(next);
+            if (free != next) {                         // storing a reference costs the garbage collector's note
+                this.next = free;
+            }
         }
     }
 }

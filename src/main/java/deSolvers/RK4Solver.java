@@ -67,7 +67,10 @@ public final class RK4Solver extends DESolver {
                 double k4 = deltaT * dSdt[i];           // the refined refined step
                 next[i] += 1.0 / 6 * k4;
             }
-            this.next = source.handOver(next);
+            double[] free = source.handOver(next);
+            if (free != next) {                         // storing a reference costs the garbage collector's note
+                this.next = free;
+            }
         }
     }
 }

@@ -8,6 +8,10 @@ import java.util.Arrays;
  * deltaT are bit for bit what the last step left.
  */
 public final class StepMemory {
+    /** Below this many doubles a plain loop is done before a call of the library has begun. */
+    private static final int FEW = 16;
+
+    private boolean valid;
     private DEStateSource source;
     private double time;
     private double deltaT;
@@ -23,10 +27,24 @@ public final class StepMemory {
      * @return true if all four are bit for bit what {@link #keep} was told
      */
     public boolean holds(DEStateSource source, double time, double[] state, double deltaT) {
-        return source == this.source
+        return valid && source == this.source
                 && Double.doubleToLongBits(time) == Double.doubleToLongBits(this.time)
                 && Double.doubleToLongBits(deltaT) == Double.doubleToLongBits(this.deltaT)
-                && Arrays.equals(state, this.state);
+                && isKept(state);
+    }
+
+    private boolean isKept(double[] state) {
+        double[] kept = this.state;
+        int n = state.length;
+        if (n != kept.length || n >= FEW) {
+            return Arrays.equals(state, kept);
+        }
+        for (int i = 0; i < n; i++) {
+            if (Double.doubleToLongBits(state[i]) != Double.doubleToLongBits(kept[i])) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**
@@ -38,17 +56,28 @@ public final class StepMemory {
      * @param deltaT the step that was made (s)
      */
     public void keep(DEStateSource source, double time, double[] state, double deltaT) {
-        if (this.state.length != state.length) {
-            this.state = new double[state.length];
+        int n = state.length;
+        if (this.state.length != n) {
+            this.state = new double[n];
         }
-        System.arraycopy(state, 0, this.state, 0, state.length);
-        this.source = source;
+        double[] kept = this.state;
+        if (n < FEW) {
+            for (int i = 0; i < n; i++) {
+                kept[i] = state[i];
+            }
+        } else {
+            System.arraycopy(state, 0, kept, 0, n);
+        }
+        if (this.source != source) {                    // storing a reference, even the same, may cost as much as a small step
+            this.source = source;
+        }
+        valid = true;
         this.time = time;
         this.deltaT = deltaT;
     }
 
     /** Forgets the last step; nothing continues it any more. */
     public void forget() {
-        source = null;
+        valid = false;
     }
 }

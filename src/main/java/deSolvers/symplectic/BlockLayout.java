@@ -4,33 +4,59 @@ import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.SecondOrderStateSource;
 
-/** The moves on the layout (x1, v1, x2, v2, ...) that all symplectic solvers are composed of. */
+/** The layout (x1, v1, x2, v2, ...) of a source of second order, and the moves on it that symplectic solvers are composed of. */
 final class BlockLayout {
-    private BlockLayout() {
+    private final DESolver solver;
+    private DEStateSource seen;                         // looked at once: on small systems asking costs more than the step
+    private SecondOrderStateSource secondOrder;
+    private int size;
+    private int dimension;
+
+    /** @param solver whose sources these are, for its name in messages */
+    BlockLayout(DESolver solver) {
+        this.solver = solver;
     }
 
     /** The source as one of second order, or an error that says what is missing. */
-    static SecondOrderStateSource secondOrder(DESolver solver, DEStateSource source) {
+    SecondOrderStateSource of(DEStateSource source) {
+        if (source != seen) {
+            secondOrder = asSecondOrder(source);
+            size = -1;
+            seen = source;
+        }
+        SecondOrderStateSource second = secondOrder;
+        int n = second.getStateSize();
+        int d = second.getDimension();
+        if (n != size || d != dimension) {
+            requireBlocks(n, d);
+            size = n;
+            dimension = d;
+        }
+        return second;
+    }
+
+    private SecondOrderStateSource asSecondOrder(DEStateSource source) {
         if (!(source instanceof SecondOrderStateSource)) {
             throw new IllegalArgumentException(solver.getClass().getSimpleName() + " moves positions and velocities in"
                     + " turn and needs a " + SecondOrderStateSource.class.getName() + "; " + source.getClass().getName()
                     + " is only a " + DEStateSource.class.getName());
         }
-        SecondOrderStateSource second = (SecondOrderStateSource) source;
-        int d = second.getDimension();
-        if (d < 1 || second.getStateSize() % (2 * d) != 0) {
-            throw new IllegalArgumentException(source.getClass().getName() + " has dimension " + d + " and "
-                    + second.getStateSize() + " state entries; the state has to be made of blocks of d positions and"
+        return (SecondOrderStateSource) source;
+    }
+
+    private void requireBlocks(int n, int d) {
+        if (d < 1 || n % (2 * d) != 0) {
+            throw new IllegalArgumentException(seen.getClass().getName() + " has dimension " + d + " and "
+                    + n + " state entries; the state has to be made of blocks of d positions and"
                     + " d velocities, d >= 1");
         }
-        return second;
     }
 
     /**
      * A kick and then a drift with the new velocities: v' = v + kick a, x' = x + drift v'.
      *
      * @param state  (x, v)
-     * @param dSdt   holds a in its velocity entries
+     * @param dSdt   holds a in its velocity entries; what is not finite in the others makes the result NaN too
      * @param d      positions in a block
      * @param kick   how long the acceleration acts (s)
      * @param drift  how long the new velocity acts (s)
@@ -55,7 +81,7 @@ final class BlockLayout {
     private static void kickDrift(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
         double velocity = state[v] + kick * dSdt[v];
         result[v] = velocity;
-        result[x] = state[x] + drift * velocity;
+        result[x] = Math.fma(dSdt[x], 0, state[x] + drift * velocity);
     }
 
     /** Changes the velocities by an acceleration, read from the derivative's velocity entries: v += h a. */

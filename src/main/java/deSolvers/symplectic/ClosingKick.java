@@ -32,6 +32,7 @@ final class ClosingKick {
         }
         System.arraycopy(state, 0, before, 0, state.length);
         BlockLayout.kick(state, dSdt, d, h);            // first guess: the acceleration as it was
+        double largestBefore = largest(before, d, d);
         double change = 0;
         double scale = 0;
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
@@ -43,23 +44,29 @@ final class ClosingKick {
             }
             double last = change;
             change = 0;
-            scale = 0;
+            scale = largestBefore;
             for (int v = d; v < state.length; v += 2 * d) {
                 for (int c = v; c < v + d; c++) {
                     double kicked = before[c] + h * dSdt[c];
-                    change = Math.max(change, Math.abs(kicked - state[c]));
-                    scale = Math.max(scale, Math.max(Math.abs(kicked), Math.abs(before[c])));
+                    double changed = Math.abs(kicked - state[c]);
+                    double size = Math.abs(kicked);
+                    if (changed > change) {             // seldom; Math.max would make each entry wait for the one before
+                        change = changed;
+                    }
+                    if (size > scale) {
+                        scale = size;
+                    }
                     state[c] = kicked;
                 }
             }
-            if (change <= TOLERANCE * scale) {
+            if (!(scale <= Double.MAX_VALUE)) {
+                break;                                  // diverged to infinity
+            }
+            if (left(change, last) <= TOLERANCE * scale) {
                 return;
             }
-            if (iteration > 0 && change >= last && change * Math.abs(h) <= ROUNDING * largestPosition(state, d)) {
+            if (iteration > 0 && change >= last && change * Math.abs(h) <= ROUNDING * largest(state, 0, d)) {
                 return;                                 // near rest, where large forces cancel, rounding is all that is left
-            }
-            if (!(change <= Double.MAX_VALUE)) {
-                break;                                  // diverged to infinity
             }
         }
         throw source.failure(-1, "the velocity at the end of the step was not found in " + MOST_ITERATIONS
@@ -67,11 +74,23 @@ final class ClosingKick {
                 + " this deltaT: take a smaller one or an implicit solver");
     }
 
-    private static double largestPosition(double[] state, int d) {
+    /**
+     * What is left to the solution after a change. Where each change is q = change / last of the one before, all that would
+     * follow add up to q / (1 - q) of this one: where q is small this spares the evaluation that would only see that.
+     */
+    private static double left(double change, double last) {
+        return 2 * change < last ? change * (change / (last - change)) : change;
+    }
+
+    /** The largest position (from the first entry on) or velocity (from entry d on), by its size. */
+    private static double largest(double[] state, int first, int d) {
         double largest = 0;
-        for (int x = 0; x < state.length; x += 2 * d) {
-            for (int c = x; c < x + d; c++) {
-                largest = Math.max(largest, Math.abs(state[c]));
+        for (int block = first; block < state.length; block += 2 * d) {
+            for (int c = block; c < block + d; c++) {
+                double size = Math.abs(state[c]);
+                if (size > largest) {
+                    largest = size;
+                }
             }
         }
         return largest;

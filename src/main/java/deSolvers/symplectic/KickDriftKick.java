@@ -14,7 +14,7 @@ import deSolvers.StepMemory;
  * acceleration at the end of one is the acceleration at the beginning of the next, in the same step or the one after.
  */
 final class KickDriftKick {
-    private final DESolver solver;
+    private final BlockLayout layout;
     private final double[] weights;
     private final GuardedStep guard;
     private final StepMemory memory = new StepMemory();
@@ -27,13 +27,13 @@ final class KickDriftKick {
      * @param weights the parts of deltaT that the leapfrogs take; their sum is 1
      */
     KickDriftKick(DESolver solver, double... weights) {
-        this.solver = solver;
+        layout = new BlockLayout(solver);
         this.guard = new GuardedStep(solver);
         this.weights = weights;
     }
 
     void step(DEStateSource client, double deltaT) {
-        SecondOrderStateSource secondOrder = BlockLayout.secondOrder(solver, client);
+        SecondOrderStateSource secondOrder = layout.of(client);
         int d = secondOrder.getDimension();
         int n = client.getStateSize();
         if (state.length != n) {
@@ -43,6 +43,8 @@ final class KickDriftKick {
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
             double[] begin = source.getStartState();
+            double[] state = this.state;
+            double[] dSdt = this.dSdt;
             boolean continues = memory.holds(client, source.getStartTime(), begin, deltaT);
             memory.forget();                            // until this step has ended well
             if (!continues) {
@@ -65,7 +67,10 @@ final class KickDriftKick {
                 }
             }
             memory.keep(client, source.getEndTime(), state, deltaT);
-            state = source.handOver(state);
+            double[] free = source.handOver(state);
+            if (free != state) {                        // storing a reference costs the garbage collector's note
+                this.state = free;
+            }
         }
     }
 

@@ -26,12 +26,13 @@ import deSolvers.GuardedStep;
  */
 public final class SymplecticEulerSolver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
+    private final BlockLayout layout = new BlockLayout(this);
     private double[] dSdt = {};
     private double[] next = {};
 
     @Override
     public void stepState(DEStateSource client, double deltaT) {
-        int d = BlockLayout.secondOrder(this, client).getDimension();
+        int d = layout.of(client).getDimension();
         int n = client.getStateSize();
         if (next.length != n) {
             dSdt = new double[n];
@@ -39,10 +40,14 @@ public final class SymplecticEulerSolver extends DESolver {
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
             double[] state = source.getStartState();
+            double[] dSdt = this.dSdt;
+            double[] next = this.next;
             source.getStateDerivative(state, dSdt);     // at (x, v, t)
-            source.requireFinite(dSdt);
             kickDrift(state, dSdt, d, deltaT, deltaT, next);
-            next = source.handOver(next);
+            double[] free = source.handOver(next);
+            if (free != next) {                         // storing a reference costs the garbage collector's note
+                this.next = free;
+            }
         }
     }
 }
