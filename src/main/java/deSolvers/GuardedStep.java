@@ -185,7 +185,8 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @param offset the time since the step began (s); negative where deltaT is
      */
     public void setOffset(double offset) {
-        client.incTime(timeFound + offset - client.getTime());
+        double now = client.getTime();
+        client.incTime(now == timeFound ? offset : timeFound + offset - now);
     }
 
     /**
@@ -227,7 +228,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         return new DESolverException(solver, timeFound, deltaT, entry, cause);
     }
 
-    /** Where the body left the clock alone one addition does: on small systems the next step waits for it. */
+    /** Where the body left the clock alone one addition does: what is begun next waits for the clock. */
     private void moveClockToEnd() {
         double end = timeFound + deltaT;
         double now = client.getTime();

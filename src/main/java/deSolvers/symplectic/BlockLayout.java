@@ -63,7 +63,13 @@ final class BlockLayout {
      * @param result receives (x', v'); may be {@code state}
      */
     static void kickDrift(double[] state, double[] dSdt, int d, double kick, double drift, double[] result) {
-        if (d == 3) {                                   // written out: the inner loop would cost as much as it does
+        if (d == 1) {                                   // written out: the inner loop would cost as much as it does
+            for (int x = 0; x < state.length; x += 2) {
+                kickDrift(state, dSdt, x, x + 1, kick, drift, result);
+            }
+            return;
+        }
+        if (d == 3) {
             for (int x = 0; x < state.length; x += 6) {
                 kickDrift(state, dSdt, x, x + 3, kick, drift, result);
                 kickDrift(state, dSdt, x + 1, x + 4, kick, drift, result);
@@ -86,6 +92,12 @@ final class BlockLayout {
 
     /** Changes the velocities by an acceleration, read from the derivative's velocity entries: v += h a. */
     static void kick(double[] state, double[] dSdt, int d, double h) {
+        if (d == 1) {
+            for (int v = 1; v < state.length; v += 2) {
+                state[v] += h * dSdt[v];
+            }
+            return;
+        }
         for (int v = d; v < state.length; v += 2 * d) {
             for (int c = v; c < v + d; c++) {
                 state[c] += h * dSdt[c];
