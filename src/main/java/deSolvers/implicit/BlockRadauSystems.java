@@ -26,7 +26,7 @@ final class BlockRadauSystems implements RadauSystems {
 
     private final ImplicitWork.Counter work;
     private final ForceBlocks blocks;
-    private final BlockLU factors;
+    private final FrontalFactors factors;
     private final BlockJacobi blockJacobi;
     private final DirectionalDerivative derivative;
     private final Gmres realGmres;
@@ -62,7 +62,7 @@ final class BlockRadauSystems implements RadauSystems {
     BlockRadauSystems(ImplicitWork.Counter work, int n) {
         this.work = work;
         blocks = new ForceBlocks(work);
-        factors = new BlockLU(work);
+        factors = new FrontalFactors(work);
         blockJacobi = new BlockJacobi(work);
         derivative = new DirectionalDerivative(work);
         realGmres = new Gmres(work);
@@ -139,7 +139,7 @@ final class BlockRadauSystems implements RadauSystems {
         factorisedFor = 0;
         debt = 0;
         iterationsWhenNew = 0;
-        if (!factors.factorise(values)) {
+        if (!factors.factorise(values, false)) {
             return false;
         }
         factorisedFor = g;

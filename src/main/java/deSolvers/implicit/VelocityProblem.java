@@ -21,7 +21,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     private final ImplicitWork.Counter work;
     private final BlockMatrix matrix;
     private final BlockJacobi blockJacobi;
-    private final BlockLU factors;
+    private final FrontalFactors factors;
     private final ConjugateGradients conjugateGradients;
     private final Gmres gmres;
     private GuardedStep source;
@@ -35,6 +35,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     private double[] base = {};
     private double[] direction = {};
     private double[] product = {};
+    private double[] image = {};
     private boolean exactBlocks;
     private boolean clamped;
     private boolean factorised;
@@ -44,7 +45,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         this.work = work;
         matrix = new BlockMatrix(work);
         blockJacobi = new BlockJacobi(work);
-        factors = new BlockLU(work);
+        factors = new FrontalFactors(work);
         conjugateGradients = new ConjugateGradients(work);
         gmres = new Gmres(work);
     }
@@ -65,6 +66,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
             base = new double[n];
             direction = new double[n];
             product = new double[n];
+            image = new double[n / 2];
         }
         for (int i = 0; i < masses.length; i++) {
             double inverseMass = client.getInverseMass(i);
@@ -131,7 +133,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     }
 
     private void factorise() {
-        factorised = factors.fits(matrix.pattern(), MOST_BLOCKS) && factors.factorise(matrix.values());
+        factorised = factors.fits(matrix.pattern(), MOST_BLOCKS) && factors.factorise(matrix.values(), matrix.isSymmetric());
     }
 
     @Override
@@ -151,8 +153,20 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         if (!factorised) {
             factorise();
         }
-        return factorised
-                && gmres.solve(operator, factors, residual, correction, linearTolerance, MOST_GMRES_ITERATIONS);
+        return factorised && (operator == matrix && eliminate(residual, correction)
+                || gmres.solve(operator, factors, residual, correction, linearTolerance, MOST_GMRES_ITERATIONS));
+    }
+
+    /** Whether the factors alone, used once, are accurate enough. */
+    private boolean eliminate(double[] residual, double[] correction) {
+        factors.apply(residual, correction);
+        matrix.apply(correction, image);
+        double left = 0;
+        for (int i = 0; i < image.length; i++) {
+            double rest = residual[i] - image[i];
+            left += rest * rest;
+        }
+        return Math.sqrt(left) <= linearTolerance * Gmres.norm(residual);
     }
 
     /** Begins with held particles where they have to be: the iteration then never sees their columns, and stays symmetric. */

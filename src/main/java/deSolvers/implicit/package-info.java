@@ -11,7 +11,7 @@
  * <li>particles in space that offer the 3 x 3 blocks of their force derivatives: the velocities are the only unknowns,
  *     their matrix M - g dF/dv - g<sup>2</sup> dF/dx is sparse, and symmetric where the forces have a potential. Conjugate
  *     gradients solve it while it is positive definite and not too ill-conditioned; otherwise GMRES, or a sparse
- *     factorisation in approximate-minimum-degree order (AMDJ).</li>
+ *     factorisation, front by front in an order found by nested dissection.</li>
  * </ul>
  *
  * <p>The Radau method splits the system of its three stages into a real and a complex one of the same size as the source
