@@ -133,12 +133,21 @@ final class GradeCommand extends ProgramCommand {
         return new Mark(outcome.code() == ExitCode.DONE.code(), lines);
     }
 
+    /** In a table's cell: lines that are sentences, or announce what follows, stand by themselves. */
+    private static String paragraph(List<String> lines) {
+        StringBuilder text = new StringBuilder();
+        for (String line : lines) {
+            text.append(text.length() == 0 ? "" : text.toString().matches("(?s).*[.:]") ? " " : "; ").append(line.strip());
+        }
+        return text.toString();
+    }
+
     private static void write(OutputFolder files, String title, List<String> problems, List<Graded> graded) {
         List<List<Object>> rows = new ArrayList<>();
         List<JUnitXml.Case> cases = new ArrayList<>();
         for (Graded item : graded) {
             String first = item.mark().lines().isEmpty() ? "" : item.mark().lines().get(0);
-            rows.add(List.of(item.name(), item.mark().right() ? 1 : 0, String.join("; ", item.mark().lines())));
+            rows.add(List.of(item.name(), item.mark().right() ? 1 : 0, paragraph(item.mark().lines())));
             cases.add(new JUnitXml.Case(item.name(), item.mark().right() ? Optional.empty() : Optional.of(first),
                     item.mark().lines()));
         }

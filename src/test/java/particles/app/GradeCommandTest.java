@@ -125,7 +125,7 @@ class GradeCommandTest {
         assertTrue(report.contains("| 1. Three steps of the Euler method | 0 | 'NaN' is no finite number"), report);
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
         assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: This is the Euler method."), report);
-        assertTrue(report.contains("| solver BrokenSolver | 0 | exercises.BrokenSolver cannot be checked.; Wrong:;"), report);
+        assertTrue(report.contains("| solver BrokenSolver | 0 | exercises.BrokenSolver cannot be checked. Wrong: failure: "), report);
         assertTrue(report.contains("failure: BrokenSolver.java:11: it does not compile: cannot find symbol symbol: variable dSdx"), report);
         assertTrue(report.contains("| solver WrongSolver | 0 | WrongSolver: "), report);
         assertEquals(Exercises.all().size() + 3,
