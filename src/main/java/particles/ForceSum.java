@@ -34,13 +34,14 @@ final class ForceSum {
         divideByMasses(dSdt, 0, n);
     }
 
-    /** Sets how many threads evaluate large systems; those there were before end. */
-    void setThreads(int threads) {
+    /** Sets how many threads evaluate systems of so many items or more; those there were before end. */
+    void setThreads(int threads, long paysFrom) {
         if (threads < 1) {
             throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
         }
         parallel.ifPresent(ParallelForces::close);
-        parallel = threads == 1 ? Optional.empty() : Optional.of(new ParallelForces(this, particles, effects, threads));
+        parallel = threads == 1 ? Optional.empty()
+                : Optional.of(new ParallelForces(this, particles, effects, threads, paysFrom));
     }
 
     /** The velocities, and the forces of the effects on single particles, for the particles first ... end - 1. */

@@ -9,11 +9,12 @@ import java.util.List;
  */
 final class ParallelForces implements AutoCloseable {
     /** With fewer items one thread is done sooner: telling another costs as much as some thousand springs. */
-    private static final long PAYS_FROM = 16_384;
+    static final long PAYS_FROM = 16_384;
 
     private final ForceSum forces;
     private final Particles particles;
     private final List<Effect> effects;
+    private final long paysFrom;
     private final Workers workers;
     private double[] state;
     private double time;
@@ -24,10 +25,11 @@ final class ParallelForces implements AutoCloseable {
     private final Workers.Work middle = this::addBlocks;
     private final Workers.Work end = (part, parts) -> divide(cut(part, parts), cut(part + 1, parts));
 
-    ParallelForces(ForceSum forces, Particles particles, List<Effect> effects, int threads) {
+    ParallelForces(ForceSum forces, Particles particles, List<Effect> effects, int threads, long paysFrom) {
         this.forces = forces;
         this.particles = particles;
         this.effects = effects;
+        this.paysFrom = paysFrom;
         workers = new Workers(threads);
     }
 
@@ -38,7 +40,7 @@ final class ParallelForces implements AutoCloseable {
             Effect effect = effects.get(e);
             items += effect.isConcurrent() || effect instanceof DivisibleEffect ? effect.size() : 0;
         }
-        return items >= PAYS_FROM;
+        return items >= paysFrom;
     }
 
     void derivative(double[] state, double time, double[] dSdt) {

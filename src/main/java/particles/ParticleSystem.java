@@ -23,7 +23,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
-    private final ForceSum forces = new ForceSum(particles, effects, reactions);
+    final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();
     private final ParticleJacobian jacobian = new ParticleJacobian(this, effects, reactions);
     private double[] state = {};
@@ -147,7 +147,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /** @param threads how many evaluate forces, where that pays, with the same bits; 1 ends all but the caller's */
     public void setThreads(int threads) {
-        forces.setThreads(threads);
+        forces.setThreads(threads, ParallelForces.PAYS_FROM);
     }
 
     /** @return what the particles are */
