@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Optional;
 import particles.Look;
 import particles.Style;
-import particles.Surface;
 import particles.Vector3;
 
 /**
@@ -24,19 +23,21 @@ public final class FrameRenderer {
     private final Raster raster;
     private final Projected projected;
     private final Shown shown;
-    private final SurfacePainter surfaces;
     private final RoundShapes shapes;
-    private final BlobPainter blobs;
+    // painters of what the stage names, and of nothing else
+    private final Optional<SurfacePainter> surfaces;
+    private final Optional<BlobPainter> blobs;
     private final Optional<GlowPainter> glow;
     private final Optional<TrailPainter> trails;
     private final Optional<FrameText> text;
     // what the first frame decides
     private Sizes sizes;
-    private SpringPainter springs;
-    private WirePainter wires;
+    private Optional<WirePainter> wires;
     private ParticlePainter particles;
-    private ShadowPainter shadows;
+    private Optional<ShadowPainter> shadows;
     private Backdrop backdrop;
+    /** There from the first frame on that has springs to be drawn. */
+    private Optional<SpringPainter> springs = Optional.empty();
     /** Once a spring was seen, the scale of strain stays in the picture. */
     private boolean springsSeen;
 
@@ -65,9 +66,10 @@ public final class FrameRenderer {
         raster = new Raster(width, height);
         projected = new Projected(view);
         shown = new Shown(stage.look(), stage.scenery().surfaces());
-        surfaces = new SurfacePainter(raster, view, lighting, stage.look());
+        surfaces = stage.scenery().surfaces().isEmpty() ? Optional.empty()
+                : Optional.of(new SurfacePainter(raster, view, lighting, stage.look()));
         shapes = new RoundShapes(raster, view, lighting);
-        blobs = new BlobPainter(raster, view, lighting);
+        blobs = style().kind() == Style.Kind.BLOBS ? Optional.of(new BlobPainter(raster, view, lighting)) : Optional.empty();
         glow = style().kind() == Style.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), width, height))
                 : Optional.empty();
         trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
@@ -119,19 +121,14 @@ public final class FrameRenderer {
         }
         projected.take(state);
         raster.clear();
-        for (Surface surface : stage.scenery().surfaces()) {
-            surfaces.paint(surface, state, projected);
+        surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state, projected)));
+        if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != Look.Shown.NEVER) {
+            springs = Optional.of(new SpringPainter(shapes, view, stage.look(), sizes));
         }
-        for (int s = 0; s < state.springs; s++) {
-            if (shown.spring(state.from[s], state.to[s])) {
-                springsSeen |= springs.paint(state, projected, s);
-            }
-        }
-        wires.paint();
+        springs.ifPresent(painter -> springsSeen |= painter.paint(state, projected, shown));
+        wires.ifPresent(WirePainter::paint);
         particles.paint(state, projected);
-        for (ShadowMap map : backdrop.shadows) {
-            shadows.paint(map, state);
-        }
+        shadows.ifPresent(painter -> backdrop.shadows.forEach(map -> painter.paint(map, state)));
         compose();
         trails.ifPresent(layer -> layer.paint(state, shown, stage.look().particleColour(), raster, backdrop, pixels));
         glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), raster, backdrop, pixels));
@@ -152,13 +149,14 @@ public final class FrameRenderer {
 
     private void prepare(FrameState state) {
         sizes = Sizes.of(state, stage.look(), view.viewHeight);
-        springs = new SpringPainter(shapes, view, stage.look(), sizes);
         particles = new ParticlePainter(shapes, blobs, view, stage.look(), shown, sizes);
         Vector3 target = stage.camera().target();
-        wires = new WirePainter(shapes, view, stage.scenery().wires(), target, sizes.railing());
-        shadows = new ShadowPainter(shown, sizes, stage.scenery(), particles, blobs.surface(), wires);
+        wires = stage.scenery().wires().isEmpty() ? Optional.empty()
+                : Optional.of(new WirePainter(shapes, view, stage.scenery().wires(), target, sizes.railing()));
         backdrop = new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), target, particles.reach(state),
                 stage.camera().up().normalized());
+        shadows = backdrop.shadows.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes, stage.scenery(),
+                particles, blobs.map(BlobPainter::surface), wires));
     }
 
     /** Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies behind. */

@@ -1,5 +1,6 @@
 package particles.output;
 
+import java.util.Optional;
 import particles.Look;
 import particles.Style;
 
@@ -14,10 +15,10 @@ final class ParticlePainter {
     private final Shown shown;
     private final Sizes sizes;
     private final Style.Kind kind;
-    private final BlobPainter blobs;
+    private final Optional<BlobPainter> blobs;
     private double[] inBlobs = {};
 
-    ParticlePainter(RoundShapes shapes, BlobPainter blobs, Projection view, Look look, Shown shown, Sizes sizes) {
+    ParticlePainter(RoundShapes shapes, Optional<BlobPainter> blobs, Projection view, Look look, Shown shown, Sizes sizes) {
         this.shapes = shapes;
         this.view = view;
         this.look = look;
@@ -59,7 +60,7 @@ final class ParticlePainter {
 
     void paint(FrameState state, Projected projected) {
         int count = 0;
-        if (kind == Style.Kind.BLOBS && inBlobs.length < 3 * state.particles) {
+        if (blobs.isPresent() && inBlobs.length < 3 * state.particles) {
             inBlobs = new double[3 * state.particles];
         }
         for (int i = 0; i < state.particles; i++) {
@@ -69,12 +70,12 @@ final class ParticlePainter {
             } else if (isPoint(state, i) && projected.visible[i]) {
                 shapes.ball(projected.x[i], projected.y[i], Raster.SAMPLES * POINT * view.height, projected.depth[i], 0,
                         look.particleColour());
-            } else if (kind == Style.Kind.BLOBS && !state.fixed[i] && shown.particle(i)) {
+            } else if (blobs.isPresent() && !state.fixed[i] && shown.particle(i)) {
                 System.arraycopy(state.positions, 3 * i, inBlobs, 3 * count++, 3);
             }
         }
-        if (kind == Style.Kind.BLOBS) {
-            blobs.paint(inBlobs, count, sizes.ball(), look.particleColour());
+        if (blobs.isPresent()) {
+            blobs.get().paint(inBlobs, count, sizes.ball(), look.particleColour());
         }
     }
 }

@@ -1,5 +1,6 @@
 package particles.output;
 
+import java.util.Optional;
 import particles.Scenery;
 import particles.Sphere;
 import particles.Surface;
@@ -11,8 +12,8 @@ final class ShadowPainter {
     private final Sizes sizes;
     private final Scenery scenery;
     private final ParticlePainter particles;
-    private final BlobSurface blobs;
-    private final WirePainter wires;
+    private final Optional<BlobSurface> blobs;
+    private final Optional<WirePainter> wires;
     private double[] columns = {};
     private double[] rows = {};
     private boolean[] above = {};
@@ -21,9 +22,11 @@ final class ShadowPainter {
      * @param shown     what of a frame is drawn
      * @param scenery   surfaces and spheres, always drawn
      * @param particles which of them are balls
-     * @param blobs     the surface around those that are not
+     * @param blobs     the surface around those that are not, if there is one
+     * @param wires     drawn where there are some
      */
-    ShadowPainter(Shown shown, Sizes sizes, Scenery scenery, ParticlePainter particles, BlobSurface blobs, WirePainter wires) {
+    ShadowPainter(Shown shown, Sizes sizes, Scenery scenery, ParticlePainter particles, Optional<BlobSurface> blobs,
+                  Optional<WirePainter> wires) {
         this.shown = shown;
         this.sizes = sizes;
         this.scenery = scenery;
@@ -59,17 +62,21 @@ final class ShadowPainter {
                 map.disc(map.column(c.x(), c.y(), c.z()), map.row(c.x(), c.y(), c.z()), sphere.radius());
             }
         }
-        for (double[] wire : wires.places()) {
-            project(map, wire, wire.length / 3);
-            for (int k = 0; k + 1 < wire.length / 3; k++) {
-                if (above[k] && above[k + 1]) {
-                    map.strip(columns[k], rows[k], columns[k + 1], rows[k + 1], wires.radius());
-                }
+        wires.ifPresent(painter -> painter.places().forEach(wire -> strips(map, wire, painter.radius())));
+        blobs.ifPresent(surface -> {
+            project(map, surface.places, surface.vertices);
+            triangles(map, surface.corners, surface.cornerCount, surface.vertices);
+        });
+        map.blur();
+    }
+
+    private void strips(ShadowMap map, double[] wire, double radius) {
+        project(map, wire, wire.length / 3);
+        for (int k = 0; k + 1 < wire.length / 3; k++) {
+            if (above[k] && above[k + 1]) {
+                map.strip(columns[k], rows[k], columns[k + 1], rows[k + 1], radius);
             }
         }
-        project(map, blobs.places, blobs.vertices);
-        triangles(map, blobs.corners, blobs.cornerCount, blobs.vertices);
-        map.blur();
     }
 
     private void project(ShadowMap map, double[] p, int n) {

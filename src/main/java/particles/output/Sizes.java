@@ -13,13 +13,15 @@ record Sizes(double ball, boolean coils) {
     private static final int MOST_COILS = 40;
     private static final double PART_OF_PICTURE = 0.028;
     private static final double PART_OF_SPRING = 0.26;
+    /** Of the distance between neighbours, were the particles spread evenly over a cube as high as the picture. */
+    private static final double PART_OF_DISTANCE = 0.3;
 
     static Sizes of(FrameState state, Look look, double viewHeight) {
         double mean = 0;
         for (int s = 0; s < state.springs; s++) {
             mean += state.restLength[s] / state.springs;
         }
-        double ball = PART_OF_PICTURE * viewHeight;
+        double ball = viewHeight * Math.min(PART_OF_PICTURE, PART_OF_DISTANCE / Math.cbrt(Math.max(1, state.particles)));
         if (mean > 0) {
             ball = Math.min(ball, PART_OF_SPRING * mean);
         }

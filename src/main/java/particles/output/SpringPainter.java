@@ -24,8 +24,18 @@ final class SpringPainter {
         this.coil = new Projected(view);
     }
 
-    /** @return whether any of spring s is seen, so far, and its strain */
-    boolean paint(FrameState state, Projected projected, int s) {
+    /** @return whether any spring is seen, so far, and its strain */
+    boolean paint(FrameState state, Projected projected, Shown shown) {
+        boolean seen = false;
+        for (int s = 0; s < state.springs; s++) {
+            if (shown.spring(state.from[s], state.to[s])) {
+                seen |= paint(state, projected, s);
+            }
+        }
+        return seen;
+    }
+
+    private boolean paint(FrameState state, Projected projected, int s) {
         int a = state.from[s];
         int b = state.to[s];
         if (!projected.visible[a] || !projected.visible[b]) {

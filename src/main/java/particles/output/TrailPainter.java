@@ -83,7 +83,13 @@ final class TrailPainter {
                 double px = x + 0.5 - a[0];
                 double py = y + 0.5 - a[1];
                 double along = square > 1e-12 ? Math.max(0, Math.min(1, (px * dx + py * dy) / square)) : 0;
-                double off = Math.hypot(px - along * dx, py - along * dy);
+                double ox = px - along * dx;
+                double oy = py - along * dy;
+                double offSquare = ox * ox + oy * oy;
+                if (offSquare >= reach * reach) {
+                    continue;
+                }
+                double off = Math.sqrt(offSquare);      // of pixels: hypot guards against what cannot be, at ten times the cost
                 float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
                 int p = y * view.width + x;
                 double near = a[2] + along * (b[2] - a[2]);

@@ -68,8 +68,8 @@ final class WirePainter {
     }
 
     /** @return each wire's points, three coordinates each (m) */
-    double[][] places() {
-        return places;
+    List<double[]> places() {
+        return List.of(places);
     }
 
     /** @return the radius of the wires (m) */

@@ -1,0 +1,109 @@
+package particles.output;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static particles.output.SmallPictures.FRONT;
+import static particles.output.SmallPictures.look;
+import static particles.output.SmallPictures.renderer;
+import static particles.output.SmallPictures.state;
+
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import particles.CurveView;
+import particles.Look;
+import particles.Plane;
+import particles.Scenery;
+import particles.Style;
+import particles.Surface;
+import particles.Vector3;
+
+/** What a picture does not show has no painter: all painters that a renderer holds after a frame are counted. */
+class OnlyNamedPaintersTest {
+    private static final Look BALLS = look(Style.Kind.BALLS, 1, 0);
+    private static final Plane SLOPE = new Plane(new Vector3(0, -3, 0), new Vector3(0, 0.8, 0.6));      // seen from above
+    private static final CurveView LINE = new CurveView() {
+        @Override
+        public Vector3 at(double u) {
+            return new Vector3(u, 0, 0);
+        }
+
+        @Override
+        public double length() {
+            return Double.POSITIVE_INFINITY;
+        }
+    };
+
+    /** A picture, and the painters that it needs beside the one that knows as what particles are drawn. */
+    private record Case(String what, Look look, Scenery scenery, boolean spring, Set<String> painters) {
+    }
+
+    static List<Case> cases() {
+        Look noSprings = new Look(Look.Shown.ALWAYS, Look.Shown.NEVER, 1, 0.1, 1, 2, 3, 4, Style.STANDARD);
+        return List.of(new Case("balls", BALLS, Scenery.NONE, false, Set.of()),
+                new Case("points", look(Style.Kind.POINTS, 1, 0), Scenery.NONE, false, Set.of()),
+                new Case("blobs", look(Style.Kind.BLOBS, 1, 0), Scenery.NONE, false, Set.of("BlobPainter")),
+                new Case("glow", look(Style.Kind.GLOW, 1, 0), Scenery.NONE, false, Set.of("GlowPainter")),
+                new Case("trails", look(Style.Kind.BALLS, 1, 0.5), Scenery.NONE, false, Set.of("TrailPainter")),
+                new Case("a spring", BALLS, Scenery.NONE, true, Set.of("SpringPainter")),
+                new Case("a hidden spring", noSprings, Scenery.NONE, true, Set.of()),
+                new Case("a surface", BALLS, new Scenery(List.of(new Surface(new int[] {0, 1, 2}, false)), List.of(), List.of(),
+                        List.of()), false, Set.of("SurfacePainter")),
+                new Case("a slope", BALLS, new Scenery(List.of(), List.of(SLOPE), List.of(), List.of()), false,
+                        Set.of("ShadowPainter")),
+                new Case("a wire", BALLS, new Scenery(List.of(), List.of(), List.of(), List.of(LINE)), false,
+                        Set.of("WirePainter")));
+    }
+
+    @ParameterizedTest
+    @MethodSource("cases")
+    void nothingElseIsBuilt(Case shown) throws IllegalAccessException {
+        FrameRenderer renderer = renderer(FRONT, shown.look(), shown.scenery());
+        FrameState state = state(0, 0, 0, 2, 0, 0, 0, 2, 0);
+        if (shown.spring()) {
+            state.springs = 1;
+            state.from = new int[] {0};
+            state.to = new int[] {1};
+            state.restLength = new double[] {2};
+            state.rigid = new boolean[1];
+        }
+        renderer.render(state);
+        Map<String, Integer> expected = new TreeMap<>(Map.of("ParticlePainter", 1));
+        shown.painters().forEach(name -> expected.put(name, 1));
+        Map<String, Integer> built = new TreeMap<>();
+        count(renderer, built, Collections.newSetFromMap(new IdentityHashMap<>()));
+        assertEquals(expected, built, shown.what());
+    }
+
+    /** Through all fields of our own objects, and what is in optional values and collections. */
+    private static void count(Object object, Map<String, Integer> painters, Set<Object> seen) throws IllegalAccessException {
+        if (object instanceof Optional<?> optional) {
+            if (optional.isPresent()) {
+                count(optional.get(), painters, seen);
+            }
+        } else if (object instanceof Collection<?> several) {
+            for (Object each : several) {
+                count(each, painters, seen);
+            }
+        } else if (object != null && object.getClass().getName().startsWith("particles.output.") && seen.add(object)) {
+            String name = object.getClass().getSimpleName();
+            if (name.endsWith("Painter")) {
+                painters.merge(name, 1, Integer::sum);
+            }
+            for (Field field : object.getClass().getDeclaredFields()) {
+                if (!Modifier.isStatic(field.getModifiers()) && !field.getType().isPrimitive()) {
+                    field.setAccessible(true);
+                    count(field.get(object), painters, seen);
+                }
+            }
+        }
+    }
+}
