@@ -1,6 +1,7 @@
 package particles;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,6 +41,7 @@ public final class EnergyLedger implements Observer {
     private final Map<String, Double> jumps = new LinkedHashMap<>();
     private double[] middle = {};
     private double[] force = {};
+    private double[] pull = {};
     private double startEnergy;
     private double energy;
     private boolean powersKnown;
@@ -123,7 +125,10 @@ public final class EnergyLedger implements Observer {
 
     /** What pulls at an anchor is answered by what moves it: minus the force of all springs and the like, times its velocity. */
     private double anchorPower(ParticleSystem system, double[] state, double time) {
-        double[] pull = new double[system.getStateSize()];
+        if (pull.length != system.getStateSize()) {
+            pull = new double[system.getStateSize()];
+        }
+        Arrays.fill(pull, 0);
         for (Effect effect : system.getEffects()) {
             if (effect.getTraits().contains(Trait.INTERNAL)) {
                 effect.addForces(state, time, pull, 0, effect.size());

@@ -132,18 +132,30 @@ public final class SpringForce implements DivisibleEffect, SpringView {
     public double getDissipatedPower(double[] state, double time) {
         double power = 0;
         for (int s = 0; damped && s < table.count; s++) {
-            int i = table.from[s];
-            int j = table.to[s];
-            double length = length(state, s);
-            if (length > 0) {
-                double rate = 0;
-                for (int c = 0; c < 3; c++) {
-                    rate += (state[j + c] - state[i + c]) / length * (state[j + 3 + c] - state[i + 3 + c]);
-                }
+            if (table.damping[s] > 0) {
+                double rate = lengthRate(state, s);
                 power += table.damping[s] * rate * rate;
             }
         }
         return power;
+    }
+
+    /** d|r|/dt of spring s (m/s), 0 where its ends are at the same place. */
+    private double lengthRate(double[] state, int s) {
+        int i = table.from[s];
+        int j = table.to[s];
+        double rx = state[j] - state[i];
+        double ry = state[j + 1] - state[i + 1];
+        double rz = state[j + 2] - state[i + 2];
+        double vx = state[j + 3] - state[i + 3];
+        double vy = state[j + 4] - state[i + 4];
+        double vz = state[j + 5] - state[i + 5];
+        double square = rx * rx + ry * ry + rz * rz;
+        if (square > SpringKernel.SMALLEST_SQUARE && square < SpringKernel.LARGEST_SQUARE) {
+            return (rx * vx + ry * vy + rz * vz) / Math.sqrt(square);
+        }
+        double length = new Vector3(rx, ry, rz).length();
+        return length > 0 ? rx / length * vx + ry / length * vy + rz / length * vz : 0;
     }
 
     /**
