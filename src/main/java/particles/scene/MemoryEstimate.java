@@ -22,6 +22,11 @@ record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double BYTES_PER_SPRING = 90;
     /** A picture being drawn, with depth and shadows, and its copies for film and file. */
     private static final double BYTES_PER_PIXEL = 30;
+    /** Where each particle was, in single precision, and which number it had. */
+    private static final double BYTES_PER_TRAIL_SAMPLE = 16;
+    /** As often as trails are sampled, and as long as they may be. */
+    private static final double SAMPLES_PER_FRAME = 4;
+    private static final double MOST_SAMPLES = 240;
     private static final double MEGABYTE = 1 << 20;
 
     static MemoryEstimate of(SceneDescription scene) {
@@ -35,9 +40,11 @@ record MemoryEstimate(double particles, double springs, double bytes) {
         // how many are left, where some are taken away, nobody knows before: those of one step at least
         double duration = removed ? scene.deltaT() : scene.duration();
         particles += scene.rules().stream().mapToDouble(rule -> rule.kind().alive(rule.values(), scene.deltaT(), duration)).sum();
+        double samples = Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * scene.look().style().trail());
         double pixels = (double) scene.output().width() * scene.output().height();
-        return new MemoryEstimate(particles, springs, BYTES_OF_PROGRAM + BYTES_PER_PIXEL * pixels
-                + (BYTES_PER_PARTICLE + bytesOfSolver(scene.solver())) * particles + BYTES_PER_SPRING * springs);
+        double perParticle = BYTES_PER_PARTICLE + bytesOfSolver(scene.solver()) + BYTES_PER_TRAIL_SAMPLE * samples;
+        return new MemoryEstimate(particles, springs, BYTES_OF_PROGRAM + BYTES_PER_PIXEL * pixels + perParticle * particles
+                + BYTES_PER_SPRING * springs);
     }
 
     /** What a solver takes for a particle beyond what rk4 does: matrices, stages, columns of an extrapolation. */

@@ -51,6 +51,17 @@ class MemoryEstimateTest {
         assertEquals(1, problems.count());
     }
 
+    /** 250,000 points with trails of half a second, 50 samples: 499 MiB were alive after collections. */
+    @Test
+    void trailsCount() {
+        String points = "solver: rk4\nlook: {particlesAs: points%s}\nshapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1],"
+                + " columns: 63, rows: 63, layers: 63, totalMass: 1, surface: false}\n";
+        double with = MemoryEstimate.of(read(points.formatted(", trail: 0.5"))).bytes();
+        double without = MemoryEstimate.of(read(points.formatted(""))).bytes();
+        assertEquals(50.0 * 16 * 63 * 63 * 63, with - without, 1e-3);
+        assertEquals(1, with / (499 * MEGABYTE), 0.5);
+    }
+
     /**
      * 100 a second: those of half a second and of a step where they live half a second (at the end of a step the new ones come
      * before the old ones go), those of the whole run where they live for ever.
