@@ -19,8 +19,8 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 
 /**
- * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that here they
- * are taken for however little there is to do; and who did it is noted.
+ * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that here
+ * they are taken for however little there is to do; and who did it is noted.
  */
 @Tag("slow")
 class SceneThreadsTest {

@@ -69,8 +69,9 @@ class FrontalFactorsTest {
     }
 
     static Stream<Arguments> nets() {
-        return Stream.of(Arguments.of("cloth", cloth(12, 9)), Arguments.of("strip", cloth(40, 3)), Arguments.of("tree", grown(80, 1)),
-                Arguments.of("random", grown(70, 3)), Arguments.of("all to all", grown(40, 40)), Arguments.of("pieces", pieces()),
+        return Stream.of(Arguments.of("cloth", cloth(12, 9)), Arguments.of("strip", cloth(40, 3)),
+                Arguments.of("tree", grown(80, 1)), Arguments.of("random", grown(70, 3)),
+                Arguments.of("all to all", grown(40, 40)), Arguments.of("pieces", pieces()),
                 Arguments.of("one", net(1, List.of())), Arguments.of("none", net(0, List.of())));
     }
 
@@ -137,7 +138,7 @@ class FrontalFactorsTest {
             for (int i = 0; i < b.length; i++) {
                 largest = Math.max(largest, Math.abs(expected.get(i) - x[i]));
             }
-            assertTrue(largest < 1e-13, name + ": " + largest);         // measured at most 1.4e-16
+            assertTrue(largest < 1e-15, name + ": " + largest);         // measured at most 1.4e-16
         }
     }
 
@@ -171,9 +172,9 @@ class FrontalFactorsTest {
         double once = work.blockOperations;
         assertTrue(factors.factorise(a, false));
         assertEquals(2 * once, work.blockOperations - once, 0.1 * once);
-        // Approximate minimum degree, by AMDJ: 193,718 blocks below the diagonal, 7.8e6 products. Here, measured, 8.71e+06 products
-        // of blocks, with those of the diagonal, and 413770 blocks in both triangles.
-        assertTrue(once < 1.1 * 8.71e+06, once + " products");
+        // Approximate minimum degree, by AMDJ: 193,718 blocks below the diagonal and 7.8e6 products of blocks. Measured here
+        // 8.71e6 products, and 413,770 blocks on both sides of the diagonal and on it.
+        assertTrue(once < 9.5e6, once + " products");
         assertTrue(factors.blocks() < 450_000, factors.blocks() + " blocks");
     }
 
