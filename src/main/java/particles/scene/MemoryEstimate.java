@@ -15,11 +15,11 @@ import particles.scene.spec.Problems;
  */
 record MemoryEstimate(double particles, double springs, double bytes) {
     /** Java itself, the program, and charts. */
-    private static final double BYTES_OF_PROGRAM = 24e6;
+    private static final double BYTES_OF_PROGRAM = 36e6;
     /** Id, state, masses, the work arrays of a simple solver, and what output needs. */
     private static final double BYTES_PER_PARTICLE = 800;
-    /** The constants, and their copy while arrays grow. */
-    private static final double BYTES_PER_SPRING = 90;
+    /** The constants, in arrays that are up to half as long again, and three copies of what pictures show of a spring. */
+    private static final double BYTES_PER_SPRING = 100;
     /** A picture being drawn, with depth and shadows, and its copies for film and file. */
     private static final double BYTES_PER_PIXEL = 30;
     /** Where each particle was, in single precision, and which number it had. */

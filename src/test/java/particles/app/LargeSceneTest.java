@@ -1,0 +1,78 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * 250,000 particles are simulated, drawn, filmed, plotted and written down by a program of its own, in the memory that it says
+ * it needs and no more. A state is 12 MB: a trajectory that is held, or objects for particles, do not fit beside the rest.
+ */
+@Tag("hard")
+class LargeSceneTest {
+    private static final int PARTICLES = 250_000;
+    private static final int STEPS = 30;
+    private static final int STRIDE = 10;
+    /** The collector wants some of the heap for itself, which Java does not count as usable. */
+    private static final double COLLECTOR = 1.2;
+    private static final String SCENE = """
+            title: A quarter of a million
+            teaches: what is large is streamed
+            solver: symplectic-euler
+            deltaT: 0.001
+            duration: 0.03
+            shapes:
+              - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0, 2], columns: 500, rows: 500, totalMass: 0.6,
+                        fixed: [top-left, top-right], structural: {stiffness: 0.5, damping: 1e-4}, shear: {stiffness: 0.2},
+                        bend: {stiffness: 0.05}}
+            effects:
+              - gravity
+              - drag: {coefficient: 2e-6}
+            output:
+              frameRate: 100
+              width: 640
+              height: 360
+              video: mp4
+              phase: {particle: "cloth[250,250]", axis: y}
+              trajectoryStride: 10
+            """;
+
+    @TempDir
+    private Path folder;
+
+    private ChildProgram.End run(String heap, Path scene, Path out) throws IOException, InterruptedException {
+        return new ChildProgram(folder.resolve("lines.txt")).jvm("-Xmx" + heap).run("run", "--scene=" + scene, "--out=" + out);
+    }
+
+    @Test
+    void quarterOfAMillionParticlesRunInWhatTheySayTheyNeed() throws Exception {
+        Path scene = Files.writeString(folder.resolve("large.yaml"), SCENE);
+        Path out = folder.resolve("out");
+        ChildProgram.End refused = run("256m", scene, out);
+        assertEquals(ExitCode.BAD_INPUT.code(), refused.code(), refused.lines());
+        Matcher needed = Pattern.compile("needs about (\\d+) MiB of memory for up to 250000 particles").matcher(refused.lines());
+        assertTrue(needed.find(), refused.lines());
+        int megabytes = Integer.parseInt(needed.group(1));
+        assertTrue(megabytes < 1024, "half of 2 GB, and it is " + megabytes);
+
+        ChildProgram.End end = run((int) (COLLECTOR * megabytes) + "m", scene, out);
+        assertEquals(ExitCode.DONE.code(), end.code(), end.lines());
+        for (String file : List.of("animation.gif", "film.mp4", "energy.png", "phase.png", "run.json")) {
+            assertTrue(Files.size(out.resolve(file)) > 0, file);
+        }
+        try (Stream<Path> frames = Files.list(out.resolve("frames")); Stream<String> lines = Files.lines(out.resolve("trajectory.csv"))) {
+            assertEquals(4, frames.count());
+            assertEquals(1 + (STEPS / STRIDE + 1) * PARTICLES, lines.count());
+        }
+    }
+}
