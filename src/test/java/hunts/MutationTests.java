@@ -41,7 +41,7 @@ final class MutationTests {
     }
 
     private static String classesOf(String packageName) {
-        return "~" + packageName.replace(".", "\\.") + "\\.[^.]+";
+        return "~" + packageName.replace(".", "\\.") + "\\.[A-Z].*";
     }
 
     /** @return how PIT is started for a package */
