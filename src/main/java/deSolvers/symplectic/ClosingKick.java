@@ -62,7 +62,7 @@ final class ClosingKick {
             if (!(scale <= Double.MAX_VALUE)) {
                 break;                                  // diverged to infinity
             }
-            if (left(change, last) <= TOLERANCE * scale) {
+            if (change <= TOLERANCE * scale) {
                 return;
             }
             if (iteration > 0 && change >= last && change * Math.abs(h) <= ROUNDING * largest(state, 0, d)) {
@@ -72,14 +72,6 @@ final class ClosingKick {
         throw source.failure(-1, "the velocity at the end of the step was not found in " + MOST_ITERATIONS
                 + " iterations (last change " + change + " of " + scale + "); drag or spring damping is too stiff for"
                 + " this deltaT: take a smaller one or an implicit solver");
-    }
-
-    /**
-     * What is left to the solution after a change. Where each change is q = change / last of the one before, all that would
-     * follow add up to q / (1 - q) of this one: where q is small this spares the evaluation that would only see that.
-     */
-    private static double left(double change, double last) {
-        return 2 * change < last ? change * (change / (last - change)) : change;
     }
 
     /** The largest position (from the first entry on) or velocity (from entry d on), by its size. */
