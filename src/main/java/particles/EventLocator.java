@@ -1,6 +1,8 @@
 package particles;
 
 import deSolvers.DESolver;
+import java.util.List;
+import java.util.Optional;
 
 /**
  * Finds when an event happens: the length of a step, from a given state, after which the event's function is 0. Each trial
@@ -22,6 +24,42 @@ final class EventLocator {
     }
 
     /**
+     * What happened first.
+     *
+     * @param event what
+     * @param rule  whose event it is
+     */
+    record Found(EventRule.Event event, EventRule rule) {
+    }
+
+    /**
+     * Takes a motion back to its first event, if it has any. The motion and the system end there.
+     *
+     * @param system the system, at the motion's end
+     * @param motion the step as it was made
+     * @param rules  whose events are looked for
+     * @return the event
+     */
+    Optional<Found> locateFirst(ParticleSystem system, Motion motion, List<EventRule> rules) {
+        Optional<Found> first = Optional.empty();
+        for (double end = Double.POSITIVE_INFINITY; motion.getEndTime() < end;) {
+            end = motion.getEndTime();
+            Found earliest = null;
+            for (EventRule rule : rules) {
+                Optional<EventRule.Event> found = rule.findEvent(motion);
+                if (found.isPresent() && (earliest == null || found.get().time() < earliest.event().time())) {
+                    earliest = new Found(found.get(), rule);
+                }
+            }
+            if (earliest != null && locate(system, motion, earliest.event())) {
+                first = Optional.of(earliest);
+                motion.end();                           // and look again: may something else come before?
+            }
+        }
+        return first;
+    }
+
+    /**
      * Leaves the system at the event: at the last moment before the function becomes negative.
      *
      * @param system  the system, anywhere
@@ -29,7 +67,7 @@ final class EventLocator {
      * @param event   what was found in it
      * @return whether there is such a moment; if not, the system is back at the end of the motion
      */
-    boolean locate(ParticleSystem system, Motion motion, EventRule.Event event) {
+    private boolean locate(ParticleSystem system, Motion motion, EventRule.Event event) {
         begin = motion.getStartState();
         beginTime = motion.getStartTime();
         if (event.time() <= beginTime) {

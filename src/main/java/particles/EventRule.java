@@ -36,4 +36,17 @@ public interface EventRule extends Rule {
      * @return the first event, if there is any
      */
     Optional<Event> findEvent(Motion motion);
+
+    /**
+     * Says where a solver may fail although neither the scene nor its step is to blame: where laws are about to change within
+     * the step, and the solver has to go through what lies beyond before the event can be located. The loop then goes there
+     * in shorter pieces.
+     *
+     * @param system the system where a step began
+     * @param time   the step's length (s)
+     * @return whether the way may turn sharply within that time
+     */
+    default boolean mayTurnWithin(ParticleSystem system, double time) {
+        return false;
+    }
 }

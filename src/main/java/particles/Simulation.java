@@ -16,6 +16,8 @@ public final class Simulation {
     private static final double ROUNDING = 1e-6;
     /** Far more than any sequence of ever smaller bounces has before it ends in rest. */
     private static final int MOST_EVENTS = 100_000;
+    /** Of a step: less than any turn needs that is not a stop. */
+    private static final double SHORTEST_PIECE = 0x1p-40;
     /** Few enough to lose little, so many that a solver which begins anew after each costs nothing to speak of. */
     public static final int CHECKPOINT_STEPS = 500;
 
@@ -27,6 +29,7 @@ public final class Simulation {
     private final List<Rule> rules = new ArrayList<>();
     private final List<EventRule> eventRules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
+    private final Audience audience = new Audience(observers);
     private double startTime;
     private long checkpointSteps = CHECKPOINT_STEPS;
     private Runnable checkpoint = () -> { };
@@ -164,29 +167,22 @@ public final class Simulation {
             rule.beforeStep(system);
         }
         double end = system.getTime() + h;
-        boolean observed = !eventRules.isEmpty() || isAnyoneInterested(end);
+        boolean observed = !eventRules.isEmpty() || audience.isInterested(end + ROUNDING * deltaT);
         try {
-            move(h, observed);
-            for (int inStep = 0; !eventRules.isEmpty() && stopAtEvent(); inStep++) {
-                if (inStep == MOST_EVENTS) {
-                    throw new SimulationException(system.getTime(), -1, MOST_EVENTS + " impacts or changes of contact within one"
-                            + " step of " + h + " s, and no end", null);
-                }
-                move(end - system.getTime(), true);
-            }
+            observed = move(h, end, observed);
         } catch (DESolverException e) {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);
         }
         steps++;
         if (observed) {
-            reportMotion();
+            audience.reportMotion(motion);
         }
         boolean changed = false;
         for (Rule rule : rules) {
             if (rule.afterStep(system, h)) {
                 changed = true;
-                reportChange(rule);
+                audience.reportChange(system, rule);
             }
         }
         if (changed) {
@@ -195,7 +191,55 @@ public final class Simulation {
         energyLimit.check(system);
     }
 
-    private void move(double h, boolean observed) {
+    /**
+     * Moves to the end of the step, from event to event. Where the solver fails because the way may turn sharply ahead, it is
+     * taken in shorter pieces; where it may not, the failure is the solver's or the step's, and is said.
+     *
+     * @return whether the last motion was noted down
+     */
+    private boolean move(double h, double end, boolean observed) {
+        boolean noted = observed;
+        double left = h;
+        double length = h;
+        for (int inStep = 0; inStep <= MOST_EVENTS; inStep++) {
+            boolean stopped;
+            try {
+                stopped = moveOn(length, noted);
+            } catch (DESolverException e) {             // the system is back where the motion began
+                if (length < SHORTEST_PIECE * h || !mayTurnWithin(length)) {
+                    throw e;
+                }
+                solver.reset();
+                length /= 2;
+                continue;
+            }
+            if (!stopped && length == left) {
+                return noted;
+            }
+            if (!stopped) {
+                audience.reportMotion(motion);
+                solver.reset();
+                eventRules.forEach(rule -> rule.beforeStep(system));
+            }
+            noted = true;
+            left = end - system.getTime();
+            length = left;
+        }
+        throw new SimulationException(system.getTime(), -1, MOST_EVENTS + " impacts or changes of contact within one"
+                + " step of " + h + " s, and no end", null);
+    }
+
+    private boolean mayTurnWithin(double time) {
+        for (EventRule rule : eventRules) {
+            if (rule.mayTurnWithin(system, time)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Moves by h, or to the first event before that, and tells which. */
+    private boolean moveOn(double h, boolean observed) {
         if (observed) {
             motion.begin(system);
         }
@@ -203,63 +247,23 @@ public final class Simulation {
         if (observed) {
             motion.end();
         }
+        return !eventRules.isEmpty() && stopAtEvent();
     }
 
     /** Takes the present motion back to its first event, if it has any, and lets the event happen there. */
     private boolean stopAtEvent() {
-        EventRule.Event first = null;
-        EventRule itsRule = null;
-        for (double end = Double.POSITIVE_INFINITY; motion.getEndTime() < end;) {
-            end = motion.getEndTime();
-            EventRule.Event earliest = null;
-            EventRule earliestRule = null;
-            for (EventRule rule : eventRules) {
-                Optional<EventRule.Event> found = rule.findEvent(motion);
-                if (found.isPresent() && (earliest == null || found.get().time() < earliest.time())) {
-                    earliest = found.get();
-                    earliestRule = rule;
-                }
-            }
-            if (earliest != null && locator.locate(system, motion, earliest)) {
-                first = earliest;
-                itsRule = earliestRule;
-                motion.end();                           // and look again: may something else come before?
-            }
-        }
-        if (first == null) {
+        Optional<EventLocator.Found> first = locator.locateFirst(system, motion, eventRules);
+        if (first.isEmpty()) {
             return false;
         }
         events++;
         if (motion.getEndTime() > motion.getStartTime()) {
-            reportMotion();
+            audience.reportMotion(motion);
         }
-        first.act(system);
+        first.get().event().act(system);
         solver.reset();
-        reportChange(itsRule);
+        audience.reportChange(system, first.get().rule());
         return true;
-    }
-
-    private void reportMotion() {
-        for (Observer observer : observers) {
-            if (observer.getNextTime() <= motion.getEndTime()) {
-                observer.moved(motion);
-            }
-        }
-    }
-
-    private void reportChange(Rule rule) {
-        for (Observer observer : observers) {
-            observer.changed(system, rule);
-        }
-    }
-
-    private boolean isAnyoneInterested(double until) {
-        for (Observer observer : observers) {
-            if (observer.getNextTime() <= until + ROUNDING * deltaT) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /** @return the system */

@@ -125,17 +125,19 @@ final class ContactDerivative {
         normal[1] = normals[p].y();
         normal[2] = normals[p].z();
         double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
+        double[] m = sliding.mirrored;
+        double mt = (m[0] * t[0] + m[1] * t[1] + m[2] * t[2]) / square;
         for (int row = 0, e = 0; row < 3; row++) {
             for (int column = 0; column < 3; column++, e++) {
                 double along = (row == column ? 1 : 0) - normal[row] * normal[column];
                 if (law == Friction.Law.COULOMB) {
-                    along -= t[row] * t[column] / square;
+                    along -= t[row] * t[column] / square + 2 * (m[row] - mt * t[row]) * m[column];
                 }
                 dFdV[e] -= factor * along;
             }
         }
         if (curved.isAny()) {
-            curved.addTurningOfSlip(p, factor, law == Friction.Law.COULOMB ? t : NONE, dFdX);
+            curved.addTurningOfSlip(p, factor, law == Friction.Law.COULOMB ? t : NONE, m, dFdX);
         }
     }
 

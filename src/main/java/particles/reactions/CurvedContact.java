@@ -79,14 +79,17 @@ final class CurvedContact {
      * Adds what the friction of surface p, minus a factor times v - (N . v) N, gains by the turning of the normal.
      *
      * @param unit a vector of which only the direction counts, so that changes along it do not; or 0 if its length counts too
+     * @param mirrored as {@link Sliding#mirrored}
      */
-    void addTurningOfSlip(int p, double factor, double[] unit, double[] matrix) {
+    void addTurningOfSlip(int p, double factor, double[] unit, double[] mirrored, double[] matrix) {
         Vector3 normal = touched.normals[p];
         Vector3 direction = new Vector3(unit[0], unit[1], unit[2]);
         double square = direction.dot(direction);
+        Vector3 across = new Vector3(mirrored[0], mirrored[1], mirrored[2]);
         for (int column = 0; column < 3; column++) {
             Vector3 turning = along(normal, unit(column)).times(touched.curvature[p]);
             Vector3 change = normal.times(-turning.dot(velocity)).plus(turning.times(-normal.dot(velocity)));
+            change = change.plus(across.times(-2 * across.dot(change)));
             if (square > 0) {
                 change = change.plus(direction.times(-direction.dot(change) / square));
             }

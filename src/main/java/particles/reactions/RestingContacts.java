@@ -7,6 +7,7 @@ import particles.Memory;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
+import particles.Vector3;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
@@ -24,6 +25,9 @@ public final class RestingContacts implements Reaction {
 
     /** What is left of a speed by the time when it is to be 0 (m/s). */
     private static final double ROUNDING = 1e-9;
+
+    /** Solvers look beyond the end of a step, yoshida4 by a third of it, and several surfaces push harder than one. */
+    private static final double STOPS = 4;
 
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
@@ -144,6 +148,35 @@ public final class RestingContacts implements Reaction {
         }
         int v = STRIDE * particle + 3;
         return state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2] <= limit * Math.abs(limit);
+    }
+
+    /**
+     * Whether Coulomb friction may turn within a time so sharply that a solver does not find the way in one step: near a stop
+     * it turns as fast as the velocity, however slow that is.
+     *
+     * @param system the system
+     * @param time   from now (s)
+     * @return whether anything that slides is so slow that the forces on it could stop it well within that time
+     */
+    public boolean mayStopWithin(ParticleSystem system, double time) {
+        double[] state = system.getOwnState();
+        double[] force = new double[system.getStateSize()];
+        system.addUpEffects(state, system.getTime(), force);
+        for (int i = 0; i < modes.end(); i++) {
+            double rubbing = 0;
+            for (int p = 0; p < surfaces.size(); p++) {
+                Friction friction = surfaces.get(p).friction();
+                rubbing = modes.get(p, i) == ContactModes.Mode.SLIDING && friction.law() == Friction.Law.COULOMB
+                        ? Math.max(rubbing, friction.coefficient()) : rubbing;
+            }
+            int v = STRIDE * i + 3;
+            double speed = new Vector3(state[v], state[v + 1], state[v + 2]).length();
+            double pull = new Vector3(force[v], force[v + 1], force[v + 2]).length() / system.getParticles().mass(i);
+            if (rubbing > 0 && speed <= STOPS * time * (1 + rubbing) * pull) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** @return the state where the present step began, to be read only */

@@ -10,6 +10,8 @@ final class Sliding {
 
     /** What friction opposes: a velocity along the surface (m/s), or the force that will move the particle (N). */
     final double[] direction = new double[3];
+    /** Of length 1, across the mirror in which the direction is seen after a turn; 0 before one. */
+    final double[] mirrored = new double[3];
     private final double[] beginning = new double[3];
     private double[] stepBegin = {};                    // the state where the present step began
     private boolean independent;
@@ -44,16 +46,19 @@ final class Sliding {
      */
     double find(Friction law, Vector3 normal, double push, double[] pressing, double[] state, int v) {
         independent = false;
+        mirrored[0] = 0;
+        mirrored[1] = 0;
+        mirrored[2] = 0;
         if (law.law() == Friction.Law.NONE || !(push > 0)) {
             return 0;
         }
         double factor = push * law.coefficient();
         along(normal, state, v, direction);
         if (law.law() == Friction.Law.COULOMB) {
-            double sign = followBeginning(normal, v);
+            followBeginning(normal, v);
             double speed = length(direction);
             if (speed > 0) {
-                factor *= sign / speed;
+                factor /= speed;
             } else {                                    // about to move: against the force that will move it
                 along(normal, pressing, 0, direction);
                 factor /= Math.max(factor, length(direction));
@@ -64,20 +69,27 @@ final class Sliding {
     }
 
     /**
-     * Compares the velocity along a surface, now in direction, with that at the beginning of the step: -1 if it points back.
-     * Where it is rounding and no direction any more, the beginning's takes its place.
+     * Compares the velocity along a surface, now in direction, with that at the beginning of the step. What points back is
+     * mirrored: straight back that is the direction of the beginning, as if the sliding had not turned round, and obliquely
+     * friction stays continuous, so that implicit solvers find their stages. Where it is rounding and no direction any more,
+     * the beginning's takes its place.
      */
-    private double followBeginning(Vector3 normal, int v) {
+    private void followBeginning(Vector3 normal, int v) {
         if (stepBegin.length <= v) {
-            return 1;
+            return;
         }
         along(normal, stepBegin, v, beginning);
         if (length(direction) < ALMOST_STOPPED * length(beginning)) {
             System.arraycopy(beginning, 0, direction, 0, 3);
             independent = true;
-            return 1;
+            return;
         }
-        return direction[0] * beginning[0] + direction[1] * beginning[1] + direction[2] * beginning[2] < 0 ? -1 : 1;
+        double forward = direction[0] * beginning[0] + direction[1] * beginning[1] + direction[2] * beginning[2];
+        double length = length(beginning);
+        for (int c = 0; c < 3 && forward < 0; c++) {
+            mirrored[c] = beginning[c] / length;
+            direction[c] -= 2 * forward / length * mirrored[c];
+        }
     }
 
     /** The part of a vector that lies in a surface. */

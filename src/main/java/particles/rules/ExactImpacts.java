@@ -100,6 +100,11 @@ public final class ExactImpacts implements EventRule {
     }
 
     @Override
+    public boolean mayTurnWithin(ParticleSystem system, double time) {
+        return modes.isAnyTouching() && contacts.mayStopWithin(system, time);
+    }
+
+    @Override
     public Optional<Event> findEvent(Motion motion) {
         Particles particles = motion.getSystem().getParticles();
         Optional<Event> first = contactEvents.find(motion);
