@@ -42,7 +42,7 @@ class ComparisonTest {
         check(plan);
     }
 
-    /** Measured 4.3e-7 to 1.0e-6: the error of a method that chooses its order jumps with the tolerance. */
+    /** Measured 2.9e-7 to 1.0e-6: the error of a method that chooses its order jumps with the tolerance. */
     private static void check(Comparison.Plan plan) {
         Comparison pair = Comparison.of(plan);
         for (double error : new double[] {pair.oursFound().error(), pair.theirsFound().error()}) {

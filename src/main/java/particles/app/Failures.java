@@ -9,6 +9,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
+import java.util.Locale;
 import particles.SimulationException;
 import particles.output.OutputException;
 import particles.scene.SceneException;
@@ -50,6 +51,12 @@ final class Failures {
         }
         if (thrown instanceof IOException io) {
             err.println(line(io));
+            return ExitCode.TROUBLE;
+        }
+        if (thrown instanceof OutOfMemoryError) {
+            err.printf(Locale.ROOT, "the memory that Java may use, %d MiB, is full; take fewer particles, frames or runs, or give Java more:"
+                    + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
+                    (Runtime.getRuntime().maxMemory() >> 30) + 1);
             return ExitCode.TROUBLE;
         }
         err.println("an error of the program itself, which should not happen:");

@@ -226,6 +226,14 @@ class ProgramTest {
         assertTrue(err.toString().contains("java.lang.StackOverflowError: too deep"), err.toString());
     }
 
+    /** What was estimated before the start may still be too little: a line then, too, that says what can be done. */
+    @Test
+    void fullMemoryIsOneLineAndCode1() {
+        long most = Runtime.getRuntime().maxMemory();
+        assertEnds(ExitCode.TROUBLE, "the memory that Java may use, " + (most >> 20) + " MiB, is full; take fewer particles, frames or"
+                + " runs, or give Java more: JAVA_TOOL_OPTIONS=-Xmx" + ((most >> 30) + 1) + "g", new OutOfMemoryError("Java heap space"));
+    }
+
     @Test
     void exitCodesAreThoseOfTheHandbook() {
         assertEquals(List.of(0, 1, 2, 3), List.of(ExitCode.values()).stream().map(ExitCode::code).toList());
