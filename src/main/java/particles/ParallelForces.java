@@ -8,7 +8,7 @@ import java.util.List;
  * so are the bits.
  */
 final class ParallelForces implements AutoCloseable {
-    /** With fewer items one thread is done sooner: telling another costs as much as some thousand springs. */
+    /** With fewer items one thread is done sooner. Cloths with rk4: as fast with two at 8,000 items, at 16,000 in 0.8 of the time. */
     static final long PAYS_FROM = 16_384;
 
     private final ForceSum forces;

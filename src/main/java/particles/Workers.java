@@ -5,12 +5,18 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * A few threads that do a piece of work together with the thread that asks for it, over and over and without allocating.
- * Between two pieces they watch for the next one for some microseconds, and then sleep until they are woken. They are
+ * Between two pieces they watch for the next one for a while, and then sleep until they are woken. They are
  * daemons, and end when they are closed.
  */
 final class Workers implements AutoCloseable {
-    /** How often a thread looks before it sleeps: some 20 microseconds, longer than a solver's own arithmetic takes. */
-    private static final int LOOKS = 500;
+    /**
+     * How often a thread looks before it sleeps, where each has a processor: one or two milliseconds, longer than a solver's
+     * own arithmetic takes. To wake a thread costs up to a tenth of one: with a fortieth of the looks two threads were slower
+     * than one on a cloth of 64 x 64, and with these they take two thirds of its time.
+     */
+    private static final int LOOKS = 40_000;
+    /** Where threads share a processor, looking keeps the other from working. */
+    private static final int FEW_LOOKS = 500;
 
     /** What is done together. */
     interface Work {
@@ -22,6 +28,7 @@ final class Workers implements AutoCloseable {
     }
 
     private final Thread[] helpers;
+    private final int looks;
     private final AtomicInteger busy = new AtomicInteger();
     private volatile int round;
     private volatile boolean closed;
@@ -32,6 +39,7 @@ final class Workers implements AutoCloseable {
     /** @param threads how many work together, the caller's own included; 2 or more */
     Workers(int threads) {
         helpers = new Thread[threads - 1];
+        looks = threads <= Runtime.getRuntime().availableProcessors() ? LOOKS : FEW_LOOKS;
         for (int h = 0; h < helpers.length; h++) {
             int part = h + 1;
             helpers[h] = new Thread(() -> help(part), "forces-" + part);
@@ -66,7 +74,7 @@ final class Workers implements AutoCloseable {
 
     private void waitForHelpers() {
         for (int look = 0; busy.get() > 0; look++) {
-            if (look < LOOKS) {
+            if (look < looks) {
                 Thread.onSpinWait();
             } else {
                 LockSupport.park(this);
@@ -78,7 +86,7 @@ final class Workers implements AutoCloseable {
         int done = 0;
         for (int look = 0; !closed; ) {
             if (round == done) {
-                if (look++ < LOOKS) {
+                if (look++ < looks) {
                     Thread.onSpinWait();
                 } else {
                     LockSupport.park(this);
