@@ -16,37 +16,34 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** The contrary: every promise for stiff systems is broken by the explicit solvers, with bounds as wide as 1. */
 class ExplicitSolversAreNotForStiffSystemsTest {
-    private static final class Claim extends StiffContract {
-        private final DESolver solver;
+    /** Has no name, so that it is not taken for tests to run. */
+    private static StiffContract claimOf(DESolver solver) {
+        return new StiffContract() {
+            @Override
+            protected DESolver createSolver() {
+                return solver;
+            }
 
-        Claim(DESolver solver) {
-            this.solver = solver;
-        }
+            @Override
+            protected double factorAtMinusAMillion() {
+                return 1;
+            }
 
-        @Override
-        protected DESolver createSolver() {
-            return solver;
-        }
+            @Override
+            protected double stiffOrder() {
+                return 1;
+            }
 
-        @Override
-        protected double factorAtMinusAMillion() {
-            return 1;
-        }
+            @Override
+            protected double stiffError() {
+                return 1;
+            }
 
-        @Override
-        protected double stiffOrder() {
-            return 1;
-        }
-
-        @Override
-        protected double stiffError() {
-            return 1;
-        }
-
-        @Override
-        protected double stiffPairError() {
-            return 1;
-        }
+            @Override
+            protected double stiffPairError() {
+                return 1;
+            }
+        };
     }
 
     static List<Supplier<DESolver>> explicitSolvers() {
@@ -56,10 +53,10 @@ class ExplicitSolversAreNotForStiffSystemsTest {
     @ParameterizedTest
     @MethodSource("explicitSolvers")
     void everyStatementFails(Supplier<DESolver> solver) {
-        assertThrows(AssertionError.class, () -> new Claim(solver.get()).aMillionTimesTooLongAStepDoesNotGrow());
-        Throwable failure = assertThrows(Throwable.class, () -> new Claim(solver.get()).theStiffOrderOfProtheroAndRobinsonHolds());
+        assertThrows(AssertionError.class, () -> claimOf(solver.get()).aMillionTimesTooLongAStepDoesNotGrow());
+        Throwable failure = assertThrows(Throwable.class, () -> claimOf(solver.get()).theStiffOrderOfProtheroAndRobinsonHolds());
         assertTrue(failure instanceof AssertionError || failure instanceof DESolverException, "grown, or overflown: " + failure);
         assertThrows(AssertionError.class,
-                () -> new Claim(solver.get()).theStiffPairIsFollowedWithStepsAsLongAsTheSlowPartAllows());
+                () -> claimOf(solver.get()).theStiffPairIsFollowedWithStepsAsLongAsTheSlowPartAllows());
     }
 }
