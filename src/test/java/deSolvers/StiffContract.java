@@ -6,9 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.problems.ProtheroRobinson;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.StiffPair;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
-/** What a solver for stiff systems promises besides: steps that are far longer than what decays, without growth. */
+/**
+ * What a solver for stiff systems promises besides: steps that are far longer than what decays, without growth. Each
+ * statement is a static method of its own, so that the contrary can be asserted of explicit solvers.
+ */
 public abstract class StiffContract {
 
     /** s' = -1e6 s. */
@@ -46,32 +50,56 @@ public abstract class StiffContract {
 
     @Test
     public void aMillionTimesTooLongAStepDoesNotGrow() {
+        assertNoGrowth(createSolver(), factorAtMinusAMillion());
+    }
+
+    @Test
+    public void theStiffOrderOfProtheroAndRobinsonHolds() {
+        assertStiffOrder(this::createSolver, stiffOrder(), stiffError());
+    }
+
+    @Test
+    public void theStiffPairIsFollowedWithStepsAsLongAsTheSlowPartAllows() {
+        assertStiffPair(createSolver(), stiffPairError());
+    }
+
+    /**
+     * Steps of s' = -1e6 s with deltaT = 1 never grow, and the first leaves what the method's R says.
+     *
+     * @param solver what steps
+     * @param factor |R(-1e6)|
+     */
+    public static void assertNoGrowth(DESolver solver, double factor) {
         FastDecay decay = new FastDecay();
-        DESolver solver = createSolver();
         double before = 1;
         for (int i = 0; i < 20; i++) {
             solver.stepState(decay, 1);
             double after = Math.abs(decay.state()[0]);
             assertTrue(after <= before, "step " + i + ": " + after + " after " + before);
             if (i == 0) {
-                assertEquals(factorAtMinusAMillion(), after, 1e-9 * factorAtMinusAMillion());
+                assertEquals(factor, after, 1e-9 * factor);
             }
             before = after;
         }
     }
 
-    @Test
-    public void theStiffOrderOfProtheroAndRobinsonHolds() {
-        double coarse = protheroRobinsonError(16);
-        double fine = protheroRobinsonError(64);
-        assertTrue(coarse < stiffError(), "error " + coarse);
+    /**
+     * The error on the Prothero-Robinson problem, L = -1e6, is small and falls with the order that theory gives.
+     *
+     * @param solvers what makes a new solver
+     * @param order   the order in deltaT
+     * @param bound   beyond the error after 16 steps of 1/16 s
+     */
+    public static void assertStiffOrder(Supplier<DESolver> solvers, double order, double bound) {
+        double coarse = protheroRobinsonError(solvers.get(), 16);
+        double fine = protheroRobinsonError(solvers.get(), 64);
+        assertTrue(coarse < bound, "error " + coarse);
         double slope = StrictMath.log(coarse / fine) / StrictMath.log(4);
-        assertEquals(stiffOrder(), slope, 0.1);
+        assertEquals(order, slope, 0.1);
     }
 
-    private double protheroRobinsonError(int steps) {
+    private static double protheroRobinsonError(DESolver solver, int steps) {
         ProtheroRobinson problem = new ProtheroRobinson(-1e6);
-        DESolver solver = createSolver();
         double worst = 0;
         for (int i = 0; i < steps; i++) {
             solver.stepState(problem, 1.0 / steps);
@@ -80,17 +108,20 @@ public abstract class StiffContract {
         return worst;
     }
 
-    @Test
-    public void theStiffPairIsFollowedWithStepsAsLongAsTheSlowPartAllows() {
+    /**
+     * The slow part of the 998/1998 pair is followed with steps ten times as long as an explicit method could take.
+     *
+     * @param solver what steps
+     * @param bound  beyond the error after 100 steps of 0.01 s
+     */
+    public static void assertStiffPair(DESolver solver, double bound) {
         StiffPair pair = new StiffPair();
-        DESolver solver = createSolver();
-        solver.stepState(pair, 1e-3 / 64);                  // through the fast part with short steps
-        for (int i = 1; i < 64 * 20; i++) {
-            solver.stepState(pair, 1e-3 / 64);
+        for (int i = 0; i < 64 * 20; i++) {
+            solver.stepState(pair, 1e-3 / 64);              // through the fast part with short steps
         }
         for (int i = 0; i < 100; i++) {
-            solver.stepState(pair, 0.01);                   // ten times what an explicit method could take
+            solver.stepState(pair, 0.01);
         }
-        assertTrue(pair.error() < stiffPairError(), "error " + pair.error());
+        assertTrue(pair.error() < bound, "error " + pair.error());
     }
 }

@@ -16,36 +16,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** The contrary: every promise for stiff systems is broken by the explicit solvers, with bounds as wide as 1. */
 class ExplicitSolversAreNotForStiffSystemsTest {
-    /** Has no name, so that it is not taken for tests to run. */
-    private static StiffContract claimOf(DESolver solver) {
-        return new StiffContract() {
-            @Override
-            protected DESolver createSolver() {
-                return solver;
-            }
-
-            @Override
-            protected double factorAtMinusAMillion() {
-                return 1;
-            }
-
-            @Override
-            protected double stiffOrder() {
-                return 1;
-            }
-
-            @Override
-            protected double stiffError() {
-                return 1;
-            }
-
-            @Override
-            protected double stiffPairError() {
-                return 1;
-            }
-        };
-    }
-
     static List<Supplier<DESolver>> explicitSolvers() {
         return List.of(EulerSolver::new, MidpointSolver::new, RK4Solver::new);
     }
@@ -53,10 +23,9 @@ class ExplicitSolversAreNotForStiffSystemsTest {
     @ParameterizedTest
     @MethodSource("explicitSolvers")
     void everyStatementFails(Supplier<DESolver> solver) {
-        assertThrows(AssertionError.class, () -> claimOf(solver.get()).aMillionTimesTooLongAStepDoesNotGrow());
-        Throwable failure = assertThrows(Throwable.class, () -> claimOf(solver.get()).theStiffOrderOfProtheroAndRobinsonHolds());
+        assertThrows(AssertionError.class, () -> StiffContract.assertNoGrowth(solver.get(), 1));
+        Throwable failure = assertThrows(Throwable.class, () -> StiffContract.assertStiffOrder(solver, 1, 1));
         assertTrue(failure instanceof AssertionError || failure instanceof DESolverException, "grown, or overflown: " + failure);
-        assertThrows(AssertionError.class,
-                () -> claimOf(solver.get()).theStiffPairIsFollowedWithStepsAsLongAsTheSlowPartAllows());
+        assertThrows(AssertionError.class, () -> StiffContract.assertStiffPair(solver.get(), 1));
     }
 }
