@@ -9,6 +9,8 @@ import java.util.Arrays;
  */
 final class Gmres {
     private static final int RESTART = 40;
+    /** What is left of a vector is rounding where it is no more than this part of it. */
+    private static final double ROUNDING = 1e-14;
 
     private final ImplicitWork.Counter work;
     private double[][] basis = new double[RESTART + 1][0];
@@ -89,6 +91,7 @@ final class Gmres {
 
     /** Modified Gram-Schmidt, then the Givens rotation that keeps the Hessenberg matrix triangular. */
     private void orthogonalise(double[] next, int k) {
+        double square = dot(next, next);
         for (int i = 0; i <= k; i++) {
             double h = dot(next, basis[i]);
             hessenberg[i][k] = h;
@@ -106,10 +109,11 @@ final class Gmres {
             hessenberg[i + 1][k] = -sine[i] * upper + cosine[i] * hessenberg[i + 1][k];
         }
         double radius = Math.sqrt(hessenberg[k][k] * hessenberg[k][k] + length * length);
-        cosine[k] = radius == 0 ? 1 : hessenberg[k][k] / radius;
-        sine[k] = radius == 0 ? 0 : length / radius;
-        hessenberg[k][k] = radius;
-        hessenberg[k + 1][k] = length;
+        boolean lost = radius <= ROUNDING * Math.sqrt(square);        // A is singular there: this vector takes nothing away
+        cosine[k] = lost ? 0 : hessenberg[k][k] / radius;
+        sine[k] = lost ? 1 : length / radius;
+        hessenberg[k][k] = lost ? 0 : radius;
+        hessenberg[k + 1][k] = lost ? 0 : length;
         right[k + 1] = -sine[k] * right[k];
         right[k] *= cosine[k];
     }
