@@ -22,52 +22,9 @@ class BlockMatrixTest {
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final BlockMatrix matrix = new BlockMatrix(work);
 
-    /** Only names its blocks. */
-    private record Named(Consumer<JacobianBlocks> blocks) implements JacobianStateSource {
-        @Override
-        public void addJacobianBlocks(JacobianBlocks receiver) {
-            blocks.accept(receiver);
-        }
-
-        @Override
-        public void getJacobianProduct(double[] direction, double[] product) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public int getStateSize() {
-            return 6 * ROWS;
-        }
-
-        @Override
-        public void getState(double[] state) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public void setState(double[] state) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public void getStateDerivative(double[] dSdt) {
-            throw new UnsupportedOperationException();
-        }
-
-        @Override
-        public double getTime() {
-            return 0;
-        }
-
-        @Override
-        public void incTime(double deltaT) {
-            throw new UnsupportedOperationException();
-        }
-    }
-
     @Test
     void aSourceThatSaysNothingHasNoBlocksAndUnitMasses() {
-        JacobianStateSource source = new Named(blocks -> { });
+        JacobianStateSource source = new NamedBlocks(ROWS, blocks -> { });
         assertEquals(JacobianStateSource.Blocks.NONE, source.getJacobianBlocks());
         assertEquals(1, source.getInverseMass(3));
     }
@@ -140,7 +97,7 @@ class BlockMatrixTest {
         double[] state = random(6 * ROWS);
         Full full = new Full(state);
         blocks.accept(full);
-        matrix.collect(new Named(blocks), state, G, MASSES, false);
+        matrix.collect(new NamedBlocks(ROWS, blocks), state, G, MASSES, false);
         for (int n = 0; n < 5; n++) {
             double[] x = random(3 * ROWS);
             double[] y = new double[3 * ROWS];
@@ -242,7 +199,7 @@ class BlockMatrixTest {
         Full full = new Full(state);
         full.addPair(0, 1, restoring, none);
         for (boolean definite : new boolean[] {true, false}) {
-            matrix.collect(new Named(blocks -> blocks.addPair(0, 1, k, none)), state, G, MASSES, definite);
+            matrix.collect(new NamedBlocks(ROWS, blocks -> blocks.addPair(0, 1, k, none)), state, G, MASSES, definite);
             double[] x = {0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
             double[] y = new double[3 * ROWS];
             matrix.apply(x, y);

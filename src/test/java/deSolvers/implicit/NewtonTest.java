@@ -6,9 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -16,61 +14,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Newton's method on equations of one unknown each, where every iterate can be told beforehand. */
 class NewtonTest {
-
-    /** r(u) = 0 for each unknown by itself, with the matrix -dr/du, both as they are given. */
-    private static class Single implements NewtonProblem {
-        private final int n;
-        private final DoubleUnaryOperator residual;
-        private final DoubleUnaryOperator matrix;
-        private final double[] diagonal;
-        double floor;
-        double definite;
-        final List<Double> asked = new ArrayList<>();
-        final List<Double> corrected = new ArrayList<>();
-        int linearisations;
-
-        Single(int n, DoubleUnaryOperator residual, DoubleUnaryOperator matrix) {
-            this.n = n;
-            this.residual = residual;
-            this.matrix = matrix;
-            diagonal = new double[n];
-        }
-
-        @Override
-        public int size() {
-            return n;
-        }
-
-        @Override
-        public void evaluate(double[] u, double[] result) {
-            asked.add(u[0]);
-            Arrays.setAll(result, i -> residual.applyAsDouble(u[i]));
-        }
-
-        @Override
-        public void linearise(double[] u) {
-            linearisations++;
-            Arrays.setAll(diagonal, i -> matrix.applyAsDouble(u[i]));
-        }
-
-        @Override
-        public boolean lineariseDefinite(double[] u) {
-            Arrays.fill(diagonal, definite);
-            return definite > 0;
-        }
-
-        @Override
-        public boolean correct(double[] given, double[] correction) {
-            corrected.add(given[0]);
-            Arrays.setAll(correction, i -> given[i] / diagonal[i]);
-            return diagonal[0] != 0;
-        }
-
-        @Override
-        public void rounding(double[] u, double[] limits) {
-            Arrays.fill(limits, floor);
-        }
-    }
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final Newton newton = new Newton(work);
@@ -81,7 +24,7 @@ class NewtonTest {
 
     @Test
     void aLinearEquationTakesOneCorrection() {
-        Single problem = new Single(2, u -> 6 - 2 * u, u -> 2);
+        EquationsOfOne problem = new EquationsOfOne(2, u -> 6 - 2 * u, u -> 2);
         double[] u = {1, -5};
         assertTrue(solve(problem, u));
         assertArrayEquals(new double[] {3, 3}, u);
@@ -92,7 +35,7 @@ class NewtonTest {
 
     @Test
     void aSolutionIsSeenAtOnce() {
-        Single problem = new Single(2, u -> 6 - 2 * u, u -> 2);
+        EquationsOfOne problem = new EquationsOfOne(2, u -> 6 - 2 * u, u -> 2);
         double[] u = {3, 3};
         assertTrue(solve(problem, u));
         assertArrayEquals(new double[] {3, 3}, u);
@@ -109,7 +52,7 @@ class NewtonTest {
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.4, 2, 100, -1})
     void aRootIsFoundToRounding(double start) {
-        Single problem = new Single(1, u -> 2 - u * u, u -> 2 * u);
+        EquationsOfOne problem = new EquationsOfOne(1, u -> 2 - u * u, u -> 2 * u);
         double[] u = {start};
         assertTrue(solve(problem, u));
         assertEquals(Math.copySign(Math.sqrt(2), start), u[0], 2.3e-16);
@@ -119,14 +62,14 @@ class NewtonTest {
     /** Where the equation is almost linear one matrix does for all corrections, each a thousandth of the last or less. */
     @Test
     void aMatrixThatServesIsKept() {
-        Single problem = new Single(1, u -> 1 - u - 1e-4 * u * u * u, u -> 1 + 3e-4 * u * u);
+        EquationsOfOne problem = new EquationsOfOne(1, u -> 1 - u - 1e-4 * u * u * u, u -> 1 + 3e-4 * u * u);
         double[] u = {0};
         assertTrue(solve(problem, u));
         assertEquals(0, 1 - u[0] - 1e-4 * u[0] * u[0] * u[0], 2.3e-16);
         assertEquals(1, problem.linearisations);
         assertTrue(work.newtonIterations >= 3, "corrections " + work.newtonIterations);
         // A tenth of the slope too much: every correction leaves a ninth of it or more, and the matrix is made anew.
-        Single bent = new Single(1, v -> 1 - v - 0.1 * v * v * v, v -> 1 + 0.3 * v * v);
+        EquationsOfOne bent = new EquationsOfOne(1, v -> 1 - v - 0.1 * v * v * v, v -> 1 + 0.3 * v * v);
         u[0] = 0;
         work.newtonIterations = 0;
         assertTrue(solve(bent, u));
@@ -137,7 +80,7 @@ class NewtonTest {
     /** From 2 a whole correction of the arc tangent goes to -3.54, and from there farther: half of it comes nearer. */
     @Test
     void aCorrectionThatLeadsAwayIsDamped() {
-        Single problem = new Single(1, u -> -StrictMath.atan(u), u -> 1 / (1 + u * u));
+        EquationsOfOne problem = new EquationsOfOne(1, u -> -StrictMath.atan(u), u -> 1 / (1 + u * u));
         double[] u = {2};
         assertTrue(solve(problem, u));
         assertEquals(0, u[0], 1e-15);
@@ -153,7 +96,7 @@ class NewtonTest {
 
     @Test
     void withoutASolutionItEndsAndSaysHowFarItGot() {
-        Single problem = new Single(1, u -> -1 - u * u, u -> 2 * u);
+        EquationsOfOne problem = new EquationsOfOne(1, u -> -1 - u * u, u -> 2 * u);
         double[] u = {3};
         assertFalse(solve(problem, u));
         assertTrue(work.newtonIterations <= 50 && work.newtonIterations > 1, "iterations " + work.newtonIterations);
@@ -167,7 +110,7 @@ class NewtonTest {
     /** Residuals that do not fall, from far off the tolerance: 1, 1/2, ... 1/256 of the correction is tried, and no more. */
     @Test
     void dampingHasAnEnd() {
-        Single problem = new Single(1, u -> 1, u -> 1);
+        EquationsOfOne problem = new EquationsOfOne(1, u -> 1, u -> 1);
         double[] u = {1e6};
         assertFalse(solve(problem, u));
         List<Double> expected = new ArrayList<>(List.of(1e6));
@@ -182,9 +125,9 @@ class NewtonTest {
     @ParameterizedTest
     @CsvSource({"1e-9, false", "1.01e-10, false", "0.99e-10, true", "1e-12, true"})
     void whatNoCorrectionImprovesIsRounding(double noise, boolean solved) {
-        assertEquals(solved, solve(new Single(1, u -> noise, u -> 1), new double[] {1}));
+        assertEquals(solved, solve(new EquationsOfOne(1, u -> noise, u -> 1), new double[] {1}));
         // What the residual is known to be wrong by is no residual.
-        Single known = new Single(1, u -> noise, u -> 1);
+        EquationsOfOne known = new EquationsOfOne(1, u -> noise, u -> 1);
         known.floor = noise;
         double[] u = {1};
         assertTrue(solve(known, u));
@@ -198,27 +141,35 @@ class NewtonTest {
     @CsvSource({"1, 0, 0.99e-10, true", "1, 0, 1.01e-10, false", "0, 1, 0.99e-10, true", "0, 1, 1.01e-10, false",
         "1e-6, 1e3, 0.99e-7, true", "1e-6, 1e3, 1.01e-7, false", "-4, 1, 3.99e-10, true", "-4, 1, 4.01e-10, false"})
     void correctionsAreJudgedBesideTheUnknowns(double value, double scale, double noise, boolean solved) {
-        assertEquals(solved, newton.solve(new Single(1, u -> noise, u -> 1), new double[] {value}, new double[] {scale}));
+        assertEquals(solved, newton.solve(new EquationsOfOne(1, u -> noise, u -> 1), new double[] {value}, new double[] {scale}));
         // Two unknowns, the second a million times smaller: a thousandth of the first is what it is judged by.
-        Single two = new Single(2, u -> Math.abs(u) > 0.5 * Math.max(Math.abs(value), scale) ? 0 : noise * 1e-3, u -> 1);
+        EquationsOfOne two = new EquationsOfOne(2, u -> Math.abs(u) > 0.5 * Math.max(Math.abs(value), scale) ? 0 : noise * 1e-3, u -> 1);
         double large = Math.max(Math.abs(value), scale);
         assertEquals(solved, newton.solve(two, new double[] {large, 0}, new double[] {0, 0}));
+    }
+
+    /** Beside where the largest unknown goes, too: a correction from 1 to 2, and one of 0.0015, judged by a thousandth of 2. */
+    @Test
+    void correctionsAreJudgedBesideWhereTheUnknownsGo() {
+        EquationsOfOne two = new EquationsOfOne(2, u -> u == 1 ? 1 : u == 0 ? 0.0015 : Double.NaN, u -> 1);
+        assertFalse(newton.solve(two, new double[] {1, 0}, new double[] {1, 0}));
+        assertTrue(newton.describeFailure().contains("the correction is 0.75 of"), newton.describeFailure());
     }
 
     /** Nothing that is not finite is ever corrected with, and no singular matrix. */
     @Test
     void whatIsNotFiniteOrSingularIsRefused() {
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY}) {
-            Single problem = new Single(1, u -> bad, u -> 1);
+            EquationsOfOne problem = new EquationsOfOne(1, u -> bad, u -> 1);
             assertFalse(solve(problem, new double[] {1}));
             assertFalse(newton.solveLinearised(problem, new double[] {1}));
             assertEquals(0, problem.linearisations);
         }
-        Single singular = new Single(1, u -> 1, u -> 0);
+        EquationsOfOne singular = new EquationsOfOne(1, u -> 1, u -> 0);
         assertFalse(solve(singular, new double[] {1}));
         assertFalse(newton.solveLinearised(singular, new double[] {1}));
         // Half of the correction is finite: it is taken, and the root of log u is found.
-        Single logarithm = new Single(1, u -> -StrictMath.log(u), u -> 1 / u);
+        EquationsOfOne logarithm = new EquationsOfOne(1, u -> -StrictMath.log(u), u -> 1 / u);
         double[] u = {4};
         assertTrue(solve(logarithm, u));
         assertEquals(1, u[0], 1e-15);
@@ -228,7 +179,7 @@ class NewtonTest {
     @ParameterizedTest
     @CsvSource({"1e-200, 1", "1e-100, 1", "1.01e-100, 1.01e-100", "1, 1", "2, 2", "0.99e100, 0.99e100", "1e100, 1", "1e200, 1"})
     void extremeResidualsAreScaled(double size, double given) {
-        Single problem = new Single(2, u -> size * (1 - u), u -> size);
+        EquationsOfOne problem = new EquationsOfOne(2, u -> size * (1 - u), u -> size);
         double[] u = {0, 0};
         assertTrue(newton.solveLinearised(problem, u));
         assertArrayEquals(new double[] {1, 1}, u, 3e-16);
@@ -239,62 +190,20 @@ class NewtonTest {
         assertArrayEquals(new double[] {1, 1}, once, 3e-16);
     }
 
+    @Test
+    void extremeResidualsAreReportedAsTheyAre() {
+        assertFalse(solve(new EquationsOfOne(1, u -> 1e200, u -> 1), new double[] {1}));
+        assertTrue(newton.describeFailure().endsWith("the largest residual 1.0E200"), newton.describeFailure());
+        assertFalse(newton.solveLinearised(new EquationsOfOne(1, u -> 1e200, u -> 0), new double[] {1}), "a singular matrix");
+    }
+
     /** One correction is all that the linearised equation takes, whatever it leaves. */
     @Test
     void theLinearisedEquationIsSolvedOnce() {
-        Single problem = new Single(1, u -> 2 - u * u, u -> 2 * u);
+        EquationsOfOne problem = new EquationsOfOne(1, u -> 2 - u * u, u -> 2 * u);
         double[] u = {1};
         assertTrue(newton.solveLinearised(problem, u));
         assertEquals(1.5, u[0]);
         assertEquals(1, problem.asked.size());
-    }
-
-    /** The slope u^3 with a matrix that is ten times too small: the secant finds where it is flat, and Newton the rest. */
-    @Test
-    void descendingGoesWhereTheSlopeIsFlat() {
-        Single problem = new Single(1, u -> 3 - u, u -> 1);
-        problem.definite = 0.1;
-        double[] u = {1};
-        newton.solve(problem, new double[] {3}, new double[] {1});     // makes the work arrays
-        problem.asked.clear();
-        work.newtonIterations = 0;
-        assertTrue(newton.descend(problem, u, new double[] {1}));
-        assertEquals(3, u[0], 1e-15);
-        assertEquals(List.of(1.0, 21.0), problem.asked.subList(0, 2), "twenty times too far");
-        assertEquals(3, problem.asked.get(2), 1e-15, "a tenth of it");
-
-        // Where the slope falls by less than half beyond its middle, the whole correction is taken.
-        Single near = new Single(1, v -> 3 - v, v -> 1);
-        near.definite = 0.75;
-        u[0] = 1;
-        assertTrue(newton.descend(near, u, new double[] {1}));
-        assertEquals(1 + 2 / 0.75, near.asked.get(1), 1e-15);
-        assertEquals(near.asked.get(1) + (3 - near.asked.get(1)) / 0.75, near.asked.get(2), 1e-15);
-        assertEquals(3, u[0], 1e-12);
-        assertFalse(newton.descend(new Single(1, v -> 3 - v, v -> 1), new double[] {1}, new double[] {1}), "none is definite");
-    }
-
-    /** Newton's own steps jump from well to well of a wavy slope; downhill they end in the one they are in. */
-    @Test
-    void descendingReachesWhatNewtonDoesNot() {
-        Single problem = new Single(1, u -> -u - 3 * StrictMath.sin(3 * u), u -> 1 + 9 * StrictMath.cos(3 * u));
-        problem.definite = 10;
-        double[] u = {0.5};
-        newton.solve(problem, new double[] {0}, new double[] {1});     // makes the work arrays
-        assertTrue(newton.descend(problem, u, new double[] {1}));
-        assertEquals(0, u[0], 1e-12);
-        Single flat = new Single(1, v -> 1, v -> 1);
-        flat.definite = 1;                              // downhill for ever, until given up
-        work.newtonIterations = 0;
-        assertFalse(newton.descend(flat, new double[] {0}, new double[] {1}));
-        assertTrue(work.newtonIterations >= 200, work.newtonIterations + " corrections");
-        assertTrue(newton.describeFailure().contains("after 200 iterations"), newton.describeFailure());
-        Single jump = new Single(1, v -> v < 1 ? 1 : -1, v -> 1);
-        jump.definite = 1;                              // no place is flat about: 40 ever shorter parts are tried
-        double[] edge = {Math.nextDown(1.0)};
-        newton.solve(jump, new double[] {1}, new double[] {1});
-        jump.asked.clear();
-        assertFalse(newton.descend(jump, edge, new double[] {1}));
-        assertEquals(41, jump.asked.size());
     }
 }
