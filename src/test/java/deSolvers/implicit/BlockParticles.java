@@ -24,8 +24,8 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
     long products;
 
     /**
-     * @param stiffness how large the entries of K may be, those of C are a tenth of that; K is definite and symmetric, and pushes
-     *                  outwards where this is negative
+     * @param stiffness how large the entries of K may be, those of C are a tenth of that; K is definite and symmetric, and
+     *                  pushes outwards where this is negative
      * @param symmetric whether C is, too
      * @param blocks    what is said of the blocks; approximate ones leave out the hard springs and a tenth of all others
      */

@@ -145,7 +145,7 @@ class ForceBlocksTest {
             });
             assertEquals(n, work.jacobians);
         }
-        assertEquals(12, forces.pattern().blocks());                   // 4 on the diagonal; 03, 12, 01 and 13 with their mirrors
+        assertEquals(12, forces.pattern().blocks());       // 4 on the diagonal; 03, 12, 01 and 13 with their mirrors
     }
 
     /** Another set of pairs makes another pattern; what acts on one particle alone does not. */

@@ -46,13 +46,15 @@ class NewtonDescentTest {
         assertEquals(1 + 2 / 0.75, near.asked.get(1), 1e-15);
         assertEquals(near.asked.get(1) + (3 - near.asked.get(1)) / 0.75, near.asked.get(2), 1e-15);
         assertEquals(3, u[0], 1e-12);
-        assertFalse(newton.descend(new EquationsOfOne(1, v -> 3 - v, v -> 1), new double[] {1}, new double[] {1}), "none is definite");
+        EquationsOfOne none = new EquationsOfOne(1, v -> 3 - v, v -> 1);
+        assertFalse(newton.descend(none, new double[] {1}, new double[] {1}), "none is definite");
     }
 
     /** Newton's own steps jump from well to well of a wavy slope; downhill they end in the one they are in. */
     @Test
     void descendingReachesWhatNewtonDoesNot() {
-        EquationsOfOne problem = new EquationsOfOne(1, u -> -u - 3 * StrictMath.sin(3 * u), u -> 1 + 9 * StrictMath.cos(3 * u));
+        EquationsOfOne problem = new EquationsOfOne(1, u -> -u - 3 * StrictMath.sin(3 * u),
+                u -> 1 + 9 * StrictMath.cos(3 * u));
         problem.definite = 10;
         double[] u = {0.5};
         newton.solve(problem, new double[] {0}, new double[] {1});     // makes the work arrays
@@ -74,8 +76,8 @@ class NewtonDescentTest {
     }
 
     /**
-     * Newton's method, tried on the way, may lead astray: then the way goes on from where it was, with the residual there, and
-     * Newton's method has to wait until corrections are a tenth of what they were.
+     * Newton's method, tried on the way, may lead astray: then the way goes on from where it was, with the residual there,
+     * and Newton's method has to wait until corrections are a tenth of what they were.
      */
     @Test
     void whereNewtonFailsOnTheWayTheWayGoesOn() {
@@ -87,7 +89,7 @@ class NewtonDescentTest {
         problem.linearisations = 0;
         double[] u = {1};
         assertTrue(newton.descend(problem, u, new double[] {1}));
-        assertEquals(List.of(1.0, 1.0, 2.0, 1.0, 1.04), problem.asked.subList(0, 5), "here, with Newton's method, back, and down");
+        assertEquals(List.of(1.0, 1.0, 2.0, 1.0, 1.04), problem.asked.subList(0, 5), "tried, back, and down");
         assertEquals(3, u[0], 1e-15);
         assertEquals(3, problem.linearisations, "twice when it was tried too early, and once in the end");
         // (3 - u)/50 is less than a tenth of 0.04/1.04 of u where u > 2.516: 1 - (3 - u)/2 = 1 - 0.98^k, from k = 71 on.

@@ -141,14 +141,15 @@ class NewtonTest {
     @CsvSource({"1, 0, 0.99e-10, true", "1, 0, 1.01e-10, false", "0, 1, 0.99e-10, true", "0, 1, 1.01e-10, false",
         "1e-6, 1e3, 0.99e-7, true", "1e-6, 1e3, 1.01e-7, false", "-4, 1, 3.99e-10, true", "-4, 1, 4.01e-10, false"})
     void correctionsAreJudgedBesideTheUnknowns(double value, double scale, double noise, boolean solved) {
-        assertEquals(solved, newton.solve(new EquationsOfOne(1, u -> noise, u -> 1), new double[] {value}, new double[] {scale}));
+        EquationsOfOne one = new EquationsOfOne(1, u -> noise, u -> 1);
+        assertEquals(solved, newton.solve(one, new double[] {value}, new double[] {scale}));
         // Two unknowns, the second a million times smaller: a thousandth of the first is what it is judged by.
-        EquationsOfOne two = new EquationsOfOne(2, u -> Math.abs(u) > 0.5 * Math.max(Math.abs(value), scale) ? 0 : noise * 1e-3, u -> 1);
         double large = Math.max(Math.abs(value), scale);
+        EquationsOfOne two = new EquationsOfOne(2, u -> Math.abs(u) > 0.5 * large ? 0 : noise * 1e-3, u -> 1);
         assertEquals(solved, newton.solve(two, new double[] {large, 0}, new double[] {0, 0}));
     }
 
-    /** Beside where the largest unknown goes, too: a correction from 1 to 2, and one of 0.0015, judged by a thousandth of 2. */
+    /** Beside where the largest unknown goes, too: one goes from 1 to 2, and one of 0.0015 is judged by a thousandth of 2. */
     @Test
     void correctionsAreJudgedBesideWhereTheUnknownsGo() {
         EquationsOfOne two = new EquationsOfOne(2, u -> u == 1 ? 1 : u == 0 ? 0.0015 : Double.NaN, u -> 1);
@@ -194,7 +195,8 @@ class NewtonTest {
     void extremeResidualsAreReportedAsTheyAre() {
         assertFalse(solve(new EquationsOfOne(1, u -> 1e200, u -> 1), new double[] {1}));
         assertTrue(newton.describeFailure().endsWith("the largest residual 1.0E200"), newton.describeFailure());
-        assertFalse(newton.solveLinearised(new EquationsOfOne(1, u -> 1e200, u -> 0), new double[] {1}), "a singular matrix");
+        EquationsOfOne singular = new EquationsOfOne(1, u -> 1e200, u -> 0);
+        assertFalse(newton.solveLinearised(singular, new double[] {1}));
     }
 
     /** One correction is all that the linearised equation takes, whatever it leaves. */

@@ -97,13 +97,13 @@ class VelocityProblemTest {
     }
 
     /**
-     * Up to 64 particles and where it is stiff the matrix is factorised; otherwise it takes conjugate gradients, or GMRES where
-     * it is not symmetric. Blocks that are not all of it serve as a preconditioner for products at the place of the
+     * Up to 64 particles and where it is stiff the matrix is factorised; otherwise it takes conjugate gradients, or GMRES
+     * where it is not symmetric. Blocks that are not all of it serve as a preconditioner for products at the place of the
      * linearisation, wherever the source has been since.
      */
     @ParameterizedTest
-    @CsvSource({"1, 5, true, EXACT", "2, 5, false, EXACT", "64, 5, false, EXACT", "64, 1e4, true, EXACT", "65, 5, true, EXACT",
-        "65, 5, false, EXACT", "65, 2e5, true, EXACT", "65, 2e5, false, EXACT", "64, 5, false, APPROXIMATE",
+    @CsvSource({"1, 5, true, EXACT", "2, 5, false, EXACT", "64, 5, false, EXACT", "64, 1e4, true, EXACT",
+        "65, 5, true, EXACT", "65, 5, false, EXACT", "65, 2e5, true, EXACT", "65, 2e5, false, EXACT", "64, 5, false, APPROXIMATE",
         "65, 5, true, APPROXIMATE", "65, 5, false, APPROXIMATE", "100, 2e5, true, APPROXIMATE", "3, 5, false, EXACT"})
     void correctionsSolveTheLinearisedEquation(int n, double stiffness, boolean symmetric, Blocks blocks) {
         BlockParticles particles = new BlockParticles(n, stiffness, symmetric, blocks);
@@ -121,7 +121,7 @@ class VelocityProblemTest {
             assertTrue(left < 1e-6, "left " + left);
             boolean factorised = n <= 64 || stiffness > 1e4;
             assertEquals(factorised ? round : 0, work.factorisations);
-            // Symmetric factors leave out what a held particle that moves does to the others: it takes one more iteration or two.
+            // Symmetric factors leave out what a held particle that moves does to the others: that takes an iteration or two.
             boolean iterates = !factorised || blocks != Blocks.EXACT || round == 2 && symmetric && n > 1;
             assertEquals(iterates, work.krylovIterations > 0);
             assertEquals(blocks != Blocks.EXACT, work.products > 0);
@@ -179,7 +179,7 @@ class VelocityProblemTest {
         assertEquals(blocks == Blocks.APPROXIMATE, particles.products > 0);
     }
 
-    /** Each term of the residual is rounded to half a unit: what is left may be four units of their sum, and is not less than one. */
+    /** The terms of the residual are sums and products, each correct to half a unit: four halves of the sum of their sizes. */
     @ParameterizedTest
     @CsvSource({"0.25", "-0.25"})
     void roundingIsMeasuredByTheTermsOfTheResidual(double g) {

@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -46,6 +49,10 @@ class SpringForceTest {
         assertEquals(-force[4], force[10]);
         assertEquals(5 * length, springs.length(new double[] {0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, 0, 0, 0}, 0),
                 1e-15 * 5 * length);
+        double[] apart = {0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, 1, 2, 5};
+        assertEquals(0.5 * 2.2 * 2.2, springs.getDissipatedPower(apart, 0), 1e-14, "they part with 0.6 * 1 + 0.8 * 2");
+        double[] across = {0, 0, 0, 0, 0, 0, 0, 4 * length, 3 * length, 7, 1, 2};
+        assertEquals(0.5 * 2 * 2, springs.getDissipatedPower(across, 0), 1e-14, "0.8 * 1 + 0.6 * 2");
     }
 
     @Test
@@ -62,7 +69,10 @@ class SpringForceTest {
     void impossibleSpringsAreRefused() {
         assertTrue(assertThrows(IllegalArgumentException.class, () -> springs.addSpring(1, 1, 1, 1, 0)).getMessage()
                 .contains("'b' to itself"));
-        assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 2, 1, 1, 0));
+        for (int[] ends : new int[][] {{0, 2}, {2, 0}, {-1, 0}, {0, -1}}) {
+            Exception e = assertThrows(IllegalArgumentException.class, () -> springs.addSpring(ends[0], ends[1], 1, 1, 0));
+            assertTrue(e.getMessage().contains("there are 2"), e.getMessage());
+        }
         assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, -1, 1, 0));
         assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, Double.NaN, 0));
         assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, 1, Double.POSITIVE_INFINITY));
@@ -77,8 +87,81 @@ class SpringForceTest {
         assertEquals(100, springs.springCount());
         assertEquals(1, springs.from(77));
         assertEquals(0, springs.to(77));
+        assertEquals(0, springs.from(78));
+        assertEquals(1, springs.to(78));
         assertEquals(77, springs.stiffness(77));
         assertEquals(78, springs.restLength(77));
         assertEquals(79, springs.damping(77));
+    }
+
+    /** Four springs between three particles, the second of which begin before the first. */
+    private void addFour() {
+        system.addParticle("c", 1, Vector3.ZERO, Vector3.ZERO, false);
+        springs.addSpring(2, 1, 1, 1, 0);
+        springs.addSpring(0, 1, 2, 1, 0);
+        springs.addSpring(2, 0, 3, 1, 0);
+        springs.addSpring(0, 2, 4, 1, 0);
+    }
+
+    private List<Double> stiffnesses() {
+        return IntStream.range(0, springs.springCount()).mapToObj(springs::stiffness).toList();
+    }
+
+    /** By the particle where they begin, as soon as they are evaluated or divided. */
+    @Test
+    void springsAreNumberedAnewWhenTheyAreEvaluated() {
+        addFour();
+        assertEquals(List.of(1.0, 2.0, 3.0, 4.0), stiffnesses());
+        springs.addForces(new double[18], 0, new double[18], 0, 4);
+        assertEquals(List.of(2.0, 4.0, 1.0, 3.0), stiffnesses());
+        springs.addSpring(0, 1, 5, 1, 0);
+        assertEquals(1, springs.countBlocks(), "so few");
+        assertEquals(List.of(2.0, 4.0, 5.0, 1.0, 3.0), stiffnesses());
+        assertEquals(0, springs.getBlockStart(0));
+        assertEquals(5, springs.getBlockStart(1), "none joins two blocks");
+    }
+
+    @Test
+    void springsGoByThemselvesOrWithTheirParticles() {
+        addFour();
+        springs.removeSprings(new boolean[] {false, false, true, false});
+        assertEquals(List.of(1.0, 2.0, 4.0), stiffnesses());
+        springs.reindex(new int[] {1, -1, 0});
+        assertEquals(List.of(4.0), stiffnesses());
+        assertEquals(1, springs.from(0));
+        assertEquals(0, springs.to(0));
+    }
+
+    /** What comes back from a checkpoint has the same springs in the same order and blocks, whatever was there. */
+    @Test
+    void springsAreRemembered() {
+        Random random = new Random(3);
+        for (int i = 2; i < 2000; i++) {
+            system.addParticle("p" + i, 1, Vector3.ZERO, Vector3.ZERO, false);
+        }
+        for (int s = 0; s < 9000; s++) {
+            int i = random.nextInt(1990);
+            springs.addSpring(i, i + 1 + random.nextInt(9), s, 0.5 * s, 0.25 * s);
+        }
+        assertEquals(2, springs.countBlocks());
+        Tape tape = new Tape();
+        springs.remember(tape);
+        tape.rewind();
+        SpringForce back = new SpringForce(system.getParticles());
+        back.addSpring(0, 1, 7, 7, 7);
+        back.remember(tape);
+        assertTrue(tape.isEmpty());
+        assertEquals(9000, back.springCount());
+        for (int s = 0; s < 9000; s++) {
+            assertEquals(springs.from(s), back.from(s));
+            assertEquals(springs.to(s), back.to(s));
+            assertEquals(springs.stiffness(s), back.stiffness(s));
+            assertEquals(0.5 * springs.stiffness(s), back.restLength(s));
+            assertEquals(0.25 * springs.stiffness(s), back.damping(s));
+        }
+        assertEquals(springs.getBlockStart(1), back.getBlockStart(1), "told without dividing them anew");
+        assertEquals(2, back.countBlocks());
+        assertEquals(springs.getBlockStart(1), back.getBlockStart(1));
+        assertEquals(springs.getBlockStart(2), back.getBlockStart(2));
     }
 }

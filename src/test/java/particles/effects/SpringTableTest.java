@@ -46,7 +46,8 @@ class SpringTableTest {
         List<Spring> springs = new ArrayList<>();
         for (int s = 0; s < count; s++) {
             int from = random.nextInt(particles - reach);
-            Spring spring = new Spring(from, from + 1 + random.nextInt(reach), s);
+            int other = from + 1 + random.nextInt(reach);
+            Spring spring = s % 7 == 3 ? new Spring(other, from, s) : new Spring(from, other, s);
             springs.add(spring);
             table.add(spring.from, spring.to, s, s + 0.25, s + 0.5);
         }
@@ -125,7 +126,8 @@ class SpringTableTest {
         List<Spring> left = springs.stream().filter(s -> s.from % 5 != 0 && s.to % 5 != 0)
                 .map(s -> new Spring(newIndex[s.from], newIndex[s.to], s.number)).toList();
         assertTrue(left.size() > 50 && left.size() < 150);
-        assertTrue(left.stream().anyMatch(s -> s.from == 0), "whoever is the first now keeps its springs");
+        assertTrue(left.stream().anyMatch(s -> s.from == 0) && left.stream().anyMatch(s -> s.to == 0),
+                "whoever is the first now keeps its springs");
         table.reindex(newIndex);
         assertEquals(left, springs(table));
         assertArranged(left, table);
@@ -216,6 +218,27 @@ class SpringTableTest {
             table.arrange();
             assertEquals(joining < 2048 ? 2 : 1, table.blocks().count(), joining + " and the one in the middle join");
             assertEquals(joining < 2048 ? 8192 - 2048 : 8192, table.blocks().start(table.blocks().count()));
+        }
+    }
+
+    /** One spring more, and a table in blocks is arranged as if all of them had just come. */
+    @Test
+    void blocksAreDividedAnewWithTheNext() {
+        SpringTable table = new SpringTable();
+        List<Spring> springs = random(9000, 3000, 40, table);
+        table.arrange();
+        SpringTable fresh = new SpringTable();
+        for (Spring spring : sorted(springs)) {
+            fresh.add(spring.from, spring.to, spring.number, spring.number + 0.25, spring.number + 0.5);
+        }
+        for (SpringTable each : List.of(table, fresh)) {
+            each.add(7, 8, 9000, 9000.25, 9000.5);
+            each.arrange();
+        }
+        assertEquals(2, table.blocks().count());
+        assertEquals(parts(fresh).stream().map(List::size).toList(), parts(table).stream().map(List::size).toList());
+        for (int b = 0; b < 2; b++) {
+            assertEquals(sorted(parts(table).get(b)), parts(table).get(b), "in order, block " + b);
         }
     }
 }
