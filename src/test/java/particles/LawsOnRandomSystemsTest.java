@@ -176,7 +176,7 @@ class LawsOnRandomSystemsTest {
         return Math.abs(ledger.getNumericalError());
     }
 
-    /** Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.1e-13. */
+    /** Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.0e-14 times the growth. */
     @Property
     void numbersOfParticlesAndSpringsDoNotMatter(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
         int n = any.balls().size();
@@ -190,10 +190,15 @@ class LawsOnRandomSystemsTest {
         for (int k = 0; k < back.length; k++) {
             back[k] = other[STRIDE * place[k / STRIDE] + k % STRIDE];
         }
-        assertNear(one, back, back.length, 1e-12);
+        assertNear(one, back, back.length, 5e-14 * growth(any, solver.get(), one));
     }
 
-    /** Space has no place and no direction, and nothing knows a uniform motion. Measured 1.2e-12. */
+    /**
+     * Space has no place and no direction, and nothing knows a uniform motion. What is rounded differently grows as
+     * neighbouring motions part, past a spring's point of length 0 some 300 times; the largest error seen is 7.5e-12. So the
+     * bound is for each system its own growth times 1e-12: 64 steps round x and v of both motions, of some 8 m, to 4.4e-16
+     * each, 1.1e-13, besides the forces. Measured over 130,000 systems, with 22 seeds: 2.2e-13 times the growth.
+     */
     @Property
     void spaceIsTheSameEverywhere(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
         Vector3 shift = new Vector3(3, -1, 2);
@@ -202,13 +207,29 @@ class LawsOnRandomSystemsTest {
                 turned(ball.velocity()).plus(drift)));
         double[] one = RandomSystem.run(any.build(), solver.get(), DELTA_T, STEPS);
         double[] other = RandomSystem.run(moved.build(), solver.get(), DELTA_T, STEPS);
+        double bound = 1e-12 * growth(any, solver.get(), one);
         double time = DELTA_T * STEPS;
         for (int x = 0; x < STRIDE * any.balls().size(); x += STRIDE) {
             Vector3 position = turned(new Vector3(one[x], one[x + 1], one[x + 2])).plus(shift).plus(drift.times(time));
             Vector3 velocity = turned(new Vector3(one[x + 3], one[x + 4], one[x + 5])).plus(drift);
             assertNear(new double[] {position.x(), position.y(), position.z(), velocity.x(), velocity.y(), velocity.z()},
-                    Arrays.copyOfRange(other, x, x + STRIDE), STRIDE, 1e-11);
+                    Arrays.copyOfRange(other, x, x + STRIDE), STRIDE, bound);
         }
+    }
+
+    /** How far the end moves, at most, when one number of the beginning does: the largest entry of the flow's Jacobian. */
+    private static double growth(RandomSystem any, DESolver solver, double[] end) {
+        double delta = 1e-7;
+        double largest = 0;
+        for (int entry = 0; entry < STRIDE * any.balls().size(); entry++) {
+            ParticleSystem neighbour = any.build();
+            neighbour.getOwnState()[entry] += delta;
+            double[] other = RandomSystem.run(neighbour, solver, DELTA_T, STEPS);
+            for (int k = 0; k < STRIDE * any.balls().size(); k++) {
+                largest = Math.max(largest, Math.abs(other[k] - end[k]) / delta);
+            }
+        }
+        return largest;
     }
 
     /** By the angle of a 3-4-5 triangle about z, and that of a 5-12-13 one about x. */
