@@ -59,4 +59,20 @@ class FirstSubStepTest {
         assertEquals(1e-310, firstTried(1, 1e-310, t -> 1), 0);
         assertEquals(1e-300, firstTried(1, 1e-300, t -> 1), 0);
     }
+
+    /** The second derivative is that along the solution: of s' = s^2, s'' = 2 s^3, by a trial from 0.5 to 1.5. */
+    @Test
+    void theTrialIsOnTheWay() {
+        Scripted solver = new Scripted(true, (offset, h) -> 0.81);
+        Ramp square = new Ramp(0.5, t -> 0) {
+            @Override
+            public void getStateDerivative(double[] dSdt) {
+                asked.add(time);
+                dSdt[0] = state * state;
+            }
+        };
+        solver.stepState(square, 50);
+        assertEquals(4, square.asked.get(1), CLOSE, "1/d1");
+        assertEquals(Math.sqrt(0.01 / ((2.25 - 0.25) / 4)), solver.tried.get(0), CLOSE);
+    }
 }

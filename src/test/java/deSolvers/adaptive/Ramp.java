@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 
 /** s' = f(t), one entry. */
-final class Ramp implements DEStateSource {
+class Ramp implements DEStateSource {
     private final DoubleUnaryOperator slope;
     /** When the derivative was asked for. */
     final List<Double> asked = new ArrayList<>();

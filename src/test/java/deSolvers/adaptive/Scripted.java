@@ -18,6 +18,8 @@ final class Scripted extends AdaptiveSolver {
     final List<Double> slopes = new ArrayList<>();
     /** By what the next sub-step is longer than one of a given length; the solver's own rule where it is NaN. */
     DoubleUnaryOperator growth = h -> Double.NaN;
+    /** How often a new course was begun. */
+    int restarts;
     private double end;
 
     /** @param error from offset and length, in units of the tolerance */
@@ -30,6 +32,11 @@ final class Scripted extends AdaptiveSolver {
     @Override
     protected void resize(int n) {
         assertEquals(1, n);
+    }
+
+    @Override
+    protected void restart() {
+        restarts++;
     }
 
     @Override

@@ -186,4 +186,64 @@ class SubStepControlTest {
             assertThrows(IllegalStateException.class, () -> solver.getStateAt(direction, state));
         }
     }
+
+    /** A method forgets where a course begins, and only there: not where a step goes on from the last. */
+    @Test
+    void aCourseBeginsWhereNothingIsGoneOnWith() {
+        Scripted solver = new Scripted(false, (offset, h) -> 0.5);
+        Ramp source = constant();
+        solver.stepState(source, 1);
+        solver.stepState(source, 1);
+        assertEquals(1, solver.restarts);
+        source.state += 1;
+        solver.stepState(source, 1);
+        assertEquals(2, solver.restarts, "moved");
+        solver.stepState(source, 0.5);
+        assertEquals(3, solver.restarts, "another deltaT");
+        solver.reset();
+        solver.stepState(source, 0.5);
+        assertEquals(4, solver.restarts);
+        solver.stepState(source, 0);
+        solver.stepState(source, 0.5);
+        assertEquals(4, solver.restarts);
+    }
+
+    /** Of several steps only the last one's states in between are told, from its own pieces. */
+    @Test
+    void everyStepHasItsOwnPieces() {
+        Scripted solver = new Scripted(true, (offset, h) -> 0.81);
+        solver.setDenseOutput(true);
+        Ramp source = new Ramp(0, t -> 1);
+        double[] state = new double[1];
+        for (int step = 0; step < 3; step++) {
+            solver.tried.clear();
+            solver.offsets.clear();
+            solver.slopes.clear();
+            double begin = source.state;
+            double time = source.time;
+            solver.stepState(source, 2);
+            assertTrue(solver.tried.size() > 10, "pieces " + solver.tried.size());
+            for (int k = 0; k < solver.tried.size(); k++) {
+                solver.getStateAt(time + solver.offsets.get(k) + solver.tried.get(k) / 2, state);
+                assertEquals(begin + solver.tried.get(k) / 2 * solver.slopes.get(k), state[0], 1e-12 * begin + 1e-12);
+                begin += solver.tried.get(k) * solver.slopes.get(k);
+            }
+        }
+    }
+
+    /** Whoever set the state is named, even if the derivative does not see it; or the source, where that is no number. */
+    @Test
+    void whatIsNotFiniteIsNamed() {
+        for (boolean knowsEndSlope : new boolean[] {false, true}) {
+            Scripted solver = new Scripted(knowsEndSlope, (offset, h) -> Double.NaN);
+            Ramp source = new Ramp(Double.NaN, t -> 1);
+            DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(source, 1));
+            assertTrue(e.getMessage().contains("entry 0 of the state is NaN before the step"), e.getMessage());
+        }
+        Scripted solver = new Scripted(false, (offset, h) -> 0.81);
+        DESolverException e = assertThrows(DESolverException.class,
+                () -> solver.stepState(new Ramp(0, t -> t > 0.15 && t < 0.9 ? Double.NaN : 1), 1));
+        assertTrue(e.getMessage().contains("entry 0 of the derivative is NaN at t = 0.2"), e.getMessage());
+        assertEquals(2, solver.tried.size(), "seen when it is asked for");
+    }
 }
