@@ -20,6 +20,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
     private final double[] masses;
     private final double[] start;
     private final Blocks blocks;
+    final double stiffness;
     double cubic = 1;
     long products;
 
@@ -32,6 +33,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
     BlockParticles(int n, double stiffness, boolean symmetric, Blocks blocks) {
         super(3, n);
         this.blocks = blocks;
+        this.stiffness = stiffness;
         Random random = new Random(n);
         masses = random.doubles(n, 0.5, 20).toArray();
         masses[0] = 3;                                  // its reciprocal's reciprocal is 3 to the bit
