@@ -180,7 +180,6 @@ final class Newton {
     /** One correction, whatever it leaves: the linearised equation. */
     boolean solveLinearised(NewtonProblem problem, double[] u) {
         fit(problem.size());
-        System.arraycopy(u, 0, first, 0, u.length);
         iterations = 1;
         work.newtonIterations++;
         lastSize = Double.POSITIVE_INFINITY;
