@@ -39,8 +39,7 @@ class CentredHermiteTest {
         CentredHermite.complete(c, m, ends[0], ends[1], ends[2], ends[3], h);
         for (int k = 0; k < m + 5; k++) {
             for (int i = 0; i < 2; i++) {
-                // Rounding of values, by as many halves as the power has: measured 2.3e-13 for u^9.
-                assertEquals(polynomials[i][k], c[k][i], 2e-15 * StrictMath.pow(2, k), "power " + k);
+                assertEquals(polynomials[i][k], c[k][i], 1e-15, "power " + k);       // measured 0: they are all short
             }
         }
     }

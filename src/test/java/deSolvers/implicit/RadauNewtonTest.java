@@ -96,7 +96,7 @@ class RadauNewtonTest {
     @ValueSource(doubles = {-1000, -1, 0.5, 1})
     void aLinearEquationIsSolvedAtOnce(double lambda) {
         assertTrue(linear(lambda, lambda, 1e-6));
-        assertEquals(2 * factor(H * lambda), 2 + z[2][0], 1e-14);
+        assertEquals(2 * factor(H * lambda), 2 + z[2][0], 4e-15);       // measured 4.4e-16
         assertEquals(2, newton.iterations());
         assertEquals(2, work.newtonIterations);
         assertEquals(6, asked.size());

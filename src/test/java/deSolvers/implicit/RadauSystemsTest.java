@@ -89,17 +89,18 @@ class RadauSystemsTest {
 
     /**
      * A full matrix; GMRES with products; blocks that are all of the Jacobian, mild and so stiff that they are factorised, and
-     * blocks that are not. GMRES reduces 1e-5 of what is left; with blocks 1e-4 of the velocities' equation, beside which b has
-     * entries as large as 20 times less.
+     * blocks that are not. Measured 2.3e-16 with a full matrix. GMRES leaves 1e-5 of b (measured 5.0e-6); with blocks 1e-4
+     * of the velocities' equation, in which masses weigh (measured 1.4e-4, and 2.2e-4 where it is stiff).
      */
     @ParameterizedTest
-    @CsvSource({"dense, 1, 5, EXACT, 1e-13", "dense, 6, 5, NONE, 1e-13", "products, 6, 5, NONE, 1e-5", "products, 20, 5, NONE, 1e-5",
+    @CsvSource({"dense, 1, 5, EXACT, 2e-15", "dense, 6, 5, NONE, 2e-15", "products, 6, 5, NONE, 1e-5", "products, 20, 5, NONE, 1e-5",
         "blocks, 20, 5, EXACT, 2e-4", "blocks, 20, 1e5, EXACT, 1e-3", "blocks, 20, 5, APPROXIMATE, 2e-4",
         "blocks, 20, 1e5, APPROXIMATE, 1e-3"})
     void whatIsLeftIsWithinTheTolerance(String kind, int n, double stiffness, Blocks blocks, double most) {
         BlockParticles particles = new BlockParticles(n, stiffness, false, blocks);
         RadauSystems systems = systems(kind, 6 * n);
-        assertEquals(!kind.equals("products") && blocks != Blocks.APPROXIMATE, systems.keepsJacobian() || blocks == Blocks.EXACT);
+        boolean full = kind.equals("dense");
+        boolean byBlocks = kind.equals("blocks");
         for (int round = 1; round <= 2; round++) {
             setJacobian(systems, particles, 0.3);
             for (double h : new double[] {0.3, -0.3, 0.2, 1}) {
@@ -107,11 +108,12 @@ class RadauSystemsTest {
                 assertSolved(systems, particles, h, most);
             }
             assertEquals(round, work.jacobians);
-            assertEquals(kind.equals("dense"), work.krylovIterations == 0);
+            assertEquals(full, work.krylovIterations == 0);
+            assertEquals(full || byBlocks && blocks == Blocks.EXACT, systems.keepsJacobian());
         }
-        assertEquals(kind.equals("dense") ? 16 : 0, kind.equals("blocks") ? 0 : work.factorisations);
-        assertEquals(stiffness > 1e4, kind.equals("blocks") && work.factorisations > 0);
-        assertEquals(blocks == Blocks.EXACT && kind.equals("blocks"), work.products == 0);
+        assertEquals(full || byBlocks && stiffness > 1e4, work.factorisations > 0);
+        assertTrue(!full || work.factorisations == 16, "two for each length: " + work.factorisations);
+        assertEquals(byBlocks && blocks == Blocks.EXACT, work.products == 0);
     }
 
     /** Factors serve while the sub-step has not changed to twice or half of theirs; beyond it, and backwards, there are new ones. */
