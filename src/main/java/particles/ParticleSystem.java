@@ -46,7 +46,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
             throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity " + velocity
                     + "; both have to be finite");
         }
-        if (fixed && !velocity.equals(Vector3.ZERO)) {
+        if (fixed && !velocity.isZero()) {
             throw new IllegalArgumentException("particle '" + id + "' is fixed and has velocity " + velocity
                     + "; a fixed particle's velocity is zero");
         }

@@ -36,6 +36,11 @@ public record Vector3(double x, double y, double z) {
         return new Vector3(y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x);
     }
 
+    /** @return whether all three are zero, of whichever sign */
+    public boolean isZero() {
+        return x == 0 && y == 0 && z == 0;
+    }
+
     /** @return the length, without overflow or underflow on the way */
     public double length() {
         double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));

@@ -61,7 +61,7 @@ final class ConstraintChecks {
         Vector3 way = index.position(rod.to()).minus(index.position(rod.from()));
         if (rod.from().equals(rod.to())) {
             problems.add(place, "a rod from " + Wording.quote(rod.from()) + " to itself; its ends have to be two particles");
-        } else if (way.equals(Vector3.ZERO)) {
+        } else if (way.isZero()) {
             problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
                     + " are at the same place; a rod needs a length");
         } else if (index.isFixed(rod.from()) && index.isFixed(rod.to())) {

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import particles.Camera;
-import particles.Vector3;
 import particles.scene.spec.Chosen;
 import particles.scene.spec.Key;
 import particles.scene.spec.Place;
@@ -86,7 +85,7 @@ final class SceneChecks {
                 continue;
             }
             ParticleDescription particle = ParticleDescription.of(values);
-            if (particle.fixed() && !particle.velocity().equals(Vector3.ZERO)) {
+            if (particle.fixed() && !particle.velocity().isZero()) {
                 problems.add(values.place(ParticleDescription.VELOCITY), "'" + particle.id()
                         + "' is fixed and has a velocity;"
                         + " leave out one of the two");
@@ -130,7 +129,7 @@ final class SceneChecks {
                 problems.add(values.place(SpringDescription.TO), "a spring from " + Wording.quote(spring.from())
                         + " to itself;"
                         + " its ends have to be two particles");
-            } else if (index.position(spring.from()).equals(index.position(spring.to()))) {
+            } else if (index.position(spring.from()).minus(index.position(spring.to())).isZero()) {
                 problems.add(values.place(SpringDescription.TO), Wording.quote(spring.from()) + " and "
                         + Wording.quote(spring.to())
                         + " are at the same place; a spring between them has no direction to push in");

@@ -59,6 +59,12 @@ class StartUpTest {
         assertEquals(List.of(), of(loaded, "javax\\.imageio\\..*|com\\.sun\\.imageio\\..*|org\\.jcodec\\..*"));
     }
 
+    /** Which Java would do by making code at run time: several per cent of a short run. */
+    @Test
+    void noRecordIsComparedByItsOwnMeans() throws IOException, InterruptedException {
+        assertEquals(List.of(), of(loaded(true), "java\\.lang\\.runtime\\.ObjectMethods.*"));
+    }
+
     /** Its options are found by reflection, which is not done for the others. */
     @Test
     void onlyTheNamedCommandIsMadeReady() throws IOException, InterruptedException {

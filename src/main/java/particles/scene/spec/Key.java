@@ -29,6 +29,20 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
         return new Key<>(name, type, false, Optional.empty(), sentence);
     }
 
+    // Written out, as what a record does by itself is put together at run time, which is several per cent of a short run.
+
+    @Override
+    public boolean equals(Object other) {
+        return this == other || other instanceof Key<?> key && name.equals(key.name) && type.equals(key.type)
+                && required == key.required && defaultValue.equals(key.defaultValue) && sentence.equals(key.sentence);
+    }
+
+    /** Of the name alone, which is what the keys of a mapping differ in. */
+    @Override
+    public int hashCode() {
+        return name.hashCode();
+    }
+
     /** @return the default as JSON has it, if there is one */
     Optional<Object> defaultJson() {
         return defaultValue.map(type::toJson);
