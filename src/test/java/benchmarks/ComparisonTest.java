@@ -20,13 +20,13 @@ class ComparisonTest {
         assertEquals(3 * 4, EQUAL_ERROR.size());
     }
 
-    /** Hipparchus evaluates once more, at the end. Errors measured equal to 5e-15 at most: rounding. */
+    /** Hipparchus evaluates once more, at the end. Errors measured equal to 9.4e-16 at most: rounding. */
     @ParameterizedTest
     @FieldSource("EQUAL_EVALUATIONS")
     void equalEvaluationsAreTheSameMethodWithTheSameSteps(Comparison.Plan plan) {
         Comparison pair = Comparison.of(plan);
         assertEquals(pair.oursFound().evaluations() + 1, pair.theirsFound().evaluations());
-        assertEquals(pair.oursFound().error(), pair.theirsFound().error(), 4e-14);
+        assertEquals(pair.oursFound().error(), pair.theirsFound().error(), 9e-15);
         assertTrue(pair.oursFound().error() > 0, pair.toString());
     }
 
@@ -58,12 +58,12 @@ class ComparisonTest {
         assertTrue(less.outcome(workload, workload.reference(less.duration())).error() > Comparison.ERROR, less.toString());
     }
 
-    /** Against the exact solution (cos t, -sin t): measured 3e-13 at t = 20. */
+    /** Against the exact solution (cos t, -sin t): measured 3.0e-13 at t = 20. */
     @Test
     void theReferenceIsFarBetterThanWhatItJudges() {
         double[] end = Workload.of("oscillator").reference(20);
-        assertEquals(StrictMath.cos(20), end[0], 3e-12);
-        assertEquals(-StrictMath.sin(20), end[1], 3e-12);
+        assertEquals(StrictMath.cos(20), end[0], 2e-12);
+        assertEquals(-StrictMath.sin(20), end[1], 2e-12);
     }
 
     @Test

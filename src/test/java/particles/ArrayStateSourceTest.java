@@ -127,7 +127,7 @@ class ArrayStateSourceTest {
         other.stepState(again, 0.01);
         other.reset();
         other.stepState(again, 0.01);
-        assertArrayEquals(again.getStateArray(), after, 1e-12);
+        assertArrayEquals(again.getStateArray(), after);
     }
 
     @Test

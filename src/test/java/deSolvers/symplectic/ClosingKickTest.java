@@ -119,7 +119,8 @@ class ClosingKickTest {
         source.state[OneMoves.MOVING] = 1;
         new VelocityVerletSolver().stepState(source, H);
         double kick = 1.0 / 64;
-        assertEquals((1 - kick) / (1 + kick), source.state[OneMoves.MOVING], 1e-14, "implicit in the second half");
+        // measured 1.1e-16
+        assertEquals((1 - kick) / (1 + kick), source.state[OneMoves.MOVING], 1e-15, "implicit in the second half");
         assertEquals(8, source.evaluations);
     }
 

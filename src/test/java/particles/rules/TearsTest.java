@@ -91,7 +91,7 @@ class TearsTest {
         assertEquals(0, run.springs.springCount());
         assertEquals(1, run.tearings, "all in one step");
         assertTrue(run.torn > count * STIFFNESS / 2 * 0.2 * 0.2, "past the strain each stores " + run.torn);
-        assertEquals(-run.torn, run.ledger.getWork().get("tear"), 1e-13 * run.torn);
+        assertEquals(-run.torn, run.ledger.getWork().get("tear"), 1e-14 * run.torn);        // measured 1e-15 of it
         return run.ledger.getNumericalError();
     }
 
@@ -104,8 +104,8 @@ class TearsTest {
     void whatTearsIsBookedOnce(int count, double damping) {
         double coarse = Math.abs(remainder(count, damping, 0.01));
         double fine = Math.abs(remainder(count, damping, 0.0025));
-        assertTrue(coarse < 2e-4, "coarse " + coarse);
-        assertTrue(fine < coarse / 100, "from " + coarse + " to " + fine + ", by 256 at order 4 but for where it tears");
+        assertTrue(coarse < 1e-4, "coarse " + coarse);                  // measured 5.3e-7 to 1.7e-5 J
+        assertTrue(fine < coarse / 100, "from " + coarse + " to " + fine + ", by 256 at order 4");     // by 176 to 1023
     }
 
     /** Without damping the motion is known: the energy after the tear is that of the beginning minus k (l - L)&sup2;/2. */
@@ -122,7 +122,7 @@ class TearsTest {
         for (double t = 0; stretch <= 0.4 * LENGTH; t += 0.001) {
             stretch = sag * (1 - Math.cos(omega * t)) + 7 / omega * Math.sin(omega * t);
         }
-        assertEquals(-STIFFNESS / 2 * stretch * stretch, ledger.getWork().get("tear"), 1e-9);
+        assertEquals(-STIFFNESS / 2 * stretch * stretch, ledger.getWork().get("tear"), 1e-9);      // measured 1.8e-10, both
         assertEquals(start - STIFFNESS / 2 * stretch * stretch, ledger.getEnergy(), 1e-9);
     }
 
@@ -160,14 +160,14 @@ class TearsTest {
         assertEquals(1, simulation.getSteps());
         assertEquals(1, tearings);
         assertEquals(impactsFirst || exact ? 1 : 0, impactsInTheStepOfATear, "impacts before the tear");
-        assertEquals(-torn, ledger.getWork().get("tear"), 1e-13 * torn);
+        assertEquals(-torn, ledger.getWork().get("tear"), 1e-14 * torn);      // measured 0
         assertTrue(torn > STIFFNESS / 2 * 0.49 * 0.49, "torn " + torn);
         double bounce = ledger.getWork().get("impacts");
         assertTrue(bounce < -1.5 && bounce > -0.5 * down * down, "bounce " + bounce);
         double total = 0.5 * down * down + 9.81 * 0.02 + STIFFNESS / 2 * 0.48 * 0.48;
         double damped = ledger.getWork().getOrDefault("springs (dissipated)", 0.0);
         assertTrue(damping > 0 ? damped < -0.01 : damped == 0, "damped " + damped);
-        assertEquals(total - torn + bounce + damped, ledger.getEnergy(), 1e-3);
-        assertEquals(0, ledger.getNumericalError(), 1e-3);
+        assertEquals(total - torn + bounce + damped, ledger.getEnergy(), 1e-4);       // rk4 in one step: measured 1.4e-5
+        assertEquals(0, ledger.getNumericalError(), 1e-4);
     }
 }

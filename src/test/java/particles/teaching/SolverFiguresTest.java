@@ -42,7 +42,7 @@ class SolverFiguresTest {
         assertTrue(value(verlet, "area").contains("symplectic on the spring"));
         assertTrue(value(verlet, "a step and the same step back").contains("reversible: it ends where it began"));
         // the invariant x^2 (1 - h^2/4) + v^2 keeps the energy within h^2/4 = 0.0025
-        assertEquals(0.0025, number(verlet, "largest energy error"), 1e-5);
+        assertEquals(0.0025, number(verlet, "largest energy error"), 5e-7);      // measured 5.7e-8
         assertEquals(2, number(verlet, "largest stable deltaT omega"), 5e-8);
         assertTrue(verlet.region().isPresent());
     }
