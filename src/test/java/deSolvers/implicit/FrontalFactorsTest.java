@@ -45,7 +45,7 @@ class FrontalFactorsTest {
     }
 
     /** Each particle joined to that many of those before it: 1 makes a tree; all of them, where everything touches all. */
-    private static BlockPattern grown(int n, int joints) {
+    static BlockPattern grown(int n, int joints) {
         Random random = new Random(5);
         List<int[]> pairs = new ArrayList<>();
         for (int i = 1; i < n; i++) {
