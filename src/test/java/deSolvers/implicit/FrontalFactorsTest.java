@@ -192,4 +192,43 @@ class FrontalFactorsTest {
             assertTrue(left <= 1, "particle " + i + " touches " + left + " that are left");
         }
     }
+
+    /** One factorisation, and a product for each block of the factors where they are applied. */
+    @Test
+    void theWorkIsCounted() {
+        ImplicitWork.Counter work = new ImplicitWork.Counter();
+        FrontalFactors factors = new FrontalFactors(work);
+        BlockPattern pattern = grown(40, 40);           // all touch all: nothing but full triangles
+        assertTrue(factors.fits(pattern, MOST));
+        double[] a = values(pattern, false, new Random(9));
+        assertTrue(factors.factorise(a, false), "the first, without a symmetric one before");
+        assertEquals(1, work.factorisations);
+        long products = 0;
+        for (long below = 0; below < 40; below++) {
+            products += below + below * below;          // by the pivot's inverse, and with each other
+        }
+        assertEquals(products, work.blockOperations);
+        assertEquals(3 * products, factors.cost(), "each is three of nine entries with three");
+        factors.apply(new double[120], new double[120]);
+        assertEquals(40 * 40, factors.blocks());
+        assertEquals(products + 40 * 40, work.blockOperations);
+    }
+
+    /** What is not connected is ordered by itself, whoever else is there: two cloths fill in twice as much as one. */
+    @Test
+    void piecesAreOrderedByThemselves() {
+        BlockPattern one = cloth(24, 24);
+        List<int[]> pairs = new ArrayList<>();
+        for (int i = 0; i < one.rows; i++) {
+            for (int s = one.diagonal[i] + 1; s < one.rowStart[i + 1]; s++) {
+                pairs.add(new int[] {2 * i, 2 * one.column[s]});
+                pairs.add(new int[] {2 * i + 1, 2 * one.column[s] + 1});
+            }
+        }
+        FrontalPlan alone = new FrontalPlan(one, MOST);
+        FrontalPlan both = new FrontalPlan(net(2 * one.rows, pairs), MOST);
+        assertEquals(2 * alone.blocks, both.blocks);
+        assertEquals(2 * alone.operations, both.operations);
+        assertEquals(alone.largestFront, both.largestFront);
+    }
 }
