@@ -18,6 +18,8 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
     public static final double RELATIVE_TOLERANCE = 1e-6;
     /** What is allowed besides, in the unit of the state's entries. */
     public static final double ABSOLUTE_TOLERANCE = 1e-9;
+    /** With a relative tolerance over this a vibration that is too fast for the method may grow. */
+    public static final double LOOSEST_TOLERANCE = 1e-3;
     /** After so many sub-steps, taken or rejected, a step is given up. */
     public static final int MOST_SUB_STEPS = 500_000;
 

@@ -7,6 +7,11 @@
  * is at most absoluteTolerance + relativeTolerance times the entry. That is the error of one sub-step: the error at the
  * end of a run is roughly proportional to it, with a factor that depends on the problem.
  *
+ * <p>Since the entry is the one after the sub-step, or the one before where that is larger, a tolerance of a tenth lets a
+ * vibration that the method cannot follow grow by a tenth in every sub-step, and never objects. So take no
+ * relativeTolerance over {@value deSolvers.adaptive.AdaptiveSolver#LOOSEST_TOLERANCE}, which is also the advice of SUNDIALS
+ * (A. C. Hindmarsh and others, <i>User documentation for CVODE</i>, "General advice on choice of tolerances").
+ *
  * <p>Reference: E. Hairer, S. P. N&oslash;rsett, G. Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd ed.,
  * Springer 1993, section II.4.
  */

@@ -1,6 +1,7 @@
 package particles.app;
 
 import deSolvers.DESolverException;
+import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import particles.Effect;
@@ -86,7 +87,7 @@ final class BlowUpMessage {
         }
         SolverInfo solver = SolverCatalog.info(name);
         if (solver.adaptive()) {
-            return "; " + name + " chooses its own steps, so try " + option("solver", STIFF);
+            return "; " + name + " chooses its own steps, so try " + tighter() + option("solver", STIFF);
         }
         double limit = limit(solver);
         if (limit == 0) {
@@ -99,6 +100,12 @@ final class BlowUpMessage {
         String stated = "; the limit of " + name + " is " + Digits.few(limit) + ": try ";
         return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4)) + ", as springs are not the cause"
                 : stated + option("deltaT", Digits.roundedDown(stableStep(solver)));
+    }
+
+    private String tighter() {
+        double loosest = AdaptiveSolver.LOOSEST_TOLERANCE;
+        boolean loose = scene.description().tolerances().filter(given -> given.relative() > loosest).isPresent();
+        return loose ? "a relativeTolerance of " + Digits.few(loosest) + " or less, or " : "";
     }
 
     private String withStep(SolverInfo solver) {

@@ -19,11 +19,11 @@ final class SolverFormat {
             TextType.of("the full name of a class, such as exercises.MySolver",
                     "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$")),
             "The method that solves the equations of motion.");
-    static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 1, ""), "The error that an"
-            + " adaptive solver allows in a sub-step, relative to the state; 1e-6 where only the other is given.");
+    static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 0.1, ""), 
+            "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 where only the other is"
+                    + " given. Over 1e-3 what vibrates fast may grow.");
     static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
-            "The error that it allows"
-            + " besides, in m and m/s; 1e-9 where only the other is given.");
+            "The error that it allows besides, in m and m/s; 1e-9 where only the other is given.");
 
     static final MappingType TYPE = MappingType.of("the solver", NAME, RELATIVE, ABSOLUTE).shortFor(NAME);
 
