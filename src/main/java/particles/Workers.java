@@ -17,6 +17,14 @@ final class Workers implements AutoCloseable {
     private static final int LOOKS = 40_000;
     /** Where threads share a processor, looking keeps the other from working. */
     private static final int FEW_LOOKS = 500;
+    /**
+     * After so many looks, some microseconds, each further one lets others have the processor first: the thread that is
+     * waited for may have none, as something else runs on the machine, if only the drawing of frames. That cloth took two
+     * threads four times as long as one then, and takes them as long with this.
+     */
+    private static final int LOOKS_ALONE = 100;
+    /** So many looks take as long as one that lets others go first. */
+    private static final int LOOKS_OF_A_YIELD = 10;
 
     /** What is done together. */
     interface Work {
@@ -73,24 +81,30 @@ final class Workers implements AutoCloseable {
     }
 
     private void waitForHelpers() {
-        for (int look = 0; busy.get() > 0; look++) {
-            if (look < looks) {
-                Thread.onSpinWait();
-            } else {
-                LockSupport.park(this);
-            }
+        for (int look = 0; busy.get() > 0; ) {
+            look = waited(look);
         }
+    }
+
+    /** Waits for a moment, as long as is right after so many looks; returns how many there are then. */
+    private int waited(int look) {
+        if (look < Math.min(LOOKS_ALONE, looks)) {
+            Thread.onSpinWait();
+            return look + 1;
+        }
+        if (look < looks) {
+            Thread.yield();
+            return look + LOOKS_OF_A_YIELD;
+        }
+        LockSupport.park(this);
+        return look;
     }
 
     private void help(int part) {
         int done = 0;
         for (int look = 0; !closed; ) {
             if (round == done) {
-                if (look++ < looks) {
-                    Thread.onSpinWait();
-                } else {
-                    LockSupport.park(this);
-                }
+                look = waited(look);
                 continue;
             }
             done++;
