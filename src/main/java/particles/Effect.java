@@ -1,5 +1,6 @@
 package particles;
 
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -57,6 +58,17 @@ public interface Effect extends Remembering {
      */
     default boolean isPerParticle() {
         return false;
+    }
+
+    /**
+     * The whole law, where it is linear in the velocity and the same for all particles, as uniform gravity and viscous drag in
+     * still air are. A system then evaluates the law's numbers for itself instead of calling {@link #addForces}, which gives
+     * the same force.
+     *
+     * @return F = m g - c v by its numbers, the same ones for the effect's whole life; empty for all other laws
+     */
+    default Optional<LinearLaw> getLinearLaw() {
+        return Optional.empty();
     }
 
     /**

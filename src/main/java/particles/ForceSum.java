@@ -14,6 +14,8 @@ final class ForceSum {
     private final List<Effect> effects;
     private final List<Reaction> reactions;
     private Optional<ParallelForces> parallel = Optional.empty();
+    private LinearLaw linear = LinearLaw.NONE;          // of all effects that have one
+    private int summedUp;                               // how many effects the law above is the sum of
 
     ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
         this.particles = particles;
@@ -23,6 +25,9 @@ final class ForceSum {
 
     /** The derivative (v, F/m) of a state. */
     void derivative(double[] state, double time, double[] dSdt) {
+        if (summedUp < effects.size()) {
+            sumUpLinearLaws();
+        }
         if (parallel.isPresent() && parallel.get().pays()) {
             parallel.get().derivative(state, time, dSdt);
             return;
@@ -44,19 +49,38 @@ final class ForceSum {
                 : Optional.of(new ParallelForces(this, particles, effects, threads, paysFrom));
     }
 
+    /** Effects are added and never taken out, and their linear laws stay as they are. */
+    private void sumUpLinearLaws() {
+        for (; summedUp < effects.size(); summedUp++) {
+            Optional<LinearLaw> law = effects.get(summedUp).getLinearLaw();
+            if (law.isPresent()) {
+                linear = linear.plus(law.get());
+            }
+        }
+    }
+
     /** The velocities, and the forces of the effects on single particles, for the particles first ... end - 1. */
     void begin(double[] state, double time, double[] dSdt, int first, int end) {
         for (int from = first; from < end; from += STRETCH) {
             int to = Math.min(end, from + STRETCH);
-            for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
-                dSdt[x] = state[x + 3];
-                dSdt[x + 1] = state[x + 4];
-                dSdt[x + 2] = state[x + 5];
-                dSdt[x + 3] = 0;
-                dSdt[x + 4] = 0;
-                dSdt[x + 5] = 0;
+            if (linear == LinearLaw.NONE) {
+                copyVelocities(state, dSdt, from, to);
+            } else {
+                linear.begin(state, particles.masses(), dSdt, from, to);
             }
-            addPerParticle(state, time, dSdt, from, to);
+            addPerParticle(state, time, dSdt, from, to, false);
+        }
+    }
+
+    /** The derivative where no force acts. */
+    private static void copyVelocities(double[] state, double[] dSdt, int from, int to) {
+        for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
+            dSdt[x] = state[x + 3];
+            dSdt[x + 1] = state[x + 4];
+            dSdt[x + 2] = state[x + 5];
+            dSdt[x + 3] = 0;
+            dSdt[x + 4] = 0;
+            dSdt[x + 5] = 0;
         }
     }
 
@@ -76,15 +100,15 @@ final class ForceSum {
         int n = particles.count();
         Arrays.fill(force, 0, STRIDE * n, 0.0);
         for (int from = 0; from < n; from += STRETCH) {
-            addPerParticle(state, time, force, from, Math.min(n, from + STRETCH));
+            addPerParticle(state, time, force, from, Math.min(n, from + STRETCH), true);
         }
         addOthers(state, time, force);
     }
 
-    private void addPerParticle(double[] state, double time, double[] force, int from, int to) {
+    private void addPerParticle(double[] state, double time, double[] force, int from, int to, boolean linearToo) {
         for (int e = 0; e < effects.size(); e++) {
             Effect effect = effects.get(e);
-            if (effect.isPerParticle()) {
+            if (effect.isPerParticle() && (linearToo || effect.getLinearLaw().isEmpty())) {
                 effect.addForces(state, time, force, from, to);
             }
         }

@@ -1,8 +1,10 @@
 package particles.effects;
 
 import java.util.EnumSet;
+import java.util.Optional;
 import java.util.Set;
 import particles.Effect;
+import particles.LinearLaw;
 import particles.Particles;
 import particles.Vector3;
 
@@ -19,6 +21,7 @@ public final class Gravity implements Effect {
     private final double gx;
     private final double gy;
     private final double gz;
+    private final Optional<LinearLaw> linearLaw;
 
     /**
      * @param particles    on whom it acts
@@ -33,6 +36,7 @@ public final class Gravity implements Effect {
         gx = acceleration.x();
         gy = acceleration.y();
         gz = acceleration.z();
+        linearLaw = Optional.of(new LinearLaw(gx, gy, gz, 0));
     }
 
     @Override
@@ -53,6 +57,11 @@ public final class Gravity implements Effect {
     @Override
     public boolean isPerParticle() {
         return true;
+    }
+
+    @Override
+    public Optional<LinearLaw> getLinearLaw() {
+        return linearLaw;
     }
 
     @Override

@@ -1,5 +1,7 @@
 package particles.effects;
 
+import java.util.Optional;
+import particles.LinearLaw;
 import particles.Particles;
 
 /**
@@ -10,6 +12,7 @@ import particles.Particles;
  */
 public final class LinearDrag extends AirDrag {
     private final double coefficient;
+    private final Optional<LinearLaw> linearLaw;
 
     /**
      * @param particles   on whom it acts
@@ -21,11 +24,17 @@ public final class LinearDrag extends AirDrag {
         super(particles, wind);
         requireCoefficient(coefficient);
         this.coefficient = coefficient;
+        linearLaw = wind == Wind.STILL ? Optional.of(new LinearLaw(0, 0, 0, coefficient)) : Optional.empty();
     }
 
     /** @return c (N s/m) */
     public double getCoefficient() {
         return coefficient;
+    }
+
+    @Override
+    public Optional<LinearLaw> getLinearLaw() {
+        return linearLaw;
     }
 
     @Override
