@@ -57,48 +57,50 @@ final class BlockLayout {
      *
      * @param state  (x, v)
      * @param dSdt   holds a in its velocity entries; what is not finite in the others makes the result NaN too
+     * @param n      how many entries these arrays have; where a source's size is a constant, this one is, and the loop no loop
      * @param d      positions in a block
      * @param kick   how long the acceleration acts (s)
      * @param drift  how long the new velocity acts (s)
      * @param result receives (x', v'); may be {@code state}
      */
-    static void kickDrift(double[] state, double[] dSdt, int d, double kick, double drift, double[] result) {
+    static void kickDrift(double[] state, double[] dSdt, int n, int d, double kick, double drift, double[] result) {
         if (d == 1) {                                   // written out: the inner loop would cost as much as it does
-            for (int x = 0; x < state.length; x += 2) {
-                kickDrift(state, dSdt, x, x + 1, kick, drift, result);
+            for (int x = 0; x < n; x += 2) {
+                move(state, dSdt, x, x + 1, kick, drift, result);
             }
             return;
         }
         if (d == 3) {
-            for (int x = 0; x < state.length; x += 6) {
-                kickDrift(state, dSdt, x, x + 3, kick, drift, result);
-                kickDrift(state, dSdt, x + 1, x + 4, kick, drift, result);
-                kickDrift(state, dSdt, x + 2, x + 5, kick, drift, result);
+            for (int x = 0; x < n; x += 6) {
+                move(state, dSdt, x, x + 3, kick, drift, result);
+                move(state, dSdt, x + 1, x + 4, kick, drift, result);
+                move(state, dSdt, x + 2, x + 5, kick, drift, result);
             }
             return;
         }
-        for (int block = 0; block < state.length; block += 2 * d) {
+        for (int block = 0; block < n; block += 2 * d) {
             for (int x = block; x < block + d; x++) {
-                kickDrift(state, dSdt, x, x + d, kick, drift, result);
+                move(state, dSdt, x, x + d, kick, drift, result);
             }
         }
     }
 
-    private static void kickDrift(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
+    /** One position at x and its velocity at v. */
+    private static void move(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
         double velocity = state[v] + kick * dSdt[v];
         result[v] = velocity;
         result[x] = Math.fma(dSdt[x], 0, state[x] + drift * velocity);
     }
 
     /** Changes the velocities by an acceleration, read from the derivative's velocity entries: v += h a. */
-    static void kick(double[] state, double[] dSdt, int d, double h) {
+    static void kick(double[] state, double[] dSdt, int n, int d, double h) {
         if (d == 1) {
-            for (int v = 1; v < state.length; v += 2) {
+            for (int v = 1; v < n; v += 2) {
                 state[v] += h * dSdt[v];
             }
             return;
         }
-        for (int v = d; v < state.length; v += 2 * d) {
+        for (int v = d; v < n; v += 2 * d) {
             for (int c = v; c < v + d; c++) {
                 state[c] += h * dSdt[c];
             }

@@ -31,7 +31,7 @@ final class ClosingKick {
             before = new double[state.length];
         }
         System.arraycopy(state, 0, before, 0, state.length);
-        BlockLayout.kick(state, dSdt, d, h);            // first guess: the acceleration as it was
+        BlockLayout.kick(state, dSdt, state.length, d, h);            // first guess: the acceleration as it was
         double largestBefore = largest(before, d, d);
         double change = 0;
         double scale = 0;

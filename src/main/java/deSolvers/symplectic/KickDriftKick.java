@@ -55,7 +55,7 @@ final class KickDriftKick {
             double done = 0;
             for (double weight : weights) {
                 double h = weight * deltaT;
-                kickDrift(done == 0 ? begin : state, dSdt, d, h / 2, h, state);
+                kickDrift(done == 0 ? begin : state, dSdt, n, d, h / 2, h, state);
                 done += h;
                 source.setOffset(done);
                 if (implicit) {
@@ -63,7 +63,7 @@ final class KickDriftKick {
                 } else {
                     source.getStateDerivative(state, dSdt);  // at (x(t + h), t + h)
                     source.requireFinite(dSdt);
-                    kick(state, dSdt, d, h / 2);
+                    kick(state, dSdt, n, d, h / 2);
                 }
             }
             memory.keep(client, source.getEndTime(), state, deltaT);
