@@ -28,19 +28,19 @@ public final class StepMemory {
      */
     public boolean holds(DEStateSource source, double time, double[] state, double deltaT) {
         return valid && source == this.source
-                && Double.doubleToLongBits(time) == Double.doubleToLongBits(this.time)
-                && Double.doubleToLongBits(deltaT) == Double.doubleToLongBits(this.deltaT)
-                && isKept(state);
+                && Double.doubleToRawLongBits(time) == Double.doubleToRawLongBits(this.time)
+                && Double.doubleToRawLongBits(deltaT) == Double.doubleToRawLongBits(this.deltaT)
+                && isKept(state, source.getStateSize());
     }
 
-    private boolean isKept(double[] state) {
+    /** The source is asked for n, because the loop is none where that is a constant. */
+    private boolean isKept(double[] state, int n) {
         double[] kept = this.state;
-        int n = state.length;
         if (n != kept.length || n >= FEW) {
             return Arrays.equals(state, kept);
         }
         for (int i = 0; i < n; i++) {
-            if (Double.doubleToLongBits(state[i]) != Double.doubleToLongBits(kept[i])) {
+            if (Double.doubleToRawLongBits(state[i]) != Double.doubleToRawLongBits(kept[i])) {
                 return false;
             }
         }
@@ -56,7 +56,7 @@ public final class StepMemory {
      * @param deltaT the step that was made (s)
      */
     public void keep(DEStateSource source, double time, double[] state, double deltaT) {
-        int n = state.length;
+        int n = source.getStateSize();
         if (this.state.length != n) {
             this.state = new double[n];
         }

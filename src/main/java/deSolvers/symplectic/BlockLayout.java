@@ -100,6 +100,14 @@ final class BlockLayout {
             }
             return;
         }
+        if (d == 3) {
+            for (int v = 3; v < n; v += 6) {
+                state[v] += h * dSdt[v];
+                state[v + 1] += h * dSdt[v + 1];
+                state[v + 2] += h * dSdt[v + 2];
+            }
+            return;
+        }
         for (int v = d; v < n; v += 2 * d) {
             for (int c = v; c < v + d; c++) {
                 state[c] += h * dSdt[c];
