@@ -36,7 +36,7 @@ public final class StepMemory {
     /** The source is asked for n, because the loop is none where that is a constant. */
     private boolean isKept(double[] state, int n) {
         double[] kept = this.state;
-        if (n != kept.length || n >= FEW) {
+        if (n != state.length || n != kept.length || n >= FEW) {
             return Arrays.equals(state, kept);
         }
         for (int i = 0; i < n; i++) {
@@ -56,7 +56,7 @@ public final class StepMemory {
      * @param deltaT the step that was made (s)
      */
     public void keep(DEStateSource source, double time, double[] state, double deltaT) {
-        int n = source.getStateSize();
+        int n = state.length;
         if (this.state.length != n) {
             this.state = new double[n];
         }
