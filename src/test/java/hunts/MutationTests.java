@@ -31,7 +31,7 @@ final class MutationTests {
             Map.entry("deSolvers.adaptive", ""),
             Map.entry("deSolvers.catalog", ""),
             Map.entry("deSolvers.extrapolation", ""),
-            Map.entry("deSolvers.implicit", "particles.Implicit*,particles.ParticleJacobianTest,particles.RadauParticlesTest,particles.reactions.RodsTest"),
+            Map.entry("deSolvers.implicit", ""),
             Map.entry("deSolvers.multistep", ""),
             Map.entry("deSolvers.rungeKutta", "deSolvers.adaptive.DormandPrinceSolverTest"),
             Map.entry("deSolvers.symplectic", ""),
