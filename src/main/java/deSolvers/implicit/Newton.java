@@ -71,6 +71,9 @@ final class Newton {
                 }
                 size = size(correction, u);
                 lastSize = size;
+                if (size == Double.POSITIVE_INFINITY) {
+                    return false;
+                }
             }
             double damping = 1;
             double next;
@@ -230,12 +233,15 @@ final class Newton {
                 + " of the unknowns (limit " + TOLERANCE + ") and the largest residual " + largest;
     }
 
-    /** The largest entry of a correction relative to the unknown that it corrects. */
+    /** The largest entry of a correction relative to the unknown that it corrects; infinite where that leaves the numbers. */
     private double size(double[] correction, double[] u) {
         double largest = 0;
         for (int i = 0; i < u.length; i++) {
             double magnitude = Math.max(Math.abs(u[i]), Math.abs(u[i] + correction[i]));
             largest = Math.max(largest, Math.max(magnitude, Math.abs(first[i])));
+        }
+        if (!(largest <= Double.MAX_VALUE)) {
+            return Double.POSITIVE_INFINITY;            // nothing is small beside a number that is none
         }
         double size = 0;
         for (int i = 0; i < u.length; i++) {

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Particles in space in a chain with loops, on which K (x_j - x_i) + C (v_j - v_i) acts between neighbours and a hard
- * spring -x^3 on each by itself, entry by entry; the second one is held. All their derivatives are known.
+ * Particles in space in a chain with loops, on which K (x_j - x_i) + C (v_j - v_i) acts between neighbours and a
+ * spring -(1 + t) x^3 on each by itself, entry by entry; the second one is held. All their derivatives are known.
  */
 final class BlockParticles extends SecondOrderProblem implements JacobianStateSource {
     private record Pair(int i, int j, double[] k, double[] c) {
@@ -36,8 +36,10 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
         this.stiffness = stiffness;
         Random random = new Random(n);
         masses = random.doubles(n, 0.5, 20).toArray();
-        masses[0] = 3;                                  // its reciprocal's reciprocal is 3 to the bit
-        masses[Math.min(1, n - 1)] = 0;
+        if (n > 0) {
+            masses[0] = 3;                              // its reciprocal's reciprocal is 3 to the bit
+            masses[held()] = 0;
+        }
         for (int i = 0; i + 1 < n; i++) {
             pairs.add(pair(i, i + 1, stiffness, symmetric, random));
             if (i % 5 == 0 && i + 4 < n) {
@@ -45,8 +47,8 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
             }
         }
         start = random.doubles(6L * n, -1, 1).toArray();
-        for (int e = 0; e < 3; e++) {
-            start[6 * Math.min(1, n - 1) + 3 + e] = 0;
+        for (int e = 3; e < 6 && n > 0; e++) {
+            start[6 * held() + e] = 0;
         }
         startAt(0);
     }
@@ -60,6 +62,14 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
             c[e] = 0.1 * (symmetric ? Math.abs(stiffness) * along[e / 3] * along[e % 3] : stiffness * random.nextDouble());
         }
         return new Pair(i, j, k, c);
+    }
+
+    private int held() {
+        return Math.min(1, masses.length - 1);
+    }
+
+    private double hardness() {
+        return cubic * (1 + getTime());
     }
 
     double mass(int i) {
@@ -78,7 +88,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
         }
         for (int i = 0; i < scale.length; i++) {
             double x = s[6 * (i / 3) + i % 3];
-            scale[i] += 3 * cubic * x * x * Math.abs(x);
+            scale[i] += 3 * hardness() * x * x * Math.abs(x);
         }
         return scale;
     }
@@ -108,7 +118,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
         }
         for (int i = 0; i < masses.length; i++) {
             for (int c = 6 * i; c < 6 * i + 3; c++) {
-                dSdt[c + 3] -= cubic * (derivative ? 3 * s[c] * s[c] * w[c] : s[c] * s[c] * s[c]);
+                dSdt[c + 3] -= hardness() * (derivative ? 3 * s[c] * s[c] * w[c] : s[c] * s[c] * s[c]);
                 dSdt[c + 3] *= getInverseMass(i);
             }
         }
@@ -141,7 +151,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
         double[] s = state();
         for (int i = 0; i < masses.length && blocks == Blocks.EXACT; i++) {
             int at = 6 * i;
-            Arrays.setAll(k, e -> e % 4 == 0 ? -3 * cubic * s[at + e / 4] * s[at + e / 4] : 0);
+            Arrays.setAll(k, e -> e % 4 == 0 ? -3 * hardness() * s[at + e / 4] * s[at + e / 4] : 0);
             receiver.add(i, i, k, new double[9]);
         }
     }

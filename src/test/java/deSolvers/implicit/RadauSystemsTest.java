@@ -3,12 +3,15 @@ package deSolvers.implicit;
 import static deSolvers.implicit.RadauTableau.MU;
 import static deSolvers.implicit.RadauTableau.MU_IM;
 import static deSolvers.implicit.RadauTableau.MU_RE;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.DEStateSource;
 import deSolvers.GuardedStep;
 import deSolvers.JacobianStateSource.Blocks;
+import deSolvers.problems.ReferenceProblem;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -17,6 +20,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** (mu - h J) x = b, real and complex, in each of the ways to solve it: what is left of b, by the source's own product. */
 class RadauSystemsTest {
+    /** When the Jacobian is taken up. */
+    private static final double OFFSET = 0.25;
+
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final Random random = new Random(77);
     private double[] state;
@@ -28,19 +34,27 @@ class RadauSystemsTest {
 
     private void setJacobian(RadauSystems systems, BlockParticles particles, double h) {
         state = random.doubles(particles.getStateSize(), -1, 1).toArray();
-        GuardedStep step = new GuardedStep(new RadauIIASolver()).begin(particles, 1);
+        particles.startAt(0);
+        GuardedStep step = begin(particles);
         double[] slope = new double[state.length];
         step.setState(state);
+        step.setOffset(OFFSET);
         step.getStateDerivative(slope);
-        systems.setJacobian(step, state, slope, 0.25, h);
+        step.setOffset(0.5);
+        systems.setJacobian(step, state, slope, OFFSET, h);
         step.setState(random.doubles(state.length).toArray());         // the source may be anywhere when systems are solved
         step.setOffset(0.75);
+    }
+
+    private void moveTo(BlockParticles particles) {
+        particles.setState(state);
+        particles.incTime(OFFSET - particles.getTime());
     }
 
     /** b - (mu - h J) x as a part of b. */
     private double leftOfReal(BlockParticles particles, double h, double[] b, double[] x) {
         double[] product = new double[x.length];
-        particles.setState(state);
+        moveTo(particles);
         particles.getJacobianProduct(x, product);
         double[] rest = new double[x.length];
         Arrays.setAll(rest, i -> b[i] - MU * x[i] + h * product[i]);
@@ -50,7 +64,7 @@ class RadauSystemsTest {
     private double leftOfComplex(BlockParticles particles, double h, double[] b, double[] x) {
         int n = x.length / 2;
         double[] rest = b.clone();
-        particles.setState(state);
+        moveTo(particles);
         for (int half = 0; half < 2; half++) {
             int at = half;
             double[] part = new double[n];
@@ -142,26 +156,44 @@ class RadauSystemsTest {
         }
     }
 
-    /** mu - h J is singular where a particle is pushed out with mu^2 m/h^2; there is nothing to solve then. */
+    private GuardedStep begin(DEStateSource source) {
+        return new GuardedStep(new RadauIIASolver()).begin(source, 1);
+    }
+
+    /** mu = 1, h = 1 and s' = s: there is nothing to solve then. */
     @ParameterizedTest
-    @CsvSource({"dense", "products", "blocks"})
+    @CsvSource({"dense", "products"})
     void aSingularSystemIsRefused(String kind) {
+        ReferenceProblem growth = new ReferenceProblem(2) {
+            @Override
+            public double[] exactState(double t) {
+                return new double[] {1, 2};
+            }
+
+            @Override
+            protected void rates(double t, double[] s, double[] dSdt) {
+                System.arraycopy(s, 0, dSdt, 0, 2);
+            }
+        };
+        RadauSystems systems = systems(kind, 2);
+        systems.setJacobian(begin(growth), new double[2], new double[2], 0, 1);     // differences are exact at 0
+        double[] x = new double[2];
+        assertFalse(systems.prepare(1, 1, 2, 0) && systems.solveReal(new double[] {1, 1}, x), "real");
+        assertFalse(systems.prepare(1, 2, 1, 0) && systems.solveComplex(new double[] {1, 1, 1, 1}, new double[4]), "complex");
+        assertTrue(systems.prepare(1, 2, 2, 0) && systems.solveReal(new double[] {3, 4}, x));
+        assertArrayEquals(new double[] {3, 4}, x, 1e-14);
+    }
+
+    /** Nor is there where a particle is pushed out by just as much as it is inert. */
+    @Test
+    void aSingularBlockIsRefused() {
         BlockParticles particles = new BlockParticles(3, 0, true, Blocks.EXACT);
-        RadauSystems systems = systems(kind, 18);
-        double h = 0.5;
-        particles.cubic = -MU * MU / (h * h) * particles.mass(0) / 3;          // dF/dx = -3 cubic x^2 at x = 1
+        particles.cubic = -particles.mass(0) / 3;       // dF/dx = -3 cubic x^2 = 3, the mass, at x = 1
         state = new double[18];
         Arrays.fill(state, 0, 3, 1);
-        GuardedStep step = new GuardedStep(new RadauIIASolver()).begin(particles, 1);
-        double[] slope = new double[18];
-        step.setState(state);
-        step.getStateDerivative(slope);
-        systems.setJacobian(step, state, slope, 0, h);
-        double[] b = new double[18];
-        Arrays.fill(b, 1);
-        boolean solved = systems.prepare(h, MU, MU_RE, MU_IM) && systems.solveReal(b, new double[18]);
-        assertFalse(solved && leftOfReal(particles, h, b, b) < 1, "not without saying so");
-        assertTrue(systems.prepare(h / 2, MU, MU_RE, MU_IM));
-        assertSolved(systems, particles, h / 2, 2e-4);
+        BlockRadauSystems systems = new BlockRadauSystems(work, 18);
+        systems.setJacobian(begin(particles), state, new double[18], 0, 1);
+        assertFalse(systems.prepare(1, 1, 1, 0));
+        assertTrue(systems.prepare(0.5, 1, 1, 0));
     }
 }
