@@ -27,6 +27,11 @@ public final class Film implements FrameSink {
     /** The clock's ticks in a frame; 2^32 ticks, that the format can count, are more than 8 million frames then. */
     private static final int TICKS = 512;
     private static final int KEY_FRAMES_SECONDS = 2;
+    /**
+     * How far the encoder looks for what moved (pixels). Sixteen, its default, took twice the time for a cloth in wind of
+     * 1280 x 720 and left 32 kB a frame instead of 37.
+     */
+    private static final int SEARCH_RANGE = 4;
 
     private final OutputFolder folder;
     private final double fps;
@@ -56,6 +61,7 @@ public final class Film implements FrameSink {
         picture = Picture.create(width & ~1, height & ~1, ColorSpace.YUV420J);
         encoder = new FilmEncoder();
         encoder.setKeyInterval((int) Math.max(1, Math.min(250, Math.round(KEY_FRAMES_SECONDS * fps))));
+        encoder.setMotionSearchRange(SEARCH_RANGE);
         ticksPerSecond = (int) Math.max(1, Math.round(TICKS * fps));
     }
 
