@@ -1,5 +1,7 @@
 package particles;
 
+import java.util.Locale;
+
 /**
  * The kinetic energy beyond which a run has blown up, which shows within a step or two and is cheap to add up.
  *
@@ -20,8 +22,9 @@ record EnergyLimit(double joules) {
             return;
         }
         int fastest = fastest(system.getParticles(), state);
-        throw new SimulationException(system.getTime(), fastest, "the kinetic energy is " + energy + " J, beyond the limit of "
-                + joules + " J; the fastest particle is '" + system.getParticles().id(fastest) + "'", null);
+        throw new SimulationException(system.getTime(), fastest, String.format(Locale.ROOT,
+                "the kinetic energy is %.4g J, beyond the limit of %.4g J; the fastest particle is '%s'", energy, joules,
+                system.getParticles().id(fastest)), null);
     }
 
     private static int fastest(Particles particles, double[] state) {

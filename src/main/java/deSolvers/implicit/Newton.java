@@ -1,6 +1,7 @@
 package deSolvers.implicit;
 
 import deSolvers.FiniteCheck;
+import java.util.Locale;
 
 /**
  * Newton's method, damped by Deuflhard's natural monotonicity test: a step is taken only as far as the correction that
@@ -229,8 +230,8 @@ final class Newton {
         for (double r : residual) {
             largest = Math.max(largest, Math.abs(r));
         }
-        return "Newton's iteration did not converge: after " + iterations + " iterations the correction is " + lastSize
-                + " of the unknowns (limit " + TOLERANCE + ") and the largest residual " + largest;
+        return String.format(Locale.ROOT, "Newton's iteration did not converge: after %d iterations the correction is %.2g"
+                + " of the unknowns (limit %.0e) and the largest residual %.2g", iterations, lastSize, TOLERANCE, largest);
     }
 
     /** The largest entry of a correction relative to the unknown that it corrects; infinite where that leaves the numbers. */

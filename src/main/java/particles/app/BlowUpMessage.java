@@ -95,7 +95,9 @@ final class BlowUpMessage {
                     + withStep(SolverCatalog.info(STEADY));
         }
         if (limit == Double.POSITIVE_INFINITY) {
-            return "; " + name + " has no limit, but equations to solve: try " + option("deltaT", Digits.few(deltaT / 2));
+            return "; " + name + " has no limit, but equations to solve"
+                    + (name.equals(STIFF) ? ": try " + option("deltaT", Digits.few(deltaT / 2))
+                            : ", and where springs buckle it makes energy: try " + option("solver", STIFF));
         }
         String stated = "; the limit of " + name + " is " + Digits.few(limit) + ": try ";
         return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4)) + ", as springs are not the cause"

@@ -102,7 +102,7 @@ class NewtonTest {
         assertTrue(work.newtonIterations <= 50 && work.newtonIterations > 1, "iterations " + work.newtonIterations);
         String[] words = newton.describeFailure().split(" ");
         assertTrue(newton.describeFailure().matches("Newton's iteration did not converge: after " + work.newtonIterations
-                + " iterations the correction is \\S+ of the unknowns \\(limit 1.0E-10\\) and the largest residual [1-9]\\S*"),
+                + " iterations the correction is \\S+ of the unknowns \\(limit 1e-10\\) and the largest residual [1-9]\\S*"),
                 newton.describeFailure());
         assertTrue(Double.parseDouble(words[words.length - 1]) >= 1, "1 + u^2 is");
     }
@@ -194,7 +194,7 @@ class NewtonTest {
     @Test
     void extremeResidualsAreReportedAsTheyAre() {
         assertFalse(solve(new EquationsOfOne(1, u -> 1e200, u -> 1), new double[] {1}));
-        assertTrue(newton.describeFailure().endsWith("the largest residual 1.0E200"), newton.describeFailure());
+        assertTrue(newton.describeFailure().endsWith("the largest residual 1.0e+200"), newton.describeFailure());
         EquationsOfOne singular = new EquationsOfOne(1, u -> 1e200, u -> 0);
         assertFalse(newton.solveLinearised(singular, new double[] {1}));
     }

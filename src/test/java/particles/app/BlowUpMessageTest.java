@@ -103,6 +103,30 @@ class BlowUpMessageTest {
                 + " iterations.*; the stiffest spring, .*, with damping .*; the limit of verlet is 2: try --deltaT=0\\.00\\d+"), line);
     }
 
+    private static Scene stiffCloth(String solver) {
+        String text = """
+                title: A stiff cloth
+                teaches: What buckles.
+                solver: SOLVER
+                deltaT: 0.02
+                duration: 3
+                shapes:
+                  - cloth: {id: c, corner: [0, 0, 0], across: [0.4, 0, 0], down: [0, 0, 0.4], columns: 5, rows: 5,
+                            mass: 0.01, fixed: [top], structural: {stiffness: 1e6}, shear: {stiffness: 1e6}, bend: {stiffness: 1e6}}
+                effects: [gravity]
+                """.replace("SOLVER", solver);
+        return SceneBuilder.build(SceneReader.read("cloth.yaml", text.getBytes(StandardCharsets.UTF_8)), new Overrides());
+    }
+
+    /** Implicit midpoint damps nothing and makes energy where springs buckle, at shorter steps as well: another damps it. */
+    @Test
+    void whatBucklesWantsDamping() {
+        String line = blowUp(stiffCloth("implicit-midpoint"));
+        assertTrue(line.endsWith("; implicit-midpoint has no limit, but equations to solve, and where springs buckle it"
+                + " makes energy: try --solver=backward-euler"), line);
+        stiffCloth("backward-euler").simulation().run();
+    }
+
     @Test
     void linesAreOneLine() {
         for (String solver : List.of("rk4", "euler", "verlet")) {
