@@ -14,7 +14,7 @@ public final class CircleMotion implements AnchorMotion {
      * @param start  where the point is at t = 0 (m)
      * @param centre any point of the axis (m)
      * @param axis   its direction
-     * @param period of one turn (s), positive; negative turns the other way
+     * @param period of one turn (s), other than 0; negative turns the other way
      * @throws IllegalArgumentException if the axis has no direction, the period is 0 or a number not finite
      */
     public CircleMotion(Vector3 start, Vector3 centre, Vector3 axis, double period) {

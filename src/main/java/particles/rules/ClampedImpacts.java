@@ -94,12 +94,14 @@ public final class ClampedImpacts implements Rule {
             if (system.getParticles().isFixed(i)) {
                 continue;
             }
+            boolean thisOne = false;
             for (int p = 0; p < contacts.getSurfaces().size(); p++) {
-                changed |= modes.get(p, i) == Mode.FREE ? collide(system, p, i, deltaT)
+                thisOne |= modes.get(p, i) == Mode.FREE ? collide(system, p, i, deltaT)
                         : keepInContact(system, p, i, state);
             }
-            changed |= slideOrStick(system, i, state);
-            coupledChanged |= changed && contacts.isCoupled(i);
+            thisOne |= slideOrStick(system, i, state);
+            changed |= thisOne;
+            coupledChanged |= thisOne && contacts.isCoupled(i);
         }
         if (coupledChanged) {
             contacts.putBack(state, system.getTime());

@@ -25,8 +25,8 @@ import particles.reactions.RestingContacts;
 /**
  * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on the
  * plane", done. At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than the surface's rest
- * speed while it is pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at their times too. Nothing is
- * ever lifted, so that no energy is added and the solver keeps its order from impact to impact.
+ * speed while it is pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at their times
+ * too. Nothing is ever lifted, so that no energy is added and the solver keeps its order from impact to impact.
  */
 public final class ExactImpacts implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
