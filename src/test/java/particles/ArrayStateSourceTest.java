@@ -46,40 +46,14 @@ class ArrayStateSourceTest {
     }
 
     /** The system without its arrays. */
-    private record Plain(ParticleSystem system) implements SecondOrderStateSource {
+    private static final class WithoutArrays extends PlainSource implements SecondOrderStateSource {
+        WithoutArrays(ParticleSystem system) {
+            super(system);
+        }
+
         @Override
         public int getDimension() {
             return 3;
-        }
-
-        @Override
-        public int getStateSize() {
-            return system.getStateSize();
-        }
-
-        @Override
-        public void getState(double[] state) {
-            system.getState(state);
-        }
-
-        @Override
-        public void setState(double[] state) {
-            system.setState(state);
-        }
-
-        @Override
-        public void getStateDerivative(double[] dSdt) {
-            system.getStateDerivative(dSdt);
-        }
-
-        @Override
-        public double getTime() {
-            return system.getTime();
-        }
-
-        @Override
-        public void incTime(double deltaT) {
-            system.incTime(deltaT);
         }
     }
 
@@ -91,7 +65,7 @@ class ArrayStateSourceTest {
         ParticleSystem slow = net();
         DESolver fastSolver = SolverCatalog.create(name);
         DESolver slowSolver = SolverCatalog.create(name);
-        DEStateSource plain = new Plain(slow);
+        DEStateSource plain = new WithoutArrays(slow);
         for (int step = 0; step < 25; step++) {
             fastSolver.stepState(fast, 0.01);
             slowSolver.stepState(plain, 0.01);

@@ -1,10 +1,9 @@
 package particles;
 
-import deSolvers.DEStateSource;
 import particles.effects.Gravity;
 import particles.effects.SpringForce;
 
-/** Square cloths of 10 g particles for tests, and a view of any system without what it knows of its derivatives. */
+/** Square cloths of 10 g particles for tests. */
 public final class Cloth {
     /** How each particle is joined: to its neighbours, across the squares, and to the next but one against bending. */
     private static final int[][] JOINTS = {{0, 1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}};
@@ -45,40 +44,5 @@ public final class Cloth {
         }
         system.addEffect(springs);
         return system;
-    }
-
-    /** @return the same source, but with nothing beyond the simple interface */
-    public static DEStateSource plain(ParticleSystem system) {
-        return new DEStateSource() {
-            @Override
-            public int getStateSize() {
-                return system.getStateSize();
-            }
-
-            @Override
-            public void getState(double[] state) {
-                system.getState(state);
-            }
-
-            @Override
-            public void setState(double[] state) {
-                system.setState(state);
-            }
-
-            @Override
-            public void getStateDerivative(double[] dSdt) {
-                system.getStateDerivative(dSdt);
-            }
-
-            @Override
-            public double getTime() {
-                return system.getTime();
-            }
-
-            @Override
-            public void incTime(double deltaT) {
-                system.incTime(deltaT);
-            }
-        };
     }
 }

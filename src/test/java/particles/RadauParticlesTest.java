@@ -90,7 +90,7 @@ class RadauParticlesTest {
         RadauIIASolver plain = new RadauIIASolver(1e-7, 1e-9);
         for (int i = 0; i < Math.abs(steps); i++) {
             solver.stepState(system, steps > 0 ? FRAME : -1e-5);
-            plain.stepState(Cloth.plain(twin), steps > 0 ? FRAME : -1e-5);
+            plain.stepState(new PlainSource(twin), steps > 0 ? FRAME : -1e-5);
         }
         // Measured 1.1e-10, 1.1e-9, 4.8e-14 and 6.1e-11, on positions of up to 9 m.
         assertTrue(largestDifference(system, twin) < bound, "difference " + largestDifference(system, twin));
@@ -118,7 +118,7 @@ class RadauParticlesTest {
             RadauIIASolver solver = new RadauIIASolver(1e-7, 1e-9);
             RadauIIASolver plain = new RadauIIASolver(1e-7, 1e-9);
             solver.stepState(system, FRAME);
-            plain.stepState(Cloth.plain(twin), FRAME);
+            plain.stepState(new PlainSource(twin), FRAME);
             byBlocks += solver.getWork().newtonIterations();
             byMatrix += plain.getWork().newtonIterations();
         }

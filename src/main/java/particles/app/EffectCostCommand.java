@@ -37,12 +37,8 @@ final class EffectCostCommand extends ExperimentCommand {
 
     @Override
     void check() {
-        if (columns < 2 || columns > MOST_COLUMNS) {
-            throw wrong("columns", columns + " has to be from 2 to " + MOST_COLUMNS);
-        }
-        if (rounds < 1) {
-            throw wrong("rounds", rounds + " has to be 1 or more");
-        }
+        requireWithin("columns", columns, 2, MOST_COLUMNS);
+        requireWithin("rounds", rounds, 1, Integer.MAX_VALUE);
     }
 
     @Override

@@ -49,9 +49,7 @@ final class LectureFiguresCommand extends ExperimentCommand {
     @Override
     void check() {
         positive("deltaT", deltaT);
-        if (steps < 1 || steps > MOST_STEPS) {
-            throw wrong("steps", steps + " has to be from 1 to " + MOST_STEPS);
-        }
+        requireWithin("steps", steps, 1, MOST_STEPS);
         if (solver != null) {                           // picocli leaves an option null that was not given
             try {
                 SolverCatalog.create(solver);

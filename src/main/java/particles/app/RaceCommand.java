@@ -53,9 +53,8 @@ final class RaceCommand extends ExperimentCommand {
         if (!(scene.duration() > 0)) {
             throw wrong("duration", "a race has to last longer than " + Digits.few(scene.duration()) + " s");
         }
-        // picocli leaves an option null that was not given
-        if (frames != null && (frames < 1 || frames > FRAMES_POSSIBLE)) {
-            throw wrong("frames", frames + " has to be from 1 to " + FRAMES_POSSIBLE);
+        if (frames != null) {                           // picocli leaves an option null that was not given
+            requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
         }
         if (solvers().size() > MOST_SOLVERS) {
             throw wrong("solvers", solvers().size() + " are too many to be seen; at most " + MOST_SOLVERS);

@@ -46,6 +46,14 @@ abstract class ResultsCommand extends ProgramCommand {
         return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
     }
 
+    /** Refuses a whole number that is out of its range; {@link Integer#MAX_VALUE} is no upper limit. */
+    void requireWithin(String option, int value, int least, int most) {
+        if (value < least || value > most) {
+            throw wrong(option, value + " has to be " + (most == Integer.MAX_VALUE ? least + " or more"
+                    : "from " + least + " to " + most));
+        }
+    }
+
     /** @return the number, if it is finite and over 0 */
     double positive(String option, double value) {
         if (!(value > 0) || !(value <= Double.MAX_VALUE)) {

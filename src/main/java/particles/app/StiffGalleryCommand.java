@@ -40,9 +40,7 @@ final class StiffGalleryCommand extends ExperimentCommand {
     @Override
     void check() {
         chosen();
-        if (decades < 5 || decades > 8) {
-            throw wrong("decades", decades + " has to be from 5 to 8");
-        }
+        requireWithin("decades", decades, 5, 8);
     }
 
     private List<SolverChoice> chosen() {

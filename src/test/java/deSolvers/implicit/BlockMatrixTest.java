@@ -113,16 +113,7 @@ class BlockMatrixTest {
         for (int n = 1; n <= 20; n++) {
             double[][] b = new double[14][];
             Arrays.setAll(b, e -> random(9));
-            collect(blocks -> {
-                blocks.add(1, 1, b[0], b[1]);
-                blocks.addPair(0, 3, b[2], b[3]);
-                blocks.add(0, 1, b[4], b[5]);
-                blocks.addPair(2, 1, b[6], b[7]);
-                blocks.transformRow(1, b[8]);
-                blocks.addPair(3, 0, b[9], b[10]);
-                blocks.add(3, 1, b[11], b[12]);
-                blocks.transformRow(0, b[13]);
-            });
+            collect(blocks -> NamedBlocks.addOneOfEach(blocks, b));
             assertEquals(n, work.jacobians);
         }
         long before = work.blockOperations;

@@ -133,16 +133,7 @@ class ForceBlocksTest {
         for (int n = 1; n <= 10; n++) {
             double[][] b = new double[14][];
             Arrays.setAll(b, e -> random(9));
-            collect(blocks -> {
-                blocks.add(1, 1, b[0], b[1]);
-                blocks.addPair(0, 3, b[2], b[3]);
-                blocks.add(0, 1, b[4], b[5]);
-                blocks.addPair(2, 1, b[6], b[7]);
-                blocks.transformRow(1, b[8]);
-                blocks.addPair(3, 0, b[9], b[10]);
-                blocks.add(3, 1, b[11], b[12]);
-                blocks.transformRow(0, b[13]);
-            });
+            collect(blocks -> NamedBlocks.addOneOfEach(blocks, b));
             assertEquals(n, work.jacobians);
         }
         assertEquals(12, forces.pattern().blocks());       // 4 on the diagonal; 03, 12, 01 and 13 with their mirrors

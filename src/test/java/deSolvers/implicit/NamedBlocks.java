@@ -14,6 +14,18 @@ class NamedBlocks implements JacobianStateSource {
         this.blocks = blocks;
     }
 
+    /** Of four particles: alone, as pairs in both directions, and rows transformed before and after more is added. */
+    static void addOneOfEach(JacobianBlocks blocks, double[][] b) {
+        blocks.add(1, 1, b[0], b[1]);
+        blocks.addPair(0, 3, b[2], b[3]);
+        blocks.add(0, 1, b[4], b[5]);
+        blocks.addPair(2, 1, b[6], b[7]);
+        blocks.transformRow(1, b[8]);
+        blocks.addPair(3, 0, b[9], b[10]);
+        blocks.add(3, 1, b[11], b[12]);
+        blocks.transformRow(0, b[13]);
+    }
+
     @Override
     public void addJacobianBlocks(JacobianBlocks receiver) {
         blocks.accept(receiver);

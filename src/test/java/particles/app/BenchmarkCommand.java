@@ -47,11 +47,8 @@ final class BenchmarkCommand extends ExperimentCommand {
 
     @Override
     void check() {
-        for (String[] whole : new String[][] {{"forks", Integer.toString(forks)}, {"iterations", Integer.toString(iterations)}}) {
-            if (Integer.parseInt(whole[1]) < 1) {
-                throw wrong(whole[0], whole[1] + " has to be 1 or more");
-            }
-        }
+        requireWithin("forks", forks, 1, Integer.MAX_VALUE);
+        requireWithin("iterations", iterations, 1, Integer.MAX_VALUE);
         positive("seconds", seconds);
         if (Benchmarks.names().stream().noneMatch(included())) {
             throw wrong("include", "'" + include + "' is found in none of: " + String.join(", ", Benchmarks.names()));
