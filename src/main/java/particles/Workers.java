@@ -60,6 +60,7 @@ final class Workers implements AutoCloseable {
     void run(Work work) {
         this.work = work;
         caller = Thread.currentThread();
+        failure = null;                                 // last time the caller's own may have been thrown instead
         busy.set(helpers.length);
         round++;                                        // only the caller writes it
         for (Thread helper : helpers) {
@@ -72,7 +73,6 @@ final class Workers implements AutoCloseable {
         }
         Throwable thrown = failure;
         if (thrown != null) {
-            failure = null;
             if (thrown instanceof Error) {
                 throw (Error) thrown;
             }

@@ -171,6 +171,19 @@ class ThreadsTest {
         }
     }
 
+    /** A state that makes one part fail makes the others fail too; the next step, of a state put right, has nothing of it. */
+    @Test
+    void failuresOfAllThreadsAreOverWhenTheyWereThrown() {
+        try (Workers workers = new Workers(3)) {
+            assertThrows(ArithmeticException.class, () -> workers.run((part, parts) -> {
+                throw new ArithmeticException("part " + part);
+            }));
+            int[] done = new int[3];
+            workers.run((part, parts) -> done[part]++);
+            assertArrayEquals(new int[] {1, 1, 1}, done);
+        }
+    }
+
     @Test
     void aFailureInAnyThreadReachesTheCallerAndTheWorkersGoOn() {
         try (Workers workers = new Workers(3)) {

@@ -32,7 +32,7 @@ public final class ContactModes {
     }
 
     /**
-     * @param surface    index of a surface
+     * @param surface  index of a surface
      * @param particle index of a particle
      * @return what the particle does at the surface
      */
@@ -41,7 +41,7 @@ public final class ContactModes {
     }
 
     /**
-     * @param surface    index of a surface
+     * @param surface  index of a surface
      * @param particle index of a particle
      * @param mode     what it does there from now on
      */

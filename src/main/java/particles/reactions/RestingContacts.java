@@ -16,8 +16,8 @@ import particles.Vector3;
  * where it curves away from the particle, and more where it curves towards it: (N . a) is what the circle needs, not 0.
  *
  * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step:
- * {@code particles.rules.ClampedImpacts} decides it between steps. So the force is a smooth function of the state
- * while a solver works.
+ * {@code particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
+ * motion. So the force is a smooth function of the state while a solver works.
  */
 public final class RestingContacts implements Reaction {
 
@@ -101,7 +101,7 @@ public final class RestingContacts implements Reaction {
      * impulses that rods and other touched surfaces pass on, without friction. What stuck slides from now on, and what was
      * lifted off touches no more.
      *
-     * @param surface    the surface's index
+     * @param surface  the surface's index
      * @param particle the particle's index
      * @param leaving  the speed with which it leaves (m/s)
      * @param state    the state, in which velocities are changed
@@ -260,7 +260,7 @@ public final class RestingContacts implements Reaction {
     /**
      * How hard a particle is pressed onto a surface that it touches.
      *
-     * @param surface    the surface's index
+     * @param surface  the surface's index
      * @param particle the particle's index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
