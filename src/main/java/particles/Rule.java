@@ -6,7 +6,7 @@ package particles;
  */
 public interface Rule extends Remembering {
 
-    /** @return the name in scenes and messages, such as {@code plane} */
+    /** @return the name in scenes and messages, such as {@code impacts} */
     String getName();
 
     /**

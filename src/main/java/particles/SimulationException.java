@@ -1,6 +1,9 @@
 package particles;
 
-/** A run that cannot go on: the numbers stopped being finite, or the energy grew beyond what the scene allows. */
+/**
+ * A run that cannot go on: a step failed, the energy grew beyond what the scene allows, or no forces keep all that is to be
+ * kept.
+ */
 public class SimulationException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -114,9 +114,4 @@ public final class Checkpoint {
     public Memory getMemory() {
         return memory;
     }
-
-    /** @return whether all was read */
-    public boolean isAllRead() {
-        return memory.isAtEnd();
-    }
 }

@@ -15,8 +15,6 @@ public class OutputException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     private final transient Path file;
-    private final String what;
-    private final String why;
 
     /**
      * @param file  the file or folder
@@ -27,8 +25,6 @@ public class OutputException extends RuntimeException {
     public OutputException(Path file, String what, String why, Throwable cause) {
         super("cannot " + what + " " + file + ": " + why, cause);
         this.file = file;
-        this.what = what;
-        this.why = why;
     }
 
     /**
@@ -43,16 +39,6 @@ public class OutputException extends RuntimeException {
     /** @return the file or folder */
     public Path getFile() {
         return file;
-    }
-
-    /** @return what was to be done with it */
-    public String getWhat() {
-        return what;
-    }
-
-    /** @return why that failed */
-    public String getWhy() {
-        return why;
     }
 
     /** The class of a file system's exception often says more than its message, which is just the file's name. */

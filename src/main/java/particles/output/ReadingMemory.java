@@ -13,10 +13,6 @@ final class ReadingMemory implements Memory {
         this.in = in;
     }
 
-    boolean isAtEnd() {
-        return !in.hasRemaining();
-    }
-
     @Override
     public boolean isReading() {
         return true;

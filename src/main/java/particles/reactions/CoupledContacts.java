@@ -12,8 +12,6 @@ import particles.reactions.ContactModes.Mode;
  */
 final class CoupledContacts {
     private static final int STRIDE = Particles.STRIDE;
-    /** What may be left of the largest right-hand side; drift of rods too many leaves less. */
-    private static final double CONTRADICTION = 1e-4;
 
     private final ParticleSystem system;
     private final Particles particles;
@@ -76,7 +74,7 @@ final class CoupledContacts {
         if (!joint.solve(!contacts.response().holdsOn(), 0)) {
             throw failure(linkage, time, "there are no pushes that keep everything out: friction jams");
         }
-        if (joint.left() > CONTRADICTION * scale) {
+        if (joint.left() > RigidConstraints.CONTRADICTION * scale) {
             throw failure(linkage, time, "they contradict each other: no forces can keep them all");
         }
         for (int r = 0; r < joint.constraintRows(); r++) {

@@ -72,8 +72,13 @@ public final class GraphWire implements Curve {
      * @param amplitude  A (m)
      * @param wavelength lambda (m), not zero
      * @return f(x) = A sin(2 pi x / lambda)
+     * @throws IllegalArgumentException if the wavelength is zero or a number not finite
      */
     public static Profile sine(double amplitude, double wavelength) {
+        if (!Double.isFinite(amplitude) || !(Math.abs(wavelength) > 0) || !(Math.abs(wavelength) <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a sine needs a finite amplitude and a finite wavelength other than 0, not "
+                    + amplitude + " and " + wavelength);
+        }
         double k = 2 * Math.PI / wavelength;
         return new Profile() {
             @Override

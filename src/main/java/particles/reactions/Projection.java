@@ -1,5 +1,6 @@
 package particles.reactions;
 
+import java.util.Locale;
 import java.util.Optional;
 import particles.Particles;
 import particles.SimulationException;
@@ -45,8 +46,8 @@ final class Projection {
                 return iteration > 0;
             }
             if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
-                throw new SimulationException(time, -1, "rods and wires cannot be kept at t = " + time + " s: after "
-                        + MOST_ITERATIONS + " iterations they are still off by " + error + " of their lengths", null);
+                throw new SimulationException(time, -1, String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
+                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration, error), null);
             }
             before = error;
             correct(mobility, state, 0);

@@ -40,7 +40,7 @@ public final class RigidConstraints implements Reaction, SpringView {
 
     private static final int STRIDE = Particles.STRIDE;
     /** What may be left of the largest right-hand side; drift of rods too many leaves less. */
-    private static final double CONTRADICTION = 1e-4;
+    static final double CONTRADICTION = 1e-4;
 
     private final ParticleSystem system;
     private final Particles particles;
