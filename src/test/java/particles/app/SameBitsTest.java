@@ -20,13 +20,30 @@ import particles.scene.SceneFiles;
 
 /**
  * A scene has one trajectory: the same bytes in three runs, with and without pictures, with optimising compilers and without,
- * on the JDK of this test and on the newest one that is found beside it or named by JAVA_HOME_... in the environment, as
- * continuous integration does, or by the system property desolver.jdk ({@code gradle hardTests -Pjdk=FOLDER}).
+ * with one thread and with two, on the JDK of this test and on the newest one that is found beside it or named by
+ * JAVA_HOME_... in the environment, as continuous integration does, or by the system property desolver.jdk
+ * ({@code gradle hardTests -Pjdk=FOLDER}).
  */
 @Tag("slow")
 class SameBitsTest {
     private static final Pattern VERSION = Pattern.compile("JAVA_VERSION=\"(\\d+)[^\"]*\"");
     private static final int OLDEST = 17;
+    private static final Path SCENES = Path.of("scenes");
+    private static final String LARGE = """
+            title: A large cloth
+            teaches: threads
+            solver: rk4
+            deltaT: 0.002
+            duration: 1
+            shapes:
+              - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0, 2], columns: 64, rows: 64, totalMass: 0.6,
+                        fixed: [top-left], structural: {stiffness: 9, damping: 0.01}, shear: {stiffness: 3}, bend: {stiffness: 1}}
+            effects:
+              - gravity
+              - drag: {coefficient: 2e-4}
+              - wind: {mean: [3, 0, 1]}
+            output: {frameRate: 50, width: 320, height: 180, trajectoryStride: 10}
+            """;
 
     @TempDir
     Path top;
@@ -67,11 +84,11 @@ class SameBitsTest {
         return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
     }
 
-    private Map<String, String> sums(Path jdk, List<String> jvm, String... options) throws IOException, InterruptedException {
+    private Map<String, String> sums(Path jdk, List<String> jvm, Path scenes, String... options) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(jdk.resolve("bin/java").toString(), "-Djava.awt.headless=true", "-Xmx1g"));
         command.addAll(jvm);
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), "particles.app.SceneSums",
-                top.resolve("out").toString()));
+                scenes.toString(), top.resolve("out").toString()));
         command.addAll(List.of(options));
         Path lines = top.resolve("lines.txt");
         Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(lines.toFile()).start();
@@ -89,14 +106,32 @@ class SameBitsTest {
         TreeMap<Integer, Path> jdks = jdks();
         System.out.println("SameBitsTest: " + jdks);
         Path own = Path.of(System.getProperty("java.home"));
-        Map<String, String> expected = sums(own, List.of(), "--frames=false");
-        assertEquals(SceneFiles.list(Path.of("scenes")).size(), expected.size(), expected.toString());
+        Map<String, String> expected = sums(own, List.of(), SCENES, "--frames=false");
+        assertEquals("false", expected.remove(SceneSums.HELPED), "the scenes are too small for two threads");
+        assertEquals(SceneFiles.list(SCENES).size(), expected.size(), expected.toString());
         expected.forEach((scene, sum) -> assertTrue(sum.matches("[0-9a-f]{64}"), scene + ": " + sum));
         assertEquals(expected.size(), expected.values().stream().distinct().count(), "no two scenes are the same");
+        expected.put(SceneSums.HELPED, "false");
         for (Path jdk : List.of(own, jdks.lastEntry().getValue())) {
-            assertEquals(expected, sums(jdk, List.of("-XX:TieredStopAtLevel=1"), "--frames=false"), jdk + ", one compiler");
-            assertEquals(expected, sums(jdk, List.of(), "--frames=true"), jdk + ", with pictures");
+            assertEquals(expected, sums(jdk, List.of("-XX:TieredStopAtLevel=1"), SCENES, "--frames=false", "--threads=1"),
+                    jdk + ", one compiler");
+            assertEquals(expected, sums(jdk, List.of(), SCENES, "--frames=true", "--threads=2"), jdk + ", with pictures");
         }
-        assertEquals(expected, sums(jdks.lastEntry().getValue(), List.of(), "--frames=false"), "the newest JDK");
+        assertEquals(expected, sums(jdks.lastEntry().getValue(), List.of(), SCENES, "--frames=false"), "the newest JDK");
+    }
+
+    /** One that is large enough for two threads to share the work. */
+    @Test
+    void aLargeSceneHasOneTrajectoryWithOneThreadAndWithTwo() throws Exception {
+        Path own = Path.of(System.getProperty("java.home"));
+        Path folder = Files.createDirectory(top.resolve("large"));
+        Files.writeString(folder.resolve("large.yaml"), LARGE);
+        Map<String, String> expected = sums(own, List.of(), folder, "--frames=false", "--threads=1");
+        assertEquals("false", expected.put(SceneSums.HELPED, "true"), "one thread has no help");
+        assertTrue(expected.get("large.yaml").matches("[0-9a-f]{64}"), expected.toString());
+        for (Path jdk : List.of(own, jdks().lastEntry().getValue())) {
+            assertEquals(expected, sums(jdk, List.of(), folder, "--frames=false", "--threads=2"), jdk + ", two threads");
+            assertEquals(expected, sums(jdk, List.of(), folder, "--frames=true", "--threads=2"), jdk + ", two threads and pictures");
+        }
     }
 }

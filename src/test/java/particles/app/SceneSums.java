@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import particles.scene.Overrides;
 import particles.scene.SceneBuilder;
@@ -16,11 +17,12 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 
 /**
- * Runs all scenes in this process and prints the SHA-256 of each trajectory, one line a scene, for {@link SameBitsTest} to
- * compare between processes.
+ * Runs all scenes of a folder in this process and prints the SHA-256 of each trajectory, one line a scene, and at last whether
+ * helping threads were seen at work, for {@link SameBitsTest} to compare between processes.
  */
 final class SceneSums {
-    private static final Path SCENES = Path.of("scenes");
+    /** What the last line begins with. */
+    static final String HELPED = "helped";
     /** Particles times steps of a run: a few tenths of a second each. */
     private static final double MOST_WORK = 1e5;
     private static final int LEAST_STEPS = 40;
@@ -29,16 +31,39 @@ final class SceneSums {
     private SceneSums() {
     }
 
-    /** @param args an empty folder to write to, and further options of {@code run} */
+    /** Looks every millisecond whether another thread than the caller's is evaluating effects. */
+    private static final class Lookout extends Thread {
+        private volatile boolean helped;
+
+        Lookout() {
+            super("lookout");
+            setDaemon(true);
+        }
+
+        @Override
+        public void run() {
+            while (!helped) {
+                helped = Thread.getAllStackTraces().entrySet().stream().anyMatch(thread -> thread.getKey().getName().startsWith("forces-")
+                        && Stream.of(thread.getValue()).anyMatch(call -> call.getClassName().startsWith("particles.effects.")));
+                LockSupport.parkNanos(1_000_000);
+            }
+        }
+    }
+
+    /** @param args the folder of scenes, an empty one to write to, and further options of {@code run} */
     public static void main(String[] args) throws IOException {
-        Path out = Path.of(args[0]);
-        List<String> more = List.of(args).subList(1, args.length);
-        for (Path file : SceneFiles.list(SCENES)) {
-            System.out.println(file.getFileName() + " " + sum(file, out, more));
+        Path scenes = Path.of(args[0]);
+        Path out = Path.of(args[1]);
+        List<String> more = List.of(args).subList(2, args.length);
+        Lookout lookout = new Lookout();
+        lookout.start();
+        for (Path file : SceneFiles.list(scenes)) {
+            System.out.println(file.getFileName() + " " + sum(scenes, file, out, more));
             try (Stream<Path> files = Files.walk(out)) {
                 files.sorted(Comparator.reverseOrder()).forEach(path -> path.toFile().delete());
             }
         }
+        System.out.println(HELPED + " " + lookout.helped);
     }
 
     /** As many steps as are affordable, the same in every process. */
@@ -48,13 +73,13 @@ final class SceneSums {
         return Math.min(scene.duration(), Math.floor(steps) * scene.deltaT());
     }
 
-    private static String sum(Path file, Path out, List<String> more) throws IOException {
+    private static String sum(Path scenes, Path file, Path out, List<String> more) throws IOException {
         SceneDescription scene = SceneReader.read(file);
         List<String> args = new ArrayList<>(List.of("run", "--scene=" + file, "--out=" + out));
         args.addAll(more);
         args.add("--duration=" + duration(scene));
         StringWriter lines = new StringWriter();
-        ExitCode code = new Program(List.of(new RunCommand(SCENES, OptionStyle.SHELL, new StopRequest())), OptionStyle.SHELL,
+        ExitCode code = new Program(List.of(new RunCommand(scenes, OptionStyle.SHELL, new StopRequest())), OptionStyle.SHELL,
                 new PrintWriter(lines), new PrintWriter(lines)).execute(args.toArray(String[]::new));
         return code == ExitCode.DONE ? WholeFiles.sums(out).get("trajectory.csv") : code + ": " + lines;
     }
