@@ -3,8 +3,12 @@ package deSolvers;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.problems.Chain;
 import deSolvers.problems.Oscillator;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A step goes on from the last one only where source, time, state and deltaT are its bits. */
 class StepMemoryTest {
@@ -30,5 +34,30 @@ class StepMemoryTest {
         assertFalse(memory.holds(SOURCE, 0.0, new double[] {-0.0, 1, 2}, 0.5));
         memory.forget();
         assertFalse(memory.holds(SOURCE, 0.0, new double[] {0, 1, 2}, 0.5));
+    }
+
+    /** States are compared to the last entry, whatever their size, and kept as copies. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 14, 16, 18, 100})
+    void everyEntryCounts(int n) {
+        DEStateSource source = new Chain(n / 2, 1);
+        StepMemory memory = new StepMemory();
+        double[] first = new Random(n).doubles(n).toArray();
+        double[] state = new Random(n + 1).doubles(n).toArray();
+        memory.keep(source, 0, first, 1);
+        memory.keep(source, 0, state, 1);
+        assertFalse(memory.holds(source, 0, first, 1), "the last one is kept");
+        for (int i = 0; i < n; i++) {
+            double[] other = state.clone();
+            assertTrue(memory.holds(source, 0, other, 1));
+            other[i] = Math.nextUp(other[i]);
+            assertFalse(memory.holds(source, 0, other, 1), "entry " + i);
+        }
+        double[] kept = state.clone();
+        state[n - 1] = 7;
+        assertTrue(memory.holds(source, 0, kept, 1) && !memory.holds(source, 0, state, 1), "the caller's array is the caller's");
+        kept[0] = Double.NaN;
+        memory.keep(source, 0, kept, 1);
+        assertTrue(memory.holds(source, 0, kept.clone(), 1), "bits are compared, not numbers");
     }
 }
