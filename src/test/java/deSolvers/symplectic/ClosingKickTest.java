@@ -9,26 +9,35 @@ import deSolvers.DESolverException;
 import deSolvers.SecondOrderStateSource;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Where verlet's closing kick is found by fixed point: when it ends well, when it gives up, and after how many evaluations. */
 class ClosingKickTest {
     private static final double H = 0.5;
 
-    /** Two blocks of two; a law for the acceleration of one entry by its own velocity, none for the others. */
+    /** Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity, none for the others. */
     private static final class OneMoves implements SecondOrderStateSource {
-        private static final int MOVING = 7;            // the last velocity; its position is entry 5
+        private static final int MOVING = 7;            // the last velocity where d is 2; its position is entry 5
         private final DoubleUnaryOperator acceleration;
-        private final double[] state = new double[8];
+        private final int d;
+        private final double[] state;
         private double time;
         private int evaluations;
 
         OneMoves(DoubleUnaryOperator acceleration) {
+            this(2, acceleration);
+        }
+
+        OneMoves(int d, DoubleUnaryOperator acceleration) {
+            this.d = d;
             this.acceleration = acceleration;
+            state = new double[4 * d];
         }
 
         @Override
         public int getDimension() {
-            return 2;
+            return d;
         }
 
         @Override
@@ -49,13 +58,10 @@ class ClosingKickTest {
         @Override
         public void getStateDerivative(double[] dSdt) {
             evaluations++;
-            for (int x = 0; x < state.length; x += 4) {
-                dSdt[x] = state[x + 2];
-                dSdt[x + 1] = state[x + 3];
-                dSdt[x + 2] = 0;
-                dSdt[x + 3] = 0;
+            for (int x = 0; x < state.length; x++) {
+                dSdt[x] = x % (2 * d) < d ? state[x + d] : 0;
             }
-            dSdt[MOVING] = acceleration.applyAsDouble(state[MOVING]);
+            dSdt[4 * d - 1] = acceleration.applyAsDouble(state[4 * d - 1]);
         }
 
         @Override
@@ -73,35 +79,37 @@ class ClosingKickTest {
      * Dry friction, whose sign follows the velocity's: no velocity satisfies the equation, and the iteration goes to and fro
      * between 0 and h a. What that moves the place by, h a h/2, is allowed to be 2^-50 of the largest position.
      */
-    private static OneMoves toAndFro(double a, int position, double place) {
-        OneMoves source = new OneMoves(v -> v > 0 ? -a : a);
+    private static OneMoves toAndFro(int d, double a, int position, double place) {
+        OneMoves source = new OneMoves(d, v -> v > 0 ? -a : a);
         source.state[position] = place;
         return source;
     }
 
-    @Test
-    void whatIsRoundingOfAPositionIsEnough() {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void whatIsRoundingOfAPositionIsEnough(int d) {
         double a = 0x1p-50 / (H * H / 2);               // moves the place by exactly 2^-50
-        for (int position : new int[] {0, 1, 4, 5}) {
-            double least = position == 5 ? 1.5 : 1;     // entry 5 itself moves a little, and towards 0 from -1
+        for (int entry = 0; entry < 4 * d - 1; entry++) {
+            if (entry % (2 * d) >= d) {                 // a velocity is not what a place's rounding is measured by
+                OneMoves source = toAndFro(d, 1e-3, entry, 1e3);
+                assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H), "velocity " + entry);
+                continue;
+            }
+            double least = entry == 3 * d - 1 ? 1.5 : 1;        // its position itself moves a little, and towards 0 from -1
             for (double place : new double[] {least, -least}) {
-                OneMoves source = toAndFro(a, position, place);
-                assertDoesNotThrow(() -> new VelocityVerletSolver().stepState(source, H), position + ": " + place);
+                OneMoves source = toAndFro(d, a, entry, place);
+                assertDoesNotThrow(() -> new VelocityVerletSolver().stepState(source, H), entry + ": " + place);
                 assertEquals(H, source.time);
             }
-            OneMoves source = toAndFro(a, position, 0.75);
-            assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H), "position " + position);
-        }
-        for (int velocity : new int[] {2, 3, 6}) {      // is not what a place's rounding is measured by, and makes no place here
-            OneMoves source = toAndFro(1e-3, velocity, 1e3);
-            assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H), "velocity " + velocity);
+            OneMoves source = toAndFro(d, a, entry, 0.75);
+            assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H), "position " + entry);
         }
     }
 
     /** The first evaluation of the step, then a hundred; the source is as it was. */
     @Test
     void aHundredIterationsAreTheMost() {
-        OneMoves source = toAndFro(1, 0, 1);
+        OneMoves source = toAndFro(2, 1, 0, 1);
         DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
         assertTrue(e.getMessage().contains("100 iterations (last change 0.5 of 0.5)"), e.getMessage());
         assertEquals(101, source.evaluations);
