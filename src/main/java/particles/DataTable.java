@@ -27,8 +27,8 @@ public record DataTable(String name, String title, List<Column> columns, List<Li
         rows = rows.stream().map(List::copyOf).toList();
         for (List<Object> row : rows) {
             if (row.size() != columns.size()) {
-                throw new IllegalArgumentException("a row of " + row.size() + " cells in table '" + name + "' of " + columns.size()
-                        + " columns");
+                throw new IllegalArgumentException("a row of " + row.size() + " cells in table '" + name + "' of "
+                        + columns.size() + " columns");
             }
         }
     }

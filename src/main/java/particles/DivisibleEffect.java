@@ -2,8 +2,8 @@ package particles;
 
 /**
  * An effect whose items fall into blocks that several threads can evaluate at once, since no two blocks touch the same
- * particle. Items that are in no block come last, and are evaluated by one thread when all blocks are done. The blocks depend
- * on the items alone and never on the number of threads, so that sums have the same bits for any number.
+ * particle. Items that are in no block come last, and are evaluated by one thread when all blocks are done. The blocks
+ * depend on the items alone and never on the number of threads, so that sums have the same bits for any number.
  */
 public interface DivisibleEffect extends Effect {
 

@@ -61,9 +61,9 @@ public interface Effect extends Remembering {
     }
 
     /**
-     * The whole law, where it is linear in the velocity and the same for all particles, as uniform gravity and viscous drag in
-     * still air are. A system then evaluates the law's numbers for itself instead of calling {@link #addForces}, which gives
-     * the same force.
+     * The whole law, where it is linear in the velocity and the same for all particles, as uniform gravity and viscous drag
+     * in still air are. A system then evaluates the law's numbers for itself instead of calling {@link #addForces}, which
+     * gives the same force.
      *
      * @return F = m g - c v by its numbers, the same ones for the effect's whole life; empty for all other laws
      */

@@ -54,7 +54,8 @@ public final class EnergyLedger implements Observer {
                         (s, state, time) -> -effect.getDissipatedPower(state, time)));
             }
             if (effect.getTraits().contains(Trait.DRIVING)) {
-                accounts.add(new Account(effect.getName() + " (driven)", (s, state, time) -> effect.getDrivenPower(state, time)));
+                accounts.add(new Account(effect.getName() + " (driven)",
+                        (s, state, time) -> effect.getDrivenPower(state, time)));
             }
         }
         for (Reaction reaction : system.getReactions()) {
@@ -123,7 +124,9 @@ public final class EnergyLedger implements Observer {
         return force;
     }
 
-    /** What pulls at an anchor is answered by what moves it: minus the force of all springs and the like, times its velocity. */
+    /**
+     * What pulls at an anchor is answered by what moves it: minus the force of all springs and the like, times its velocity.
+     */
     private double anchorPower(ParticleSystem system, double[] state, double time) {
         if (pull.length != system.getStateSize()) {
             pull = new double[system.getStateSize()];

@@ -103,7 +103,8 @@ final class EventLocator {
     }
 
     /** Shrinks the bracket to neighbouring times; returns the end before the event. */
-    private double shrink(ParticleSystem system, EventRule.Event event, double low, double lowValue, double high, double highValue) {
+    private double shrink(ParticleSystem system, EventRule.Event event, double low, double lowValue, double high,
+                          double highValue) {
         double resolution = Math.ulp(beginTime + high);
         int side = 0;
         for (int trial = 0; trial < MOST_TRIALS && high - low > resolution && highValue < 0; trial++) {

@@ -4,8 +4,8 @@ import java.util.Optional;
 
 /**
  * A rule that acts at exact times inside a step, "just on the plane": an impact, the end of sliding, the moment when a
- * contact lets go. The loop asks what happens first in the motion of a step, takes the step again so that it ends there, lets
- * the event act, and goes on with the rest.
+ * contact lets go. The loop asks what happens first in the motion of a step, takes the step again so that it ends there,
+ * lets the event act, and goes on with the rest.
  */
 public interface EventRule extends Rule {
 
@@ -38,9 +38,9 @@ public interface EventRule extends Rule {
     Optional<Event> findEvent(Motion motion);
 
     /**
-     * Says where a solver may fail although neither the scene nor its step is to blame: where laws are about to change within
-     * the step, and the solver has to go through what lies beyond before the event can be located. The loop then goes there
-     * in shorter pieces.
+     * Says where a solver may fail although neither the scene nor its step is to blame: where laws are about to change
+     * within the step, and the solver has to go through what lies beyond before the event can be located. The loop then goes
+     * there in shorter pieces.
      *
      * @param system the system where a step began
      * @param time   the step's length (s)

@@ -29,8 +29,8 @@ public interface Obstacle {
      * inside.
      *
      * @param points       the four B&eacute;zier points of the curve, three coordinates each (m)
-     * @param coefficients receives the B&eacute;zier (Bernstein) coefficients of a polynomial of the curve's parameter that has
-     *                     the sign of the distance; at least seven places
+     * @param coefficients receives the B&eacute;zier (Bernstein) coefficients of a polynomial of the curve's parameter that
+     *                     has the sign of the distance; at least seven places
      * @return how many coefficients it has
      */
     int separation(double[] points, double[] coefficients);

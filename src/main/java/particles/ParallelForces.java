@@ -4,11 +4,11 @@ import java.util.List;
 
 /**
  * The derivative, evaluated by several threads: each takes a range of the particles, and then some of the blocks of each
- * {@link DivisibleEffect}. What each particle's force is added up from, and in which order, is the same as in one thread, and
- * so are the bits.
+ * {@link DivisibleEffect}. What each particle's force is added up from, and in which order, is the same as in one thread,
+ * and so are the bits.
  */
 final class ParallelForces implements AutoCloseable {
-    /** With fewer items one thread is done sooner. Cloths with rk4: as fast with two at 8,000 items, at 16,000 in 0.8 of the time. */
+    /** With fewer items one thread is done sooner. Cloths, rk4: two are as fast at 8,000, and take 0.8 of it at 16,000. */
     static final long PAYS_FROM = 16_384;
 
     private final ForceSum forces;

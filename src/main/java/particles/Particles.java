@@ -107,7 +107,7 @@ public final class Particles {
         return masses;
     }
 
-    /** @return 1/m, 0 for fixed particles (1/kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept */
+    /** @return 1/m (1/kg), 0 for fixed particles, for inner loops, as with {@link #masses()} */
     public double[] inverseMasses() {
         return inverseMasses;
     }

@@ -126,8 +126,8 @@ public final class Simulation {
             step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
             left = endTime - system.getTime();
             if (left >= before) {
-                throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at t = "
-                        + system.getTime(), null);
+                throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at"
+                        + " t = " + system.getTime(), null);
             }
             if (steps % checkpointSteps == 0) {
                 solver.reset();
@@ -138,8 +138,8 @@ public final class Simulation {
     }
 
     /**
-     * Says where a run may be interrupted. The solver begins anew there in any run, so that one which is continued has the bits
-     * of one that is not.
+     * Says where a run may be interrupted. The solver begins anew there in any run, so that one which is continued has the
+     * bits of one that is not.
      *
      * @param everySteps after how many steps, 1 or more; {@link #CHECKPOINT_STEPS} where nothing is said. Another number
      *                   gives other bits with solvers that remember earlier steps
@@ -192,8 +192,8 @@ public final class Simulation {
     }
 
     /**
-     * Moves to the end of the step, from event to event. Where the solver fails because the way may turn sharply ahead, it is
-     * taken in shorter pieces; where it may not, the failure is the solver's or the step's, and is said.
+     * Moves to the end of the step, from event to event. Where the solver fails because the way may turn sharply ahead, it
+     * is taken in shorter pieces; where it may not, the failure is the solver's or the step's, and is said.
      *
      * @return whether the last motion was noted down
      */

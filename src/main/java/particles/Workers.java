@@ -11,8 +11,8 @@ import java.util.concurrent.locks.LockSupport;
 final class Workers implements AutoCloseable {
     /**
      * How often a thread looks before it sleeps, where each has a processor: one or two milliseconds, longer than a solver's
-     * own arithmetic takes. To wake a thread costs up to a tenth of one: with a fortieth of the looks two threads were slower
-     * than one on a cloth of 64 x 64, and with these they take two thirds of its time.
+     * own arithmetic takes. To wake a thread costs up to a tenth of one: with a fortieth of the looks two threads were
+     * slower than one on a cloth of 64 x 64, and with these they take two thirds of its time.
      */
     private static final int LOOKS = 40_000;
     /** Where threads share a processor, looking keeps the other from working. */

@@ -100,8 +100,8 @@ final class ContactRows {
         Sliding sliding = contacts.sliding();
         System.arraycopy(force, f, pressing, 0, 3);
         double reference = push > 0 ? push : 1;
-        double factor = sliding.find(friction(k), new Vector3(normal[3 * k], normal[3 * k + 1], normal[3 * k + 2]), reference,
-                pressing, state, f) / reference;
+        Vector3 across = new Vector3(normal[3 * k], normal[3 * k + 1], normal[3 * k + 2]);
+        double factor = sliding.find(friction(k), across, reference, pressing, state, f) / reference;
         for (int c = 0; c < 3; c++) {
             slip[3 * k + c] = factor == 0 ? 0 : factor * sliding.direction[c];
         }

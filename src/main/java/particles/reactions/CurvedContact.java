@@ -78,7 +78,7 @@ final class CurvedContact {
     /**
      * Adds what the friction of surface p, minus a factor times v - (N . v) N, gains by the turning of the normal.
      *
-     * @param unit a vector of which only the direction counts, so that changes along it do not; or 0 if its length counts too
+     * @param unit a vector of which only the direction counts, so that changes along it do not; or 0 if its length does too
      * @param mirrored as {@link Sliding#mirrored}
      */
     void addTurningOfSlip(int p, double factor, double[] unit, double[] mirrored, double[] matrix) {

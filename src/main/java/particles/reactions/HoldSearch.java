@@ -6,9 +6,9 @@ import particles.Particles;
 
 /**
  * Static friction where more is held than needed. A rod between two ends that stick can carry anything, since neither end
- * moves; rigid bodies do not say what, and no motion depends on it. What can be asked is whether there is any load with which
- * friction holds all ends. So it looks for the one with which the end that holds worst has most to spare: by golden section,
- * for that is a concave function of the load, one rod after the other where there are several.
+ * moves; rigid bodies do not say what, and no motion depends on it. What can be asked is whether there is any load with
+ * which friction holds all ends. So it looks for the one with which the end that holds worst has most to spare: by golden
+ * section, for that is a concave function of the load, one rod after the other where there are several.
  */
 final class HoldSearch {
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;

@@ -107,7 +107,7 @@ final class Linkage {
      *
      * @param right  b, by row of all there are
      * @param result receives lambda, by row of all there are
-     * @return by how much the rows contradict each other: the largest entry of what is left where there is no solution, else 0
+     * @return by how much the rows contradict each other: the largest entry of what is left; 0 where there is a solution
      */
     double solve(double[] right, double[] result) {
         for (int r = 0; r < members.length; r++) {

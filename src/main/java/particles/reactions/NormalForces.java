@@ -49,7 +49,8 @@ final class NormalForces {
     }
 
     /** Tries all sets that extend the surfaces chosen so far; keeps in push the one that violates the conditions least. */
-    private double trySets(int size, int depth, int first, int count, Vector3[] normals, double[] push, double best, double enough) {
+    private double trySets(int size, int depth, int first, int count, Vector3[] normals, double[] push, double best,
+                           double enough) {
         double least = best;
         if (depth == size) {
             double violation = violation(size, count, normals);
@@ -82,7 +83,9 @@ final class NormalForces {
         return worst;
     }
 
-    /** The pushes after which the chosen surfaces are just not pressed, by Cramer's rule on their matrix of scalar products. */
+    /**
+     * The pushes after which the chosen surfaces are just not pressed, by Cramer's rule on their matrix of scalar products.
+     */
     private boolean solveChosen(int size, Vector3[] normals) {
         if (size == 0) {
             return true;

@@ -47,7 +47,8 @@ final class Projection {
             }
             if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1, String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
-                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration, error), null);
+                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration, error),
+                        null);
             }
             before = error;
             correct(mobility, state, 0);

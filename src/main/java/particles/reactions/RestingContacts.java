@@ -10,10 +10,11 @@ import particles.Reaction;
 import particles.Vector3;
 
 /**
- * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 none; otherwise
- * the surface pushes back just as hard as it is pressed, lambda = -(N . F), and rubs with lambda times the friction law.
- * Several surfaces on one particle share the load ({@link NormalForces}). The surface of a sphere pushes by m v_t&sup2;/R less
- * where it curves away from the particle, and more where it curves towards it: (N . a) is what the circle needs, not 0.
+ * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 none;
+ * otherwise the surface pushes back just as hard as it is pressed, lambda = -(N . F), and rubs with lambda times the
+ * friction law. Several surfaces on one particle share the load ({@link NormalForces}). The surface of a sphere pushes by m
+ * v_t&sup2;/R less where it curves away from the particle, and more where it curves towards it: (N . a) is what the circle
+ * needs, not 0.
  *
  * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step:
  * {@code particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
@@ -66,8 +67,8 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Whether a surface holds on to a particle until a rule says that it lets go. Without that the surface stops pushing wherever
-     * N . F turns positive, as on the slide; then the force has a kink there, and a step across it loses its order.
+     * Whether a surface holds on to a particle until a rule says that it lets go. Without that the surface stops pushing
+     * wherever N . F turns positive, as on the slide; then the force has a kink there, and a step across it loses its order.
      *
      * @param holdsOn true where a rule finds the exact time of letting go
      */
@@ -136,8 +137,8 @@ public final class RestingContacts implements Reaction {
     /**
      * @param particle its index
      * @param state    the state
-     * @return whether static friction may hold it as far as its speed goes: it touches something rough and is slower than the
-     *         threshold there, or as slow as rounding
+     * @return whether static friction may hold it as far as its speed goes: it touches something rough and is slower than
+     *         the threshold there, or as slow as rounding
      */
     public boolean isSlow(int particle, double[] state) {
         double limit = -1;
@@ -151,8 +152,8 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Whether Coulomb friction may turn within a time so sharply that a solver does not find the way in one step: near a stop
-     * it turns as fast as the velocity, however slow that is.
+     * Whether Coulomb friction may turn within a time so sharply that a solver does not find the way in one step: near a
+     * stop it turns as fast as the velocity, however slow that is.
      *
      * @param system the system
      * @param time   from now (s)

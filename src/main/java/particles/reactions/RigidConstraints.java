@@ -14,8 +14,8 @@ import particles.SpringView;
  * <pre>
  *   J W J^T lambda = -(J W F + J' v) - k_s C - k_d C',     k_s = alpha&sup2;, k_d = 2 alpha,
  * </pre>
- * so that C'' = -2 alpha C' - alpha&sup2; C: the small errors of a solver's steps decay at the feedback rate alpha, critically
- * damped, and do not add up. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte 1972.)
+ * so that C'' = -2 alpha C' - alpha&sup2; C: the small errors of a solver's steps decay at the feedback rate alpha,
+ * critically damped, and do not add up. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte 1972.)
  *
  * <p>How large may alpha be? The decay is one more thing to solve. A solver has to be stable for it - alpha deltaT &lt; 2
  * for euler and midpoint, 2.78 for rk4 - and that is the least of it: at the stages in the middle of a step C is off by
@@ -201,8 +201,9 @@ public final class RigidConstraints implements Reaction, SpringView {
         }
         if (left > CONTRADICTION * largest) {
             int particle = rows.first(linkage.members()[0]);
-            throw new SimulationException(time, particle, "the rods and wires that hang together with particle '"
-                    + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can keep them all", null);
+            String id = particles.id(particle);
+            throw new SimulationException(time, particle, "the rods and wires that hang together with particle '" + id
+                    + "' contradict each other at t = " + time + " s: no forces can keep them all", null);
         }
     }
 

@@ -88,7 +88,8 @@ final class ContactEvents {
         double speed = before.length();
         double slow = threshold(i);
         boolean braking = slow > 0 && speed > slow * (1 + ROUNDING);
-        ToDoubleFunction<ParticleSystem> moving = s -> velocity(s.getOwnState(), i).dot(before) / speed - (braking ? slow : 0);
+        ToDoubleFunction<ParticleSystem> moving = s -> velocity(s.getOwnState(), i).dot(before) / speed
+                - (braking ? slow : 0);
         return speed == 0 || !rubs(i) || moving.applyAsDouble(system) >= 0 ? Optional.empty()
                 : Optional.of(new Change(end, moving, s -> stop(s, i, speed)));
     }

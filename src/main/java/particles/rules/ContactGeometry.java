@@ -11,7 +11,10 @@ final class ContactGeometry {
     private static final int STRIDE = Particles.STRIDE;
     /** A particle in contact is on the surface but for rounding, relative to 1 m plus its distance from the origin. */
     private static final double ON_SURFACE = 1e-9;
-    /** Relative to 1 m plus the distance from the origin: how far off all surfaces a particle may be put that touches several. */
+    /**
+     * Relative to 1 m plus the distance from the origin: how far off all surfaces a particle may be put that touches
+     * several.
+     */
     private static final double ROUNDING = 1e-13;
     private static final int MOST_SWEEPS = 100;
 

@@ -32,17 +32,17 @@ public final class Emitter implements Rule {
      * @param lifetime  how long each lives (s), positive; may be infinite
      * @param seed      of the random numbers
      */
-    public record Nozzle(String id, Vector3 position, double radius, Vector3 direction, double spread, double speed, double rate,
-                         double mass, double lifetime, long seed) {
+    public record Nozzle(String id, Vector3 position, double radius, Vector3 direction, double spread, double speed,
+                         double rate, double mass, double lifetime, long seed) {
         /** @throws IllegalArgumentException if a number is out of its range or the direction has none */
         public Nozzle {
             direction = direction.normalized();
             if (!position.isFinite() || !(radius >= 0 && radius <= Double.MAX_VALUE) || !(spread >= 0 && spread <= Math.PI)
                     || !(speed >= 0 && speed <= Double.MAX_VALUE) || !(rate > 0 && rate <= Double.MAX_VALUE)
                     || !(mass > 0 && mass <= Double.MAX_VALUE) || !(lifetime > 0)) {
-                throw new IllegalArgumentException("emitter '" + id + "' needs a finite position, radius and speed of 0 or more,"
-                        + " a spread from 0 to pi, positive rate, mass and lifetime, not " + position + ", " + radius + ", "
-                        + speed + ", " + spread + ", " + rate + ", " + mass + ", " + lifetime);
+                throw new IllegalArgumentException("emitter '" + id + "' needs a finite position, radius and speed of 0 or"
+                        + " more, a spread from 0 to pi, positive rate, mass and lifetime, not " + position + ", " + radius
+                        + ", " + speed + ", " + spread + ", " + rate + ", " + mass + ", " + lifetime);
             }
         }
     }

@@ -47,8 +47,8 @@ public final class EvenSamples implements Rule {
      */
     public EvenSamples(String id, SpringView springs, double closest, double farthest, double lightest, long seed) {
         if (!(closest > 0 && farthest > 2 * closest && farthest <= Double.MAX_VALUE && lightest > 0)) {
-            throw new IllegalArgumentException("even samples need positive distances, the farthest more than twice the closest,"
-                    + " and a positive mass, not " + closest + ", " + farthest + ", " + lightest);
+            throw new IllegalArgumentException("even samples need positive distances, the farthest more than twice the"
+                    + " closest, and a positive mass, not " + closest + ", " + farthest + ", " + lightest);
         }
         this.id = id;
         this.springs = springs;

@@ -4,8 +4,8 @@ import particles.AnchorMotion;
 import particles.Vector3;
 
 /**
- * Straight from one place to another, starting and stopping without a jerk: the part of the way is s = u&sup3; (10 - 15 u + 6
- * u&sup2;) with u = t/duration, so that velocity and acceleration begin and end with 0; then it stays.
+ * Straight from one place to another, starting and stopping without a jerk: the part of the way is s = u&sup3; (10 - 15 u +
+ * 6 u&sup2;) with u = t/duration, so that velocity and acceleration begin and end with 0; then it stays.
  *
  * <p>Source: T. Flash, N. Hogan, "The coordination of arm movements" (1985): the motion of least jerk.
  */

@@ -17,8 +17,8 @@ public final class SineMotion implements AnchorMotion {
      */
     public SineMotion(Vector3 centre, Vector3 amplitude, double period) {
         if (!centre.isFinite() || !amplitude.isFinite() || !(period > 0) || !(period <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("an oscillation needs a finite centre and amplitude and a positive period, not "
-                    + centre + ", " + amplitude + ", " + period);
+            throw new IllegalArgumentException("an oscillation needs a finite centre and amplitude and a positive period,"
+                    + " not " + centre + ", " + amplitude + ", " + period);
         }
         this.centre = new double[] {centre.x(), centre.y(), centre.z()};
         this.amplitude = new double[] {amplitude.x(), amplitude.y(), amplitude.z()};

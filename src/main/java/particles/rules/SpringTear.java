@@ -19,7 +19,8 @@ public final class SpringTear implements Rule {
      */
     public SpringTear(SpringForce springs, double strain) {
         if (!(strain > 0) || !(strain <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("the strain at which springs tear has to be positive and finite, not " + strain);
+            throw new IllegalArgumentException("the strain at which springs tear has to be positive and finite, not "
+                    + strain);
         }
         this.springs = springs;
         this.strain = strain;
