@@ -49,6 +49,7 @@ class SolverCatalogTest {
     @Test
     void everyEntryIsMadeAndSaysWhatItIs() {
         assertEquals("euler", SolverCatalog.names().get(0));
+        assertEquals(SolverCatalog.names(), SolverCatalog.all().stream().map(SolverInfo::name).toList());
         for (SolverInfo info : SolverCatalog.all()) {
             DESolver solver = SolverCatalog.create(info.name());
             assertEquals(info.className(), solver.getClass().getName());

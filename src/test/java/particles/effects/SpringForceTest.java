@@ -49,8 +49,8 @@ class SpringForceTest {
         assertEquals(-force[4], force[10]);
         assertEquals(5 * length, springs.length(new double[] {0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, 0, 0, 0}, 0),
                 1e-15 * 5 * length);
-        double[] apart = {0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, 1, 2, 5};
-        assertEquals(0.5 * 2.2 * 2.2, springs.getDissipatedPower(apart, 0), 1e-14, "they part with 0.6 * 1 + 0.8 * 2");
+        double[] apart = {0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, 3, 2, 5};
+        assertEquals(0.5 * 3.4 * 3.4, springs.getDissipatedPower(apart, 0), 1e-14, "they part with 0.6 * 3 + 0.8 * 2");
         double[] across = {0, 0, 0, 0, 0, 0, 0, 4 * length, 3 * length, 7, 1, 2};
         assertEquals(0.5 * 2 * 2, springs.getDissipatedPower(across, 0), 1e-14, "0.8 * 1 + 0.6 * 2");
     }
