@@ -5,12 +5,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
-import org.snakeyaml.engine.v2.api.Dump;
-import org.snakeyaml.engine.v2.api.DumpSettings;
 import org.snakeyaml.engine.v2.api.Load;
 import org.snakeyaml.engine.v2.api.LoadSettings;
-import org.snakeyaml.engine.v2.common.FlowStyle;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
 
@@ -33,14 +31,30 @@ final class SceneMutator {
     private static final int MOST_COLUMNS = 12;
 
     private final Random random;
-    private final List<byte[]> seeds;
+    private final List<Seed> seeds;
     private final int right;
     private final Load load = new Load(LoadSettings.builder().setSchema(new CoreSchema()).setMaxAliasesForCollections(0).build());
-    private final Dump dump = new Dump(DumpSettings.builder().setDereferenceAliases(true).setDefaultFlowStyle(FlowStyle.FLOW).build());
+
+    /** A scene and what it says, read when it is needed first; it is never changed. */
+    private final class Seed {
+        private final byte[] text;
+        private Optional<Object> tree = Optional.empty();
+
+        Seed(byte[] text) {
+            this.text = text;
+        }
+
+        Object tree() {
+            if (tree.isEmpty()) {
+                tree = Optional.of(parse(text));
+            }
+            return tree.get();
+        }
+    }
 
     /** @param seeds scenes to begin with; those that are found to be of interest can be added */
     SceneMutator(List<byte[]> seeds, Random random) {
-        this.seeds = new ArrayList<>(seeds.stream().map(this::shrunk).toList());
+        this.seeds = new ArrayList<>(seeds.stream().map(scene -> new Seed(shrunk(scene))).toList());
         this.random = random;
         right = this.seeds.size();
     }
@@ -48,7 +62,7 @@ final class SceneMutator {
     /** Of interest: others are made of this one too. */
     void keep(byte[] scene) {
         if (scene.length < MOST_BYTES) {
-            seeds.add(scene);
+            seeds.add(new Seed(scene));
         }
     }
 
@@ -57,19 +71,21 @@ final class SceneMutator {
     }
 
     byte[] next() {
-        byte[] seed = seeds.get(random.nextInt(random.nextInt(4) > 0 ? right : seeds.size()));
+        Seed seed = seeds.get(random.nextInt(random.nextInt(4) > 0 ? right : seeds.size()));
         if (random.nextInt(5) == 0) {
-            return damaged(seed);
+            return damaged(seed.text);
         }
-        Object tree = parse(seed);
+        Object tree = seed.tree();
         for (int n = random.nextInt(3); n >= 0; n--) {
             tree = changed(tree, 0);
         }
         return write(tree);
     }
 
-    private byte[] write(Object tree) {
-        return dump.dumpToString(tree).getBytes(StandardCharsets.UTF_8);
+    private static byte[] write(Object tree) {
+        StringBuilder text = new StringBuilder();
+        FlowText.append(tree, text);
+        return text.append('\n').toString().getBytes(StandardCharsets.UTF_8);
     }
 
     private Object parse(byte[] scene) {
@@ -130,7 +146,7 @@ final class SceneMutator {
 
     /** What another scene has under the same key, or anything where it has none. */
     private Object branch(Object key) {
-        Object other = parse(pick(seeds));
+        Object other = pick(seeds).tree();
         return other instanceof Map<?, ?> map && map.get(key) != null ? map.get(key) : pick(VALUES);
     }
 
