@@ -55,8 +55,8 @@ class EnergyLedgerTest {
     }
 
     /**
-     * Every smooth effect: damped springs with rest lengths, gravity, both drags in wind, attraction, cohesion with damping, and
-     * an anchor that is shaken.
+     * Every smooth effect: damped springs with rest lengths, gravity, both drags in wind, attraction, cohesion with damping,
+     * and an anchor that is shaken.
      */
     private static ParticleSystem everything() {
         ParticleSystem system = new ParticleSystem();
@@ -102,7 +102,9 @@ class EnergyLedgerTest {
         assertEquals(order, slope(EnergyLedgerTest::everything, () -> SolverCatalog.create(solver), h, 1.03), 0.2);
     }
 
-    /** Within 10 tolerances of the energy scale is asked; with the kinetic energy, 6.9 J, as the scale 0.023 was measured. */
+    /**
+     * Within 10 tolerances of the energy scale is asked; with the kinetic energy, 6.9 J, as the scale 0.023 was measured.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})
     void theRemainderOfAdaptiveSolversIsWithinTheTolerance(String solver) {
@@ -115,14 +117,20 @@ class EnergyLedgerTest {
         }
     }
 
-    /** On the undamped oscillator |R|&sup2; - 1 is of order h&sup4; for midpoint and h&sup6; for rk4: slopes 3 and 5 over a given time. */
+    /**
+     * On the undamped oscillator |R|&sup2; - 1 is of order h&sup4; for midpoint and h&sup6; for rk4:
+     * slopes 3 and 5 over a given time.
+     */
     @Test
     void theOscillatorsSlopesAreThreeAndFive() {
         assertEquals(3, slope(EnergyLedgerTest::oscillator, MidpointSolver::new, 0.02, 10), 0.02);
         assertEquals(5, slope(EnergyLedgerTest::oscillator, RK4Solver::new, 0.1, 10), 0.02);
     }
 
-    /** E0 (1 + (omega h)&sup2;)^-n for backward Euler, E0 (1 + (omega h)&sup2;)^n for Euler: nothing else is on, so all is error. */
+    /**
+     * E0 (1 + (omega h)&sup2;)^-n for backward Euler, E0 (1 + (omega h)&sup2;)^n for Euler: nothing else is on,
+     * so all is error.
+     */
     @Test
     void withNothingOnItIsThePlainDrift() {
         double factor = Math.pow(1 + 0.01 * 0.01, -1000);

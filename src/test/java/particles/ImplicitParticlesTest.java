@@ -24,7 +24,10 @@ class ImplicitParticlesTest {
         return largest;
     }
 
-    /** Small systems are factorised, the one of 81 particles takes conjugate gradients, or GMRES where damping is not symmetric. */
+    /**
+     * Small systems are factorised, the one of 81 particles takes conjugate gradients,
+     * or GMRES where damping is not symmetric.
+     */
     @ParameterizedTest
     @CsvSource({"5, 100, 0", "5, 100, 0.02", "9, 20, 0", "9, 20, 0.02"})
     void blocksLeadToTheSameStepAsAFullMatrix(int n, double stiffness, double damping) {
@@ -44,8 +47,8 @@ class ImplicitParticlesTest {
     }
 
     /**
-     * A stiff, crumpled cloth, whose compressed springs make the exact matrix indefinite: the solution is found by descent and
-     * satisfies the step's own, nonlinear equations v1 = v0 + h a(x1, v1), x1 = x0 + h v1.
+     * A stiff, crumpled cloth, whose compressed springs make the exact matrix indefinite: the solution is found by descent
+     * and satisfies the step's own, nonlinear equations v1 = v0 + h a(x1, v1), x1 = x0 + h v1.
      */
     @ParameterizedTest
     @CsvSource({"8, 1e4, 0", "8, 1e6, 0", "8, 1e6, 0.05", "12, 1e5, 0.05"})

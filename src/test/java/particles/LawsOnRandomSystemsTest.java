@@ -26,8 +26,8 @@ import particles.effects.SpringForce;
 import particles.effects.Wind;
 
 /**
- * The laws of mechanics on masses and springs that nobody chose. A counterexample is shrunk to the smallest that still breaks
- * the law, and printed with the seed with which it comes again ({@code @Property(seed = ...)}).
+ * The laws of mechanics on masses and springs that nobody chose. A counterexample is shrunk to the smallest that still
+ * breaks the law, and printed with the seed with which it comes again ({@code @Property(seed = ...)}).
  *
  * <p>Bounds are for numbers of the order of 100: forces up to 300 N, momenta up to 60 kg m/s, times up to 0.5 s. What was
  * measured over 5,000 systems of each law stands beside them.
@@ -176,7 +176,9 @@ class LawsOnRandomSystemsTest {
         return Math.abs(ledger.getNumericalError());
     }
 
-    /** Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.0e-14 times the growth. */
+    /**
+     * Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.0e-14 times the growth.
+     */
     @Property
     void numbersOfParticlesAndSpringsDoNotMatter(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
         int n = any.balls().size();

@@ -171,7 +171,9 @@ class ThreadsTest {
         }
     }
 
-    /** A state that makes one part fail makes the others fail too; the next step, of a state put right, has nothing of it. */
+    /**
+     * A state that makes one part fail makes the others fail too; the next step, of a state put right, has nothing of it.
+     */
     @Test
     void failuresOfAllThreadsAreOverWhenTheyWereThrown() {
         try (Workers workers = new Workers(3)) {

@@ -16,7 +16,9 @@ import particles.scene.SceneDescription;
  * rehearsal, a run of its own that nobody else sees.
  */
 final class CameraFinder {
-    /** A rehearsal makes no more steps than this, times particles: it shows where things go, and a second or two is enough. */
+    /**
+     * A rehearsal makes no more steps than this, times particles: it shows where things go, and a second or two is enough.
+     */
     private static final double MOST_PARTICLE_STEPS = 3e6;
     /** A run that gains more than this, times its energy scale, is on its way to blow up, and leaves any picture. */
     private static final double MOST_ENERGY = 20;

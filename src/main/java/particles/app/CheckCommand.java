@@ -88,7 +88,9 @@ abstract class CheckCommand extends ProgramCommand {
         report(lines, outcome.value().orElseThrow());
     }
 
-    /** Writes the report of a check that did not come back, and ends the process: the class's thread may still be running. */
+    /**
+     * Writes the report of a check that did not come back, and ends the process: the class's thread may still be running.
+     */
     private void giveUp(PrintWriter lines, Finding failure) {
         ExitCode code = ExitCode.BAD_INPUT;
         lines.println(failure);

@@ -3,8 +3,8 @@ package particles.app;
 import particles.Simulation;
 
 /**
- * How often a run is written down to be continued later. The steps are part of what the run computes, since its solver begins
- * anew after so many; the pause is not.
+ * How often a run is written down to be continued later. The steps are part of what the run computes, since its solver
+ * begins anew after so many; the pause is not.
  *
  * @param steps after how many steps it may be
  * @param pause between two at least (s)

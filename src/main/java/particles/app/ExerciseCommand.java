@@ -8,7 +8,9 @@ import particles.teaching.exercises.Mark;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle exercise -Pnumber=5 -Pstudent=ID}: the text with the student's own numbers; with {@code -Panswer} the mark. */
+/**
+ * {@code gradle exercise -Pnumber=5 -Pstudent=ID}: the text with the student's own numbers; with {@code -Panswer} the mark.
+ */
 @Command(name = "exercise", description = "Shows an exercise with numbers of your own, or marks your answer.")
 final class ExerciseCommand extends ProgramCommand {
     @Option(names = "--number", paramLabel = "NUMBER", required = true, description = "Which exercise.")

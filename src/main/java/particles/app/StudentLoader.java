@@ -26,8 +26,8 @@ import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 
 /**
- * Finds students' classes by compiling them when they are asked for, each by itself: one that does not compile breaks what uses
- * it and nothing else. What is compiled stays in memory.
+ * Finds students' classes by compiling them when they are asked for, each by itself: one that does not compile breaks what
+ * uses it and nothing else. What is compiled stays in memory.
  */
 final class StudentLoader extends ClassLoader {
     /** The system property by which a folder reaches a process of its own. */

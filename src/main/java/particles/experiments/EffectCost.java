@@ -40,8 +40,8 @@ import particles.rules.SpringTear;
  * before them the same cloth as hand-written code that knows of nothing but springs. What a scene does not name costs
  * nothing, so the first two should not differ by more than the measurement.
  *
- * <p>All variants take turns, round by round, and the fastest round of each counts: whatever else the machine does only makes
- * a round slower.
+ * <p>All variants take turns, round by round, and the fastest round of each counts: whatever else the machine does only
+ * makes a round slower.
  */
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;

@@ -3,9 +3,9 @@ package particles.experiments;
 import deSolvers.DEStateSource;
 
 /**
- * Two linear equations (x, v)' = M (x, v) as a source, three times over in the order (x1, x2, x3, v1, v2, v3) that methods for
- * positions and velocities expect. The first copy starts at (1, 0) and the second at (0, 1), so that one step shows the 2 x 2
- * matrix by which it multiplies; the third starts at (1, 1) and ends at the sum of the two, if the step is linear.
+ * Two linear equations (x, v)' = M (x, v) as a source, three times over in the order (x1, x2, x3, v1, v2, v3) that methods
+ * for positions and velocities expect. The first copy starts at (1, 0) and the second at (0, 1), so that one step shows the
+ * 2 x 2 matrix by which it multiplies; the third starts at (1, 1) and ends at the sum of the two, if the step is linear.
  */
 class LinearPair implements DEStateSource {
     private static final int COPIES = 3;

@@ -163,7 +163,9 @@ public final class Race {
         return new Lane(match, drift, states.states(), distance, left);
     }
 
-    /** What an adaptive solver does within its steps is not seen: what is interpolated there has errors that are not its own. */
+    /**
+     * What an adaptive solver does within its steps is not seen: what is interpolated there has errors that are not its own.
+     */
     private int framesAStep(Setting setting) {
         double a = setting.deltaT() * frames / scene.duration();
         return setting.solver().adaptive() ? Math.max(1, (int) Math.round(a)) : 1;

@@ -43,9 +43,10 @@ public final class SceneStability {
      * What is known of one solver.
      *
      * @param solver    which
-     * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an adaptive solver its
-     *                  longest sub-step; NaN for a solver that is not in the catalogue
-     * @param measured  the longest safe step by running (s): 0 if the scene's deltaT and shorter ones grow, infinite if no step grew
+     * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an adaptive
+     *                  solver its longest sub-step; NaN for a solver that is not in the catalogue
+     * @param measured  the longest safe step by running (s): 0 if the scene's deltaT and shorter ones grow,
+     *                  infinite if no step grew
      * @param predictedGrowth what a step of the scene's deltaT adds by theory, as a part of the distance
      * @param measuredGrowth  what it added
      * @param note      why longer steps are not safe, or how far was tried
@@ -151,7 +152,10 @@ public final class SceneStability {
         return known;
     }
 
-    /** Steps far beyond what any explicit method takes; nothing but a run that fails ends them, as long steps may well be wrong. */
+    /**
+     * Steps far beyond what any explicit method takes; nothing but a run that fails ends them,
+     * as long steps may well be wrong.
+     */
     private Limit farOut(SolverChoice solver, double predicted, double predictedGrowth, Mode fastest) {
         double unit = 2 / fastest.size();
         double longest = solver.adaptive() ? ADAPTIVE_TIMES * scene.deltaT() : FAR * unit;

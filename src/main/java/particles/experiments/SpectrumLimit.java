@@ -8,8 +8,9 @@ import particles.experiments.spectrum.Spectrum;
 
 /**
  * The longest step at which no mode of a spectrum grows that does not grow by itself: of all modes the smallest limit, each
- * measured on the solver's real code in its mode's direction of the complex plane. Modes count as springs of their own, which
- * is exact for Runge-Kutta and implicit methods, and for the symplectic ones where the damping matrix shares the stiffness's modes.
+ * measured on the solver's real code in its mode's direction of the complex plane. Modes count as springs of their own,
+ * which is exact for Runge-Kutta and implicit methods, and for the symplectic ones where the
+ * damping matrix shares the stiffness's modes.
  */
 final class SpectrumLimit {
     /** Growth is judged beyond this: what rounding and Newton's tolerance leave of 1. */

@@ -20,7 +20,8 @@ public final class StabilityMap {
     /**
      * @param modulus  the growth of a step at a place in the plane
      * @param window   the part of the plane, from y = 0 up
-     * @param mirrored whether below y = 0 all is as above, as R of the conjugate is the conjugate of R; else nothing is there
+     * @param mirrored whether below y = 0 all is as above, as R of the conjugate is the conjugate of R;
+     *                 else nothing is there
      */
     public StabilityMap(DoubleBinaryOperator modulus, Window window, boolean mirrored) {
         this.modulus = modulus;
@@ -119,7 +120,9 @@ public final class StabilityMap {
         return new Series(name, mark, line.stream().mapToDouble(p -> p[0]).toArray(), line.stream().mapToDouble(p -> p[1]).toArray());
     }
 
-    /** The straight piece of the outline in one square, from edge to edge (W. E. Lorensen, H. E. Cline 1987, in the plane). */
+    /**
+     * The straight piece of the outline in one square, from edge to edge (W. E. Lorensen, H. E. Cline 1987, in the plane).
+     */
     private void cross(int r, int c, List<double[]> pieces) {
         int[][] corners = {{c, r}, {c + 1, r}, {c + 1, r + 1}, {c, r + 1}};
         List<double[]> cuts = new ArrayList<>();

@@ -10,8 +10,8 @@ import java.util.function.Supplier;
  * velocities or treats them differently, on springs.
  *
  * @param amplification the measurement, if there can be one
- * @param noise         how far steps are from multiplying by a matrix that depends on deltaT lambda alone: rounding, or what an
- *                      iteration leaves
+ * @param noise         how far steps are from multiplying by a matrix that depends on deltaT lambda alone: rounding, or what
+ *                      an iteration leaves
  * @param objection     why there can be none; else empty
  */
 public record StepTrial(Optional<Amplification> amplification, double noise, String objection) {

@@ -17,8 +17,8 @@ import particles.scene.SceneDescription;
 
 /**
  * Two runs of a scene that begin next to each other: if their distance grows from step to step, so does every error. The
- * distance is that of a spring with the mode's frequency, (the sum of m (dv&sup2; + |lambda|&sup2; dx&sup2;))<sup>1/2</sup>, which the
- * motion itself keeps or damps.
+ * distance is that of a spring with the mode's frequency, (the sum of m (dv&sup2; + |lambda|&sup2; dx&sup2;))<sup>1/2</sup>,
+ * which the motion itself keeps or damps.
  */
 final class TwinRuns {
     /** Steps of a run; its growth is that from the second quarter to the last. */
@@ -29,9 +29,10 @@ final class TwinRuns {
     /** And all other modes as a part of that, so that whichever grows is seen. */
     private static final double OTHERS = 1e-3;
     /**
-     * A distance this many times that of the motion itself has left it. Just below the limit of verlet a distance swings up to
-     * 1/(2 d)<sup>1/2</sup> times, where d is what is missing to the limit: 20 times at a thousandth. Just above it, 512 steps
-     * multiply by 20 what grows by 0.6 % a step, which rk4 does at 0.08 % beyond its limit, and euler with damping at 3 %.
+     * A distance this many times that of the motion itself has left it. Just below the limit of verlet a distance swings up
+     * to 1/(2 d)<sup>1/2</sup> times, where d is what is missing to the limit: 20 times at a thousandth. Just above it, 512
+     * steps multiply by 20 what grows by 0.6 % a step, which rk4 does at 0.08 % beyond its limit,
+     * and euler with damping at 3 %.
      */
     private static final double GROWN = 20;
     private static final double NO_LONGER_SMALL = 1e4;
@@ -71,7 +72,10 @@ final class TwinRuns {
             return false;
         }
 
-        /** @return by how much one step multiplies the distance, from the second quarter to the last; infinite if there is none */
+        /**
+         * @return by how much one step multiplies the distance, from the second quarter to the last;
+         *         infinite if there is none
+         */
         double factor() {
             if (distances.length < 2) {
                 return Double.POSITIVE_INFINITY;

@@ -7,8 +7,8 @@ import particles.Vector3;
 
 /**
  * What lies behind the moving things: a sky, the planes of the scene with a grid and shadows, and its spheres. Computed
- * once for a camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the size of
- * what rests on it, so that a ball at rest, whose middle is on the plane, touches what is drawn.
+ * once for a camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the size
+ * of what rests on it, so that a ball at rest, whose middle is on the plane, touches what is drawn.
  */
 final class Backdrop {
     private static final float DARKEST_SHADOW = 0.56f;

@@ -53,7 +53,9 @@ final class BlobSurface {
         return value(key) >= BlobField.LEVEL;
     }
 
-    /** The four cells around an edge, as two triangles: counter-clockwise seen from the edge's far end if that is outside. */
+    /**
+     * The four cells around an edge, as two triangles: counter-clockwise seen from the edge's far end if that is outside.
+     */
     private void join(long edge, int axis, boolean outwards) {
         long b = BlobField.step((axis + 1) % 3);
         long c = BlobField.step((axis + 2) % 3);

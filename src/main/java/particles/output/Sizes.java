@@ -28,7 +28,9 @@ record Sizes(double ball, boolean coils) {
         return new Sizes(look.particleRadius() > 0 ? look.particleRadius() : ball, state.springs <= MOST_COILS);
     }
 
-    /** @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it (m) */
+    /**
+     * @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it (m)
+     */
     double core() {
         return ball / 3;
     }

@@ -2,7 +2,9 @@ package particles.output;
 
 import particles.Surface;
 
-/** Which triangles of a surface are whole: those of cloth that tears are gone when fewer than two of their edges are springs. */
+/**
+ * Which triangles of a surface are whole: those of cloth that tears are gone when fewer than two of their edges are springs.
+ */
 final class WholeTriangles {
     private final Surface surface;
     private final LongIndex springs = new LongIndex();

@@ -12,8 +12,8 @@ import particles.ParticleSystem;
 import particles.teaching.Finding.Kind;
 
 /**
- * Holds an effect to what it claims of itself, by {@link EffectClaims}, and says where a claim fails: at which particle, in which
- * component, and what is probably the mistake.
+ * Holds an effect to what it claims of itself, by {@link EffectClaims}, and says where a claim fails: at which particle, in
+ * which component, and what is probably the mistake.
  */
 public final class EffectCheck {
     private static final double STEP = 1e-5;

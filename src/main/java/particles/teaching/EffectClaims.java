@@ -161,7 +161,9 @@ public final class EffectClaims {
         }
     }
 
-    /** Every entry of the force's derivative by positions and velocities; differences of positions and velocities of 1e-5. */
+    /**
+     * Every entry of the force's derivative by positions and velocities; differences of positions and velocities of 1e-5.
+     */
     private void checkDerivatives(double[] state, double time, double size) {
         double[][] exact = new double[n][n];
         effect.addForceDerivatives(state, time, new ForceDerivatives() {

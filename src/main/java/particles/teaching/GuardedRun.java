@@ -8,9 +8,9 @@ import java.util.concurrent.atomic.AtomicReference;
 import particles.teaching.Finding.Kind;
 
 /**
- * Runs what calls a student's class in a thread of its own, and says what happened if it does not come back: an endless loop, a
- * stack overflow, more memory than there is. Computing time is counted, not time on the clock, so that a busy machine makes
- * nobody's loop endless. Against {@code System.exit} only a process of its own helps.
+ * Runs what calls a student's class in a thread of its own, and says what happened if it does not come back: an endless
+ * loop, a stack overflow, more memory than there is. Computing time is counted, not time on the clock, so that a busy
+ * machine makes nobody's loop endless. Against {@code System.exit} only a process of its own helps.
  */
 public final class GuardedRun {
     /** On a busy machine a loop gets only a part of the processor; it is its own time that counts, up to this multiple. */
@@ -99,7 +99,9 @@ public final class GuardedRun {
         return new Finding(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(thrown));
     }
 
-    /** @return where the student's class is at this moment, if it is running; for a hook that runs when the program is ended */
+    /**
+     * @return where the student's class is at this moment, if it is running; for a hook that runs when the program is ended
+     */
     public Optional<String> runningAt() {
         return Optional.ofNullable(running.get()).map(thread -> StudentFailure.place(thread.getStackTrace()));
     }

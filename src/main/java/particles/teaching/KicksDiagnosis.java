@@ -61,7 +61,9 @@ final class KicksDiagnosis {
                 .max(Comparator.comparingInt(known -> known.spoken.stream().filter(lower::contains).mapToInt(String::length).max().orElse(0)));
     }
 
-    /** @return what stands in the way of calling Euler's formula by the name that its class has, if that is another method's */
+    /**
+     * @return what stands in the way of calling Euler's formula by the name that its class has, if that is another method's
+     */
     static Optional<Finding> eulerInstead(String className) {
         return promised(className).filter(known -> known == SYMPLECTIC).map(known -> new Finding(Kind.METHOD,
                 "the position is updated with the old velocity, which is the Euler method; the slides' simple algorithm takes the new one:"

@@ -13,7 +13,8 @@ final class OrderConditions {
      * @param a the rows, strictly lower triangular, in units of deltaT
      * @param b the weights
      * @param c the clocks
-     * @return the order, 0 to 4; 4 may also be more. Methods whose clocks are not the sums of their rows have order 1 at most
+     * @return the order, 0 to 4; 4 may also be more. Methods whose clocks are not the sums of their
+     *         rows have order 1 at most
      */
     static int order(double[][] a, double[] b, double[] c) {
         int n = b.length;

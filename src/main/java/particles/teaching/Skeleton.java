@@ -26,7 +26,8 @@ public final class Skeleton {
 
     /**
      * @param name what somebody wants to call a class
-     * @return whether that is a class's name: a capital, then letters and digits; no word of the language begins with a capital
+     * @return whether that is a class's name: a capital, then letters and digits;
+     *         no word of the language begins with a capital
      */
     public static boolean isClassName(String name) {
         return name.matches("[A-Z]\\w*");

@@ -10,8 +10,8 @@ import java.util.function.Supplier;
 import particles.teaching.Finding.Kind;
 
 /**
- * Finds out what method a solver is, and what is wrong with it. First a step is read off coefficient by coefficient; a method
- * without a tableau is judged by what it does. All takes well under a second for an explicit method.
+ * Finds out what method a solver is, and what is wrong with it. First a step is read off coefficient by coefficient; a
+ * method without a tableau is judged by what it does. All takes well under a second for an explicit method.
  */
 public final class SolverCheck {
     private static final double H = 1.0 / 4;

@@ -8,7 +8,9 @@ import java.util.List;
 import java.util.function.Supplier;
 import particles.teaching.Finding.Kind;
 
-/** What any method has to keep, whatever its formula: each step from the source's own state, any source, any number of them. */
+/**
+ * What any method has to keep, whatever its formula: each step from the source's own state, any source, any number of them.
+ */
 final class SolverContract {
     private static final double H = 1.0 / 16;
     /** Two runs of one method differ by rounding only: measured 0 for all of ours. */

@@ -99,7 +99,9 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         return new Plane(amplification, 0, like.springs)::growth;
     }
 
-    /** By the number of places around 0 where one is stable and the other is not, and among equal ones by the growth itself. */
+    /**
+     * By the number of places around 0 where one is stable and the other is not, and among equal ones by the growth itself.
+     */
     private static String nearest(String name, Plane plane) {
         List<String> others = new ArrayList<>(FOR_ALL);
         if (plane.springs) {

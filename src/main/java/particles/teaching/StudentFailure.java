@@ -15,8 +15,9 @@ final class StudentFailure {
     }
 
     /**
-     * @return such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that is neither the JDK's
-     *         nor the program's; if there is none, the innermost of the program outside the checker; empty without either
+     * @return such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that is neither the
+     *         JDK's nor the program's; if there is none, the innermost of the program outside the checker;
+     *         empty without either
      */
     static String place(StackTraceElement[] stack) {
         Optional<StackTraceElement> found = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && !isOurs(frame)).findFirst()

@@ -64,7 +64,9 @@ class KeplerAlmostParabolicTest {
         assertEquals(0.4992, planet.energy(), 1e-3, "unbound");
     }
 
-    /** What damps springs takes energy from a planet too: it spirals into the sun, and there the equation has no solution. */
+    /**
+     * What damps springs takes energy from a planet too: it spirals into the sun, and there the equation has no solution.
+     */
     @ParameterizedTest
     @CsvSource({"65536, -140", "524288, -660"})
     void backwardEulerFallsIntoTheSun(int steps, double below) {

@@ -17,7 +17,8 @@ final class CheckProcess {
     }
 
     /**
-     * Runs the check, which has to end with the code for what is typed wrong, and holds the report to saying what the screen says.
+     * Runs the check, which has to end with the code for what is typed wrong,
+     * and holds the report to saying what the screen says.
      *
      * @param command checkSolver or checkEffect
      * @param option  that names the class

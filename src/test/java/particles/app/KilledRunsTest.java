@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The program killed at any moment, fifty times, by SIGTERM and by SIGKILL: what is in the folder is whole each time, and the
- * run that is continued again and again leaves in the end what an unbroken one does.
+ * The program killed at any moment, fifty times, by SIGTERM and by SIGKILL: what is in the folder is whole each time, and
+ * the run that is continued again and again leaves in the end what an unbroken one does.
  */
 @Tag("slow")
 class KilledRunsTest {

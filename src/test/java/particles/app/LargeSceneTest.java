@@ -15,8 +15,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * 250,000 particles are simulated, drawn, filmed, plotted and written down by a program of its own, in the memory that it says
- * it needs and no more. A state is 12 MB: a trajectory that is held, or objects for particles, do not fit beside the rest.
+ * 250,000 particles are simulated, drawn, filmed, plotted and written down by a program of its own, in the memory that it
+ * says it needs and no more. A state is 12 MB: a trajectory that is held, or objects for particles,
+ * do not fit beside the rest.
  */
 @Tag("hard")
 class LargeSceneTest {

@@ -22,10 +22,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 /**
- * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through Gradle. Who adds
- * one to README adds it to one of the lists below or, if it takes long or writes among the sources, as a line {@code step gradle ...}
- * to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and {@code shorter gradle ...}
- * for one with options that README has not, since it would take long without them.
+ * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through
+ * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as a
+ * line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
+ * {@code shorter gradle ...} for one with options that README has not, since it would take long without them.
  */
 class ReadmeCommandsTest {
     private static final String COMMAND = "gradle [a-z]\\w*(?: -P\\w+(?:=[^\\s`]+)?)*";

@@ -17,8 +17,8 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 
 /**
- * Runs all scenes of a folder in this process and prints the SHA-256 of each trajectory, one line a scene, and at last whether
- * helping threads were seen at work, for {@link SameBitsTest} to compare between processes.
+ * Runs all scenes of a folder in this process and prints the SHA-256 of each trajectory, one line a scene, and at last
+ * whether helping threads were seen at work, for {@link SameBitsTest} to compare between processes.
  */
 final class SceneSums {
     /** What the last line begins with. */

@@ -16,7 +16,9 @@ import particles.scene.SceneDescription;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 
-/** Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to err. */
+/**
+ * Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to err.
+ */
 @Tag("slow")
 class ScenesRunTest {
     private static final Path SCENES = Path.of("scenes");

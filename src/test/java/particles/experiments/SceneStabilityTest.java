@@ -34,7 +34,10 @@ class SceneStabilityTest {
         return SceneStability.measure(scene, spectrum, SolverChoice.list(solvers), (part, what) -> { });
     }
 
-    /** Nine digits of the spectrum, as many as the slides' value has: measured 2e-9. Runs: measured 0.9974 to 1.0009, bar 1 %. */
+    /**
+     * Nine digits of the spectrum, as many as the slides' value has: measured 2e-9. Runs: measured 0.9974 to 1.0009,
+     * bar 1 %.
+     */
     @ParameterizedTest
     @CsvSource({"1, 1.414213562, 2", "2, 1.154700538, 1.632993162", "10, 1.010283227, 1.428756241", "100, 1.000120951, 1.414384613"})
     void predictionAndRunsAgreeOnChains(int n, double leapfrog, double rk4) {
@@ -45,7 +48,10 @@ class SceneStabilityTest {
         }
     }
 
-    /** Euler's (1 + (h omega)^2)^(1/2), midpoint's (1 + (h omega)^4/4)^(1/2) at deltaT = 0.1, and runs beside them: measured 2e-4. */
+    /**
+     * Euler's (1 + (h omega)^2)^(1/2), midpoint's (1 + (h omega)^4/4)^(1/2) at deltaT = 0.1, and runs beside them:
+     * measured 2e-4.
+     */
     @ParameterizedTest
     @CsvSource({"euler, 1.940662e-02", "midpoint, 1.919622e-04"})
     void whatAlwaysGrowsSaysByHowMuch(String solver, double growth) {
@@ -56,7 +62,10 @@ class SceneStabilityTest {
         assertTrue(SceneStability.table(List.of(limit)).rows().get(0).get(1).toString().startsWith("none: grows by 1.9"));
     }
 
-    /** Springs damped by c = 0.3 k: in every mode -2 Re lambda = 0.3 omega^2, and |1 + h lambda| = 1 at h = 0.3 for all of them. */
+    /**
+     * Springs damped by c = 0.3 k: in every mode -2 Re lambda = 0.3 omega^2,
+     * and |1 + h lambda| = 1 at h = 0.3 for all of them.
+     */
     @Test
     void dampingGivesEulerALimit() {
         SceneDescription scene = chain(10, ", damping: 0.3");
@@ -92,7 +101,9 @@ class SceneStabilityTest {
         assertEquals("sub-steps of", rows.get(3).get(1).toString().substring(0, 12));
     }
 
-    /** A mass in the middle of a compressed spring pair snaps out by itself: no solver is blamed, and no limit comes from it. */
+    /**
+     * A mass in the middle of a compressed spring pair snaps out by itself: no solver is blamed, and no limit comes from it.
+     */
     @Test
     void growthOfTheMotionItselfIsPhysics() {
         SceneDescription scene = SceneReader.read("snap.yaml", ("""

@@ -119,8 +119,8 @@ class BetweenPlanesTest {
 
     /**
      * Clamped, it comes to the bottom and lies there, held by both planes. Not with euler: before a step it does not see how
-     * gravity will turn the motion, and meets the planes for ever with the speed gained in two steps, 2 g h (measured 0.97 of
-     * that), within a tenth of a millimetre of the bottom.
+     * gravity will turn the motion, and meets the planes for ever with the speed gained in two steps, 2 g h (measured 0.97
+     * of that), within a tenth of a millimetre of the bottom.
      */
     @ParameterizedTest
     @MethodSource("solvers")

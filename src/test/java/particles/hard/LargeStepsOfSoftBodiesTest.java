@@ -104,8 +104,9 @@ class LargeStepsOfSoftBodiesTest {
     }
 
     /**
-     * The limit of implicit-midpoint, documented: it damps nothing, springs turn inside out as in {@link StiffSpringsTest}, and
-     * the cloth gets hot: within the energy limit as long as it lasts (10.6 s were measured), then Newton's method says no.
+     * The limit of implicit-midpoint, documented: it damps nothing, springs turn inside out as in {@link StiffSpringsTest},
+     * and the cloth gets hot: within the energy limit as long as it lasts (10.6 s were measured),
+     * then Newton's method says no.
      */
     @Test
     void theClothStaysWithinTheLimitWithImplicitMidpoint() {
@@ -123,7 +124,9 @@ class LargeStepsOfSoftBodiesTest {
         assertEquals(-1.297, extreme(scene, -1), 1e-3);
     }
 
-    /** 600 s; at 0.4 s it has settled to 0.796903 m, and it does not move by a rounding's speed, measured up to 4e-14 m/s. */
+    /**
+     * 600 s; at 0.4 s it has settled to 0.796903 m, and it does not move by a rounding's speed, measured up to 4e-14 m/s.
+     */
     @ParameterizedTest
     @CsvSource({"backward-euler, 60", "implicit-midpoint, 60", "midpoint, 256", "rk4, 256", "adams, 256", "symplectic-euler, 256",
         "verlet, 256", "dormand-prince, 60", "step-doubling, 60", "bulirsch-stoer, 60"})

@@ -18,9 +18,9 @@ import particles.hard.HardSystems.End;
 import particles.scene.Scene;
 
 /**
- * A ball dropped into grooves of two planes of any steepness, rough by any amount, with a speed along the groove. Hard, because
- * it turns round again and again on a side that cannot hold it, past a speed that is almost 0: there Coulomb's friction turns
- * as fast as the velocity, in ever less time, and a step has no answer that an iteration would find.
+ * A ball dropped into grooves of two planes of any steepness, rough by any amount, with a speed along the groove. Hard,
+ * because it turns round again and again on a side that cannot hold it, past a speed that is almost 0: there Coulomb's
+ * friction turns as fast as the velocity, in ever less time, and a step has no answer that an iteration would find.
  */
 @Tag("hard")
 class SteepGroovesTest {

@@ -73,7 +73,9 @@ class FilmTest {
         }
     }
 
-    /** The inverse of what {@link FilmColours} does, in floating point, from the standard's definition (BT.709, 3.2 to 3.5). */
+    /**
+     * The inverse of what {@link FilmColours} does, in floating point, from the standard's definition (BT.709, 3.2 to 3.5).
+     */
     private static int[] rgb(Picture picture, int x, int y) {
         double luma = ((picture.getPlaneData(0)[y * picture.getPlaneWidth(0) + x] + 128) - 16) / 219.0;
         int chroma = y / 2 * picture.getPlaneWidth(1) + x / 2;

@@ -163,7 +163,10 @@ class FrameRendererTest {
         }
     }
 
-    /** A square of two triangles that share a diagonal: with its springs gone one by one it is drawn until one has fewer than two. */
+    /**
+     * A square of two triangles that share a diagonal: with its springs gone one by one it is drawn
+     * until one has fewer than two.
+     */
     @Test
     void aTornTriangleIsNotDrawn() {
         Surface cloth = new Surface(new int[] {0, 1, 2, 0, 2, 3}, true);

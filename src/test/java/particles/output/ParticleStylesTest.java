@@ -172,7 +172,9 @@ class ParticleStylesTest {
         assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);      // the square of 6 is 36; measured 32
     }
 
-    /** A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked for. */
+    /**
+     * A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked for.
+     */
     @Test
     void aTrailIsWhereTheParticleWasAndFades() {
         ParticleSystem system = new ParticleSystem();

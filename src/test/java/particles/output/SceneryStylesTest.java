@@ -22,7 +22,9 @@ import particles.Vector3;
 
 /** Rods, wires and spheres are drawn as large, and where, as the camera sees them. */
 class SceneryStylesTest {
-    /** A ball of radius r at the distance d is seen under the angle asin(r/d); a bead on it makes it smaller by its own size. */
+    /**
+     * A ball of radius r at the distance d is seen under the angle asin(r/d); a bead on it makes it smaller by its own size.
+     */
     @Test
     void aSphereIsAsLargeAsItIsSeen() {
         Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), true, 60, 0);

@@ -100,7 +100,9 @@ class JointContactsTest {
         }
     }
 
-    /** A rod that spins flat on smooth ground, once around each second: it carries m omega&sup2; l/2 and both ends weigh m g. */
+    /**
+     * A rod that spins flat on smooth ground, once around each second: it carries m omega&sup2; l/2 and both ends weigh m g.
+     */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void aRodSpinsOnTheGround(boolean exact) {
@@ -139,7 +141,9 @@ class JointContactsTest {
         assertTrue(ladder.at(1, 0) > 0.05, "it moves away from the wall, at x = " + ladder.at(1, 0));
     }
 
-    /** The same with friction mu at the floor: a'' = (g sin a - 2 mu g cos a) / (l (1 - mu sin a cos a)), if tan a &gt; 2 mu. */
+    /**
+     * The same with friction mu at the floor: a'' = (g sin a - 2 mu g cos a) / (l (1 - mu sin a cos a)), if tan a &gt; 2 mu.
+     */
     @Test
     void frictionAtTheFloor() {
         double mu = 0.2;
@@ -217,7 +221,10 @@ class JointContactsTest {
         assertEquals(0, system.getStateSize());
     }
 
-    /** A dumbbell at an angle f to the ground falls: the blow is (1 + r) m v / (1 - sin&sup2; f / 2), and r = 1 keeps the energy. */
+    /**
+     * A dumbbell at an angle f to the ground falls: the blow is (1 + r) m v / (1 - sin&sup2; f / 2),
+     * and r = 1 keeps the energy.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
     void aRodHitsTheGroundWithOneEnd(double restitution) {

@@ -116,7 +116,9 @@ class BirthAndDeathTest {
         assertTrue(system.getParticles().count() > 40, "" + system.getParticles().count());
     }
 
-    /** Energy in by births, out by deaths, each once: what remains unexplained is rounding although thousands come and go. */
+    /**
+     * Energy in by births, out by deaths, each once: what remains unexplained is rounding although thousands come and go.
+     */
     @Test
     void birthsDeathsAndImpactsAreBookedOnce() {
         ParticleSystem system = new ParticleSystem();
@@ -140,7 +142,10 @@ class BirthAndDeathTest {
         assertEquals(0, ledger.getNumericalError(), 1e-9 * ledger.getWork().get("emitter"));
     }
 
-    /** A hand pulls slowly: the spring tears at 1.5 times its length, with k (l/2)&sup2;/2 = 12.5 J of which the ledger tells once. */
+    /**
+     * A hand pulls slowly: the spring tears at 1.5 times its length,
+     * with k (l/2)&sup2;/2 = 12.5 J of which the ledger tells once.
+     */
     @Test
     void aTornSpringsEnergyIsBookedOnce() {
         ParticleSystem system = new ParticleSystem();
@@ -184,8 +189,9 @@ class BirthAndDeathTest {
     }
 
     /**
-     * Eight heavy particles in turbulence become many: the mass stays to the last bit (it is halved and added), momentum with
-     * it at every change, ids are new, and none is lighter than allowed or has its partner closer than allowed for long.
+     * Eight heavy particles in turbulence become many: the mass stays to the last bit (it is halved and added), momentum
+     * with it at every change, ids are new, and none is lighter than allowed or has its partner
+     * closer than allowed for long.
      */
     @Test
     void samplesStayEvenAndKeepMassAndMomentum() {
@@ -256,7 +262,9 @@ class BirthAndDeathTest {
         assertEquals(4, system.getParticles().count());
     }
 
-    /** Indices of springs follow when particles in front of them die; laws that know of all particles follow by themselves. */
+    /**
+     * Indices of springs follow when particles in front of them die; laws that know of all particles follow by themselves.
+     */
     @Test
     void lawsFollowWhenParticlesGo() {
         ParticleSystem system = new ParticleSystem();

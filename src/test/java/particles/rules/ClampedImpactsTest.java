@@ -47,8 +47,8 @@ class ClampedImpactsTest {
     }
 
     /**
-     * Dropped from 1 m: the contacts come at 0.4515 s, 0.9030 s, 1.1288 s of the reference values. An impact is noticed up to
-     * a step late and the particle lifted by up to v h, so that the times are met to a few steps of 1e-4 s.
+     * Dropped from 1 m: the contacts come at 0.4515 s, 0.9030 s, 1.1288 s of the reference values. An impact is noticed up
+     * to a step late and the particle lifted by up to v h, so that the times are met to a few steps of 1e-4 s.
      */
     @Test
     void bouncesComeAtTheirTimes() {

@@ -77,7 +77,9 @@ class ExactImpactsTest {
         }
     }
 
-    /** Bars: contact times within 1e-9 s, rest at 1.354570922957 s within 1e-6. Measured: 6e-13 (the table's digits), 4e-7. */
+    /**
+     * Bars: contact times within 1e-9 s, rest at 1.354570922957 s within 1e-6. Measured: 6e-13 (the table's digits), 4e-7.
+     */
     @Test
     void bouncesComeAtTheirTimesAndEndInRest() {
         ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
@@ -227,7 +229,9 @@ class ExactImpactsTest {
         assertEquals(-G * root * 0.8 * (1 - turn) * root, entry(system, 3), 1e-11);
     }
 
-    /** Wind that swells lifts a particle off and static friction gives way when the push passes mu_s N: both at their time. */
+    /**
+     * Wind that swells lifts a particle off and static friction gives way when the push passes mu_s N: both at their time.
+     */
     @Test
     void contactLetsGoAndStickingBreaksAtTheirTimes() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
@@ -253,7 +257,9 @@ class ExactImpactsTest {
         assertTrue(entry(lifted, 1) > 0.1);
     }
 
-    /** Down one side of a sharp groove into the other: the pushes of both together bring it to rest, and neither is entered. */
+    /**
+     * Down one side of a sharp groove into the other: the pushes of both together bring it to rest, and neither is entered.
+     */
     @Test
     void restInASharpGroove() {
         ParticleSystem system = oneParticle(new Vector3(0.3, 2, 0), Vector3.ZERO);

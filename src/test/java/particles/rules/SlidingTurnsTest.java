@@ -61,8 +61,9 @@ class SlidingTurnsTest {
 
     /**
      * Obliquely it never stops, however large the steps. Within a step of 0.01 s it turns by more than a right angle, at a
-     * hundredth of the speed, and goes on with what it has along the slope, which is not taken for rounding: nothing is booked
-     * as a jump, and it comes to where steps a fiftieth as long take it (measured: 3.5e-5 m apart, and 2 % of the speed along).
+     * hundredth of the speed, and goes on with what it has along the slope, which is not taken for rounding: nothing is
+     * booked as a jump, and it comes to where steps a fiftieth as long take it (measured: 3.5e-5 m apart,
+     * and 2 % of the speed along).
      */
     @Test
     void obliquelyItTurnsWithoutAStop() {

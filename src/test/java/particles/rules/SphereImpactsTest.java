@@ -113,8 +113,8 @@ class SphereImpactsTest {
     }
 
     /**
-     * Pushed off the top, a particle slides down a ball and leaves it where cos = (2 + v0&sup2;/(g R))/3: its energy is kept, and
-     * the ball lets go where it would have to pull. Measured: 3e-10.
+     * Pushed off the top, a particle slides down a ball and leaves it where cos = (2 + v0&sup2;/(g R))/3: its energy is
+     * kept, and the ball lets go where it would have to pull. Measured: 3e-10.
      */
     @Test
     void slidingOffABallLeavesAtItsAngle() {
@@ -140,7 +140,9 @@ class SphereImpactsTest {
         assertEquals(0, ledger.getWork().get("contact"), 1e-7, "a smooth ball does no work");
     }
 
-    /** In a smooth bowl it swings like a pendulum: from 90 degrees the quarter period is 1.1803405990 times sqrt(R/g) pi/2. */
+    /**
+     * In a smooth bowl it swings like a pendulum: from 90 degrees the quarter period is 1.1803405990 times sqrt(R/g) pi/2.
+     */
     @Test
     void slidingInABowlIsAPendulum() {
         ParticleSystem system = oneParticle(new Vector3(Math.sin(Math.PI / 4), -Math.cos(Math.PI / 4), 0), Vector3.ZERO);

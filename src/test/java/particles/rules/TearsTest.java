@@ -127,8 +127,9 @@ class TearsTest {
     }
 
     /**
-     * The bob hits the ground and its spring, stretched to the limit there, tears at the end of the same step: one bounce and
-     * one tear, each with its own loss, stopped at the impact or put back after the step, and whichever rule comes first.
+     * The bob hits the ground and its spring, stretched to the limit there, tears at the end of the same step: one bounce
+     * and one tear, each with its own loss, stopped at the impact or put back after the step,
+     * and whichever rule comes first.
      */
     @ParameterizedTest
     @CsvSource({"true, 0, true", "true, 3, true", "false, 0, true", "false, 3, true", "true, 3, false", "false, 3, false"})

@@ -12,8 +12,8 @@ import java.util.TreeSet;
 import org.snakeyaml.engine.v2.api.Load;
 
 /**
- * The program loaded once more, from its class files, by a loader that notes what is loaded: it runs a scene as if the program
- * had just been started.
+ * The program loaded once more, from its class files, by a loader that notes what is loaded: it runs a scene as if the
+ * program had just been started.
  */
 final class FreshProgram extends URLClassLoader {
     private final Set<String> loaded = new TreeSet<>();

@@ -10,7 +10,8 @@ import particles.scene.spec.Problems;
 /**
  * What a scene takes is told before it is built. The least heaps (MiB) in which cloths with structural and shear springs
  * would run, found by bisection: 100 x 100 with rk4 31, backward-euler 39, radau 54; 300 x 300 with rk4 106, with pictures
- * 118, backward-euler 218, bulirsch-stoer 148; 600 x 600 with rk4 less than 392. The estimates lie above, by less than twice.
+ * 118, backward-euler 218, bulirsch-stoer 148; 600 x 600 with rk4 less than 392. The estimates lie above,
+ * by less than twice.
  */
 class MemoryEstimateTest {
     private static final double MEGABYTE = 1 << 20;
@@ -63,8 +64,8 @@ class MemoryEstimateTest {
     }
 
     /**
-     * 100 a second: those of half a second and of a step where they live half a second (at the end of a step the new ones come
-     * before the old ones go), those of the whole run where they live for ever.
+     * 100 a second: those of half a second and of a step where they live half a second (at the end of a step the new ones
+     * come before the old ones go), those of the whole run where they live for ever.
      */
     @Test
     void thoseThatAreBornCount() {

@@ -94,7 +94,9 @@ class OnlyWhatIsNamedTest {
         return all;
     }
 
-    /** The list above has every effect and every kind of rule but the three motions' likes and the plane, which is a ground. */
+    /**
+     * The list above has every effect and every kind of rule but the three motions' likes and the plane, which is a ground.
+     */
     @Test
     void everyKindIsLookedAt() {
         String all = additions().stream().map(Addition::yaml).collect(Collectors.joining());

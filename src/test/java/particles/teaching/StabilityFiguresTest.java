@@ -26,7 +26,9 @@ import particles.ChartData.Series;
 /** Stability of solvers that nobody told us about, from their steps, against closed forms. */
 class StabilityFiguresTest {
 
-    /** The theta method for linear laws, as a student might write it: (1 - theta deltaT M) s' = s + (1 - theta) deltaT dSdt. */
+    /**
+     * The theta method for linear laws, as a student might write it: (1 - theta deltaT M) s' = s + (1 - theta) deltaT dSdt.
+     */
     static DESolver theta(double theta) {
         return solver((source, deltaT) -> {
             double[] start = state(source);
@@ -81,7 +83,9 @@ class StabilityFiguresTest {
         return chart.series().stream().filter(series -> series.name().equals(name)).findFirst().orElseThrow();
     }
 
-    /** The region's outline is a circle around a point of the real axis, and where the stripes are is the other side of it. */
+    /**
+     * The region's outline is a circle around a point of the real axis, and where the stripes are is the other side of it.
+     */
     private static void assertCircle(StabilityFigures figures, double centre, double radius, boolean stableInside) {
         ChartData chart = figures.region().orElseThrow();
         Series outline = series(chart, "mine");
@@ -115,7 +119,10 @@ class StabilityFiguresTest {
         assertEquals("0", value(euler, "largest stable deltaT omega"));
     }
 
-    /** |1 + (1 - theta) z| = |1 - theta z| is the circle of radius 1/|1 - 2 theta| that touches 0: stable inside for theta below 1/2. */
+    /**
+     * |1 + (1 - theta) z| = |1 - theta z| is the circle of radius 1/|1 - 2 theta| that touches 0:
+     * stable inside for theta below 1/2.
+     */
     @ParameterizedTest
     @CsvSource({"0.4, -5, true", "0.25, -2, true", "0.75, 2, false", "1, 1, false"})
     void aStudentsThetaMethodHasItsCircle(double theta, double centre, boolean inside) {
@@ -163,7 +170,10 @@ class StabilityFiguresTest {
         assertEquals(-1, 1 - x + x * x / 2 - x * x * x / 6, 4e-7);           // measured 4.4e-8: half of the last digit shown
     }
 
-    /** Without the type by which it could ask: its rotation is none, so it is tried on springs. q = 4 is the end without damping. */
+    /**
+     * Without the type by which it could ask: its rotation is none, so it is tried on springs.
+     * q = 4 is the end without damping.
+     */
     @Test
     void whatStepsPositionsAndVelocitiesApartIsTriedOnSprings() {
         StabilityFigures figures = figures(() -> blocks(true));
@@ -182,7 +192,10 @@ class StabilityFiguresTest {
         assertTrue(points > 50, "points " + points);
     }
 
-    /** The boundary of Adams-Bashforth 2 is z = 2 (w^2 - w)/(3 w - 1), |w| = 1: -1 at w = -1, and nothing of the imaginary axis. */
+    /**
+     * The boundary of Adams-Bashforth 2 is z = 2 (w^2 - w)/(3 w - 1), |w| = 1: -1 at w = -1,
+     * and nothing of the imaginary axis.
+     */
     @Test
     void aMultistepMethodIsMeasuredOverManySteps() {
         StabilityFigures figures = StabilityFigures.of("mine", AdamsBashforth2::new, true);

@@ -9,7 +9,8 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
  * The largest angular frequencies of an undamped system: Lanczos' iteration on the symmetric -da/dx, whose eigenvalues are
- * omega&sup2;. Each new direction is made orthogonal to all earlier ones, twice, so that no eigenvalue appears again as a ghost.
+ * omega&sup2;. Each new direction is made orthogonal to all earlier ones, twice,
+ * so that no eigenvalue appears again as a ghost.
  *
  * <p>Source: C. Lanczos, J. Res. Nat. Bur. Standards 45 (1950), 255.
  */

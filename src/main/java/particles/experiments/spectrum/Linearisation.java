@@ -112,7 +112,10 @@ final class Linearisation {
         }
     }
 
-    /** One multiplication with the whole matrix, (w q, p)' = (w p, M^(1/2) (A x + B v)); twice as many doubles as coordinates. */
+    /**
+     * One multiplication with the whole matrix, (w q, p)' = (w p, M^(1/2) (A x + B v));
+     * twice as many doubles as coordinates.
+     */
     void derivative(double[] y, double[] result) {
         int n = places.length;
         multiply(y, 0, 1 / frequency, y, n);

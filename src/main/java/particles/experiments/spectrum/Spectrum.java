@@ -18,7 +18,10 @@ public record Spectrum(List<Mode> modes, String method, int products, double err
     private static final int FEWEST_DIRECTIONS = 12;
     /** Values whose residual is larger than this part of the largest one are not yet eigenvalues. */
     static final double CONVERGED = 1e-3;
-    /** A lambda below this part of the largest is a free motion or a rest of rounding: the root of the precision, as 0 is double. */
+    /**
+     * A lambda below this part of the largest is a free motion or a rest of rounding: the root of the precision,
+     * as 0 is double.
+     */
     static final double ZERO = 1e-6;
 
     /**

@@ -5,7 +5,9 @@ import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import particles.teaching.exercises.Draw.Picks;
 
-/** The lecture's UDOO: the cost of RK4 against midpoint for similar accuracy, for a duration and an accuracy of one's own. */
+/**
+ * The lecture's UDOO: the cost of RK4 against midpoint for similar accuracy, for a duration and an accuracy of one's own.
+ */
 final class CostOfRK4 extends NumericExercise {
     /** Whoever finds the numbers of steps to 1 % is right; so is who uses the leading term of the error. */
     private static final double THREE_PERCENT = 0.03;

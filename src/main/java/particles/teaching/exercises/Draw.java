@@ -9,8 +9,8 @@ import java.util.Locale;
 import particles.SeededRandom;
 
 /**
- * The numbers of one student in one exercise: the same on every machine and at every call, because they come from the SHA-256
- * of the exercise's number and the student's id. Capitals and spaces around the id do not matter.
+ * The numbers of one student in one exercise: the same on every machine and at every call, because they come from the
+ * SHA-256 of the exercise's number and the student's id. Capitals and spaces around the id do not matter.
  */
 public final class Draw {
     private final String student;

@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import particles.teaching.exercises.Draw.Picks;
 
-/** An exercise whose answer is a number. Numbers with which two answers look alike are not given to anyone: others are drawn. */
+/**
+ * An exercise whose answer is a number. Numbers with which two answers look alike are not given to anyone: others are drawn.
+ */
 abstract class NumericExercise implements Exercise {
     /** Four significant digits, with a rounding on the way forgiven. */
     static final double FOUR_DIGITS = 1e-3;
