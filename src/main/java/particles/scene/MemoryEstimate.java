@@ -22,8 +22,12 @@ record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double BYTES_PER_SPRING = 100;
     /** A picture being drawn, with depth and shadows, and its copies for film and file. */
     private static final double BYTES_PER_PIXEL = 30;
-    /** Where each particle was, in single precision, and which number it had. */
-    private static final double BYTES_PER_TRAIL_SAMPLE = 16;
+    /** Where each particle was, in single precision, and a fourth number where some come and go. */
+    private static final double BYTES_PER_TRAIL_SAMPLE = 15;
+    /** Of trails that pictures still show which are waiting to be drawn, three at most; and the newest and the oldest. */
+    private static final double SAMPLES_WAITING = 14;
+    /** So many particles, and from there on by the logarithm of their number, are where the fill of an elimination was measured. */
+    private static final double FEW = 10_000;
     /** As often as trails are sampled, and as long as they may be. */
     private static final double SAMPLES_PER_FRAME = 4;
     private static final double MOST_SAMPLES = 240;
@@ -40,20 +44,27 @@ record MemoryEstimate(double particles, double springs, double bytes) {
         // how many are left, where some are taken away, nobody knows before: those of one step at least
         double duration = removed ? scene.deltaT() : scene.duration();
         particles += scene.rules().stream().mapToDouble(rule -> rule.kind().alive(rule.values(), scene.deltaT(), duration)).sum();
-        double samples = Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * scene.look().style().trail());
+        double trail = scene.look().style().trail();
+        double samples = trail == 0 ? 0
+                : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * trail);
         double pixels = (double) scene.output().width() * scene.output().height();
-        double perParticle = BYTES_PER_PARTICLE + bytesOfSolver(scene.solver()) + BYTES_PER_TRAIL_SAMPLE * samples;
+        double perParticle = BYTES_PER_PARTICLE + bytesOfSolver(scene.solver(), particles) + BYTES_PER_TRAIL_SAMPLE * samples;
         return new MemoryEstimate(particles, springs, BYTES_OF_PROGRAM + BYTES_PER_PIXEL * pixels + perParticle * particles
                 + BYTES_PER_SPRING * springs);
     }
 
-    /** What a solver takes for a particle beyond what rk4 does: matrices, stages, columns of an extrapolation. */
-    private static double bytesOfSolver(String name) {
+    /**
+     * What a solver takes for a particle beyond what rk4 does: matrices, stages, columns of an extrapolation. The factors of
+     * an elimination in nested dissection grow with n log n; radau has a real one and a complex one.
+     */
+    private static double bytesOfSolver(String name, double particles) {
         if (!SolverCatalog.names().contains(name)) {
             return 0;
         }
         SolverInfo info = SolverCatalog.info(name);
-        return info.family().equals("implicit") ? info.adaptive() ? 2800 : 1400 : info.family().equals("extrapolation") ? 600 : 0;
+        double growth = StrictMath.log(Math.max(1, particles / FEW));
+        return info.family().equals("implicit") ? info.adaptive() ? 6000 + 1200 * growth : 1400 + 400 * growth
+                : info.family().equals("extrapolation") ? 600 : 0;
     }
 
     /** Says so if the scene does not fit. @param allowed how much memory Java may use (bytes) */
