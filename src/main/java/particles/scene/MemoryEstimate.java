@@ -26,7 +26,7 @@ record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double BYTES_PER_TRAIL_SAMPLE = 15;
     /** Of trails that pictures still show which are waiting to be drawn, three at most; and the newest and the oldest. */
     private static final double SAMPLES_WAITING = 14;
-    /** So many particles, and from there on by the logarithm of their number, are where the fill of an elimination was measured. */
+    /** From so many particles on the fill of an elimination is counted as growing, by the logarithm of their number. */
     private static final double FEW = 10_000;
     /** As often as trails are sampled, and as long as they may be. */
     private static final double SAMPLES_PER_FRAME = 4;
@@ -48,7 +48,8 @@ record MemoryEstimate(double particles, double springs, double bytes) {
         double samples = trail == 0 ? 0
                 : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * trail);
         double pixels = (double) scene.output().width() * scene.output().height();
-        double perParticle = BYTES_PER_PARTICLE + bytesOfSolver(scene.solver(), particles) + BYTES_PER_TRAIL_SAMPLE * samples;
+        double perParticle = BYTES_PER_PARTICLE + bytesOfSolver(scene.solver(), particles)
+                + BYTES_PER_TRAIL_SAMPLE * samples;
         return new MemoryEstimate(particles, springs, BYTES_OF_PROGRAM + BYTES_PER_PIXEL * pixels + perParticle * particles
                 + BYTES_PER_SPRING * springs);
     }

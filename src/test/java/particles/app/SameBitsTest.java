@@ -131,7 +131,8 @@ class SameBitsTest {
         assertTrue(expected.get("large.yaml").matches("[0-9a-f]{64}"), expected.toString());
         for (Path jdk : List.of(own, jdks().lastEntry().getValue())) {
             assertEquals(expected, sums(jdk, List.of(), folder, "--frames=false", "--threads=2"), jdk + ", two threads");
-            assertEquals(expected, sums(jdk, List.of(), folder, "--frames=true", "--threads=2"), jdk + ", two threads and pictures");
+            assertEquals(expected, sums(jdk, List.of(), folder, "--frames=true", "--threads=2"),
+                    jdk + ", two threads and pictures");
         }
     }
 }

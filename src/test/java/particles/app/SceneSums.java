@@ -43,8 +43,10 @@ final class SceneSums {
         @Override
         public void run() {
             while (!helped) {
-                helped = Thread.getAllStackTraces().entrySet().stream().anyMatch(thread -> thread.getKey().getName().startsWith("forces-")
-                        && Stream.of(thread.getValue()).anyMatch(call -> call.getClassName().startsWith("particles.effects.")));
+                helped = Thread.getAllStackTraces().entrySet().stream()
+                        .filter(thread -> thread.getKey().getName().startsWith("forces-"))
+                        .flatMap(thread -> Stream.of(thread.getValue()))
+                        .anyMatch(call -> call.getClassName().startsWith("particles.effects."));
                 LockSupport.parkNanos(1_000_000);
             }
         }

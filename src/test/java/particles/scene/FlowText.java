@@ -5,10 +5,11 @@ import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
 
-/** Writes trees of maps, lists, texts and numbers as YAML in one line; a tenth of the time that a general writer takes. */
+/** Writes trees of maps, lists, texts and numbers as YAML in one line; quicker than a general writer. */
 final class FlowText {
     private static final Pattern PLAIN = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
-    private static final Set<String> NO_TEXT = Set.of("true", "false", "null", "True", "False", "Null", "TRUE", "FALSE", "NULL");
+    private static final Set<String> NO_TEXT =
+            Set.of("true", "false", "null", "True", "False", "Null", "TRUE", "FALSE", "NULL");
 
     private FlowText() {
     }
