@@ -232,7 +232,7 @@ class SpringTableTest {
             fresh.add(spring.from, spring.to, spring.number, spring.number + 0.25, spring.number + 0.5);
         }
         for (SpringTable each : List.of(table, fresh)) {
-            each.add(7, 8, 9000, 9000.25, 9000.5);
+            each.add(2950, 2951, 9000, 9000.25, 9000.5);        // begins behind the last, which joins two blocks
             each.arrange();
         }
         assertEquals(2, table.blocks().count());
