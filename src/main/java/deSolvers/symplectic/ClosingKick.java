@@ -32,7 +32,7 @@ final class ClosingKick {
             before = new double[state.length];
         }
         System.arraycopy(state, 0, before, 0, state.length);
-        BlockLayout.kick(state, dSdt, state.length, d, h);            // first guess: the acceleration as it was
+        BlockLayout.kick(state, dSdt, state.length, d, h); // first guess: the acceleration as it was
         double largestBefore = largest(before, d, d);
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
             source.getStateDerivative(state, dSdt);     // at (x, v, t) with the latest v
