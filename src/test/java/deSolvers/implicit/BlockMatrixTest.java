@@ -30,7 +30,7 @@ class BlockMatrixTest {
     }
 
     /** The same, with all that is not 0 in its place; and, by row, the sum of what each term of a force may be. */
-    private static final class Full implements JacobianBlocks {
+    private static final class Full extends BlockByBlock {
         final double[][] k = new double[3 * ROWS][3 * ROWS];
         final double[] scale = new double[3 * ROWS];
         private final double[] state;
@@ -39,24 +39,12 @@ class BlockMatrixTest {
             this.state = state;
         }
 
-        private void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
+        @Override
+        void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
             for (int e = 0; e < 9; e++) {
                 k[3 * i + e / 3][3 * j + e % 3] += sign * (G * G * dFdX[e] + G * dFdV[e]);
                 scale[3 * i + e / 3] += Math.abs(dFdX[e] * state[6 * j + e % 3]);
             }
-        }
-
-        @Override
-        public void add(int i, int j, double[] dFdX, double[] dFdV) {
-            put(i, j, dFdX, dFdV, 1);
-        }
-
-        @Override
-        public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
-            put(i, i, dFdX, dFdV, 1);
-            put(j, j, dFdX, dFdV, 1);
-            put(i, j, dFdX, dFdV, -1);
-            put(j, i, dFdX, dFdV, -1);
         }
 
         @Override

@@ -21,28 +21,16 @@ class ForceBlocksTest {
     private final ForceBlocks forces = new ForceBlocks(work);
 
     /** What is named, with all that is not 0 in its place. */
-    private static final class Full implements JacobianBlocks {
+    private static final class Full extends BlockByBlock {
         final double[][] k = new double[3 * ROWS][3 * ROWS];
         final double[][] c = new double[3 * ROWS][3 * ROWS];
 
         @Override
-        public void add(int i, int j, double[] dFdX, double[] dFdV) {
-            put(i, j, dFdX, dFdV, 1);
-        }
-
-        private void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
+        void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
             for (int e = 0; e < 9; e++) {
                 k[3 * i + e / 3][3 * j + e % 3] += sign * dFdX[e];
                 c[3 * i + e / 3][3 * j + e % 3] += sign * dFdV[e];
             }
-        }
-
-        @Override
-        public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
-            put(i, i, dFdX, dFdV, 1);
-            put(j, j, dFdX, dFdV, 1);
-            put(i, j, dFdX, dFdV, -1);
-            put(j, i, dFdX, dFdV, -1);
         }
 
         @Override
