@@ -39,11 +39,11 @@ final class SpringKernel {
                 addExtremeForce(table, s, state, force);
                 continue;
             }
-            double inverse = 1 / Math.sqrt(square);
+            double length = Math.sqrt(square);
             double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
                     Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
-            double perLength = Math.fma(damping[s] * stretching, inverse * inverse,
-                    stiffness[s] * Math.fma(-restLength[s], inverse, 1));
+            double inverse = 1 / length;
+            double perLength = Math.fma(damping[s] * stretching, inverse, stiffness[s] * (length - restLength[s])) * inverse;
             double fx = perLength * rx;
             double fy = perLength * ry;
             double fz = perLength * rz;
@@ -63,8 +63,10 @@ final class SpringKernel {
         double[] stiffness = table.stiffness;
         double[] restLength = table.restLength;
         double[] damping = table.damping;
+        int[] groupEnds = table.groupEnds;
         int s = first;
-        while (s < end) {
+        for (int group = table.groupOf(first); s < end; group++) {
+            int last = Math.min(groupEnds[group], end);
             int i = from[s];
             double x = state[i];
             double y = state[i + 1];
@@ -75,17 +77,17 @@ final class SpringKernel {
             double sumX = 0;
             double sumY = 0;
             double sumZ = 0;
-            do {
+            for (; s < last; s++) {
                 int j = to[s];
                 double rx = state[j] - x;
                 double ry = state[j + 1] - y;
                 double rz = state[j + 2] - z;
                 double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
                 if (square > SMALLEST_SQUARE && square < LARGEST_SQUARE) {
-                    double inverse = 1 / Math.sqrt(square);
+                    double length = Math.sqrt(square);
                     double stretching = Math.fma(rx, state[j + 3] - vx, Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
-                    double perLength = Math.fma(damping[s] * stretching, inverse * inverse,
-                            stiffness[s] * Math.fma(-restLength[s], inverse, 1));
+                    double inverse = 1 / length;
+                    double perLength = Math.fma(damping[s] * stretching, inverse, stiffness[s] * (length - restLength[s])) * inverse;
                     double fx = perLength * rx;
                     double fy = perLength * ry;
                     double fz = perLength * rz;
@@ -98,8 +100,7 @@ final class SpringKernel {
                 } else {
                     addExtremeForce(table, s, state, force);
                 }
-                s++;
-            } while (s < end && from[s] == i);
+            }
             force[i + 3] += sumX;
             force[i + 4] += sumY;
             force[i + 5] += sumZ;

@@ -17,6 +17,7 @@ final class SpringTable {
     double[] damping = new double[8];
     private boolean arranged;
     private boolean sorted = true;
+    int[] groupEnds = new int[0];                       // where the springs of each particle end, once they are arranged
     private int owners;                                 // particles at which springs begin, counted when arranged
     private final SpringBlocks blocks = new SpringBlocks();
 
@@ -107,10 +108,26 @@ final class SpringTable {
             sorted = blocks.count() == 1;
             arranged = true;
         }
+        group();
+    }
+
+    private void group() {
         owners = 0;
         for (int s = 0; s < count; s++) {
             owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
         }
+        groupEnds = new int[owners];
+        for (int s = 1, group = 0; s <= count; s++) {
+            if (s == count || from[s] != from[s - 1]) {
+                groupEnds[group++] = s;
+            }
+        }
+    }
+
+    /** @return the group of spring s, once they are arranged */
+    int groupOf(int s) {
+        int place = Arrays.binarySearch(groupEnds, s);
+        return place < 0 ? -place - 1 : place + 1;
     }
 
     /** @return their blocks, once they are arranged */
