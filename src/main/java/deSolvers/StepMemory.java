@@ -56,7 +56,7 @@ public final class StepMemory {
      * @param deltaT the step that was made (s)
      */
     public void keep(DEStateSource source, double time, double[] state, double deltaT) {
-        int n = state.length;
+        int n = source.getStateSize();                  // not the array's: see isKept
         if (this.state.length != n) {
             this.state = new double[n];
         }

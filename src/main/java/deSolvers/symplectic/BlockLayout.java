@@ -87,30 +87,30 @@ final class BlockLayout {
 
     /** One position at x and its velocity at v. */
     private static void move(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
-        double velocity = state[v] + kick * dSdt[v];
+        double velocity = Math.fma(kick, dSdt[v], state[v]);
         result[v] = velocity;
-        result[x] = Math.fma(dSdt[x], 0, state[x] + drift * velocity);
+        result[x] = Math.fma(drift, velocity, Math.fma(dSdt[x], 0, state[x]));
     }
 
     /** Changes the velocities by an acceleration, read from the derivative's velocity entries: v += h a. */
     static void kick(double[] state, double[] dSdt, int n, int d, double h) {
         if (d == 1) {
             for (int v = 1; v < n; v += 2) {
-                state[v] += h * dSdt[v];
+                state[v] = Math.fma(h, dSdt[v], state[v]);
             }
             return;
         }
         if (d == 3) {
             for (int v = 3; v < n; v += 6) {
-                state[v] += h * dSdt[v];
-                state[v + 1] += h * dSdt[v + 1];
-                state[v + 2] += h * dSdt[v + 2];
+                state[v] = Math.fma(h, dSdt[v], state[v]);
+                state[v + 1] = Math.fma(h, dSdt[v + 1], state[v + 1]);
+                state[v + 2] = Math.fma(h, dSdt[v + 2], state[v + 2]);
             }
             return;
         }
         for (int v = d; v < n; v += 2 * d) {
             for (int c = v; c < v + d; c++) {
-                state[c] += h * dSdt[c];
+                state[c] = Math.fma(h, dSdt[c], state[c]);
             }
         }
     }

@@ -34,43 +34,56 @@ final class KickDriftKick {
 
     void step(DEStateSource client, double deltaT) {
         SecondOrderStateSource secondOrder = layout.of(client);
-        int d = secondOrder.getDimension();
         int n = client.getStateSize();
         if (state.length != n) {
-            state = new double[n];
-            dSdt = new double[n];
-            memory.forget();
+            resize(n);
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            double[] begin = source.getStartState();
-            double[] state = this.state;
-            double[] dSdt = this.dSdt;
-            boolean continues = memory.holds(client, source.getStartTime(), begin, deltaT);
+            double[] from = source.getStartState();
+            boolean continues = memory.holds(client, source.getStartTime(), from, deltaT);
             memory.forget();                            // until this step has ended well
             if (!continues) {
-                source.getStateDerivative(begin, dSdt); // at (x, v, t)
+                source.getStateDerivative(from, dSdt);  // at (x, v, t)
                 source.requireFinite(dSdt);
             }
-            boolean implicit = secondOrder.accelerationDependsOnVelocity();
             double done = 0;
             for (double weight : weights) {
                 double h = weight * deltaT;
-                kickDrift(done == 0 ? begin : state, dSdt, n, d, h / 2, h, state);
                 done += h;
-                source.setOffset(done);
-                if (implicit) {
-                    closingKick.solve(source, state, dSdt, d, h / 2);
-                } else {
-                    source.getStateDerivative(state, dSdt);  // at (x(t + h), t + h)
-                    source.requireFinite(dSdt);
-                    kick(state, dSdt, n, d, h / 2);
-                }
+                leapfrog(source, secondOrder, from, n, h, done);
+                from = state;
             }
             memory.keep(client, source.getEndTime(), state, deltaT);
-            double[] free = source.handOver(state);
-            if (free != state) {                        // storing a reference costs the garbage collector's note
-                this.state = free;
-            }
+            handOver(source);
+        }
+    }
+
+    private void resize(int n) {
+        state = new double[n];
+        dSdt = new double[n];
+        memory.forget();
+    }
+
+    /** From one state into ours, over h, to where the step has come at its end; the derivative moves along. */
+    private void leapfrog(GuardedStep source, SecondOrderStateSource secondOrder, double[] from, int n, double h, double end) {
+        double[] state = this.state;
+        double[] dSdt = this.dSdt;
+        int d = secondOrder.getDimension();
+        kickDrift(from, dSdt, n, d, h / 2, h, state);
+        source.setOffset(end);
+        if (secondOrder.accelerationDependsOnVelocity()) {
+            closingKick.solve(source, state, dSdt, d, h / 2);
+        } else {
+            source.getStateDerivative(state, dSdt);     // at (x(t + h), t + h)
+            source.requireFinite(dSdt);
+            kick(state, dSdt, n, d, h / 2);
+        }
+    }
+
+    private void handOver(GuardedStep source) {
+        double[] free = source.handOver(state);
+        if (free != state) {                            // storing a reference costs the garbage collector's note
+            state = free;
         }
     }
 
