@@ -53,10 +53,10 @@ public final class StepMemory {
      * @param source the source that was stepped
      * @param time   its time (s)
      * @param state  its state; copied
+     * @param n      how many entries it has; as where it is asked for, the loop is none where that is a constant
      * @param deltaT the step that was made (s)
      */
-    public void keep(DEStateSource source, double time, double[] state, double deltaT) {
-        int n = source.getStateSize();                  // not the array's: see isKept
+    public void keep(DEStateSource source, double time, double[] state, int n, double deltaT) {
         if (this.state.length != n) {
             this.state = new double[n];
         }

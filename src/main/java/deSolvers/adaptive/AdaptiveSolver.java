@@ -166,7 +166,7 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
             }
             cover(source, deltaT);
             source.finish(state);
-            memory.keep(client, source.getEndTime(), state, deltaT);
+            memory.keep(client, source.getEndTime(), state, n, deltaT);
             if (dense) {
                 track.finish(source.getStartTime(), source.getEndTime(), n);
             }

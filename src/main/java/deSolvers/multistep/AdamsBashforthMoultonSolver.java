@@ -63,7 +63,7 @@ public final class AdamsBashforthMoultonSolver extends DESolver {
                 predictAndCorrect(source, deltaT);
             }
             source.finish(state);
-            memory.keep(client, source.getEndTime(), state, deltaT);
+            memory.keep(client, source.getEndTime(), state, n, deltaT);
             shiftHistory();
         }
     }

@@ -53,7 +53,7 @@ final class KickDriftKick {
                 leapfrog(source, secondOrder, from, n, h, done);
                 from = state;
             }
-            memory.keep(client, source.getEndTime(), state, deltaT);
+            memory.keep(client, source.getEndTime(), state, n, deltaT);
             handOver(source);
         }
     }
