@@ -23,10 +23,10 @@ import particles.scene.SceneReader;
 final class SceneSums {
     /** What the last line begins with. */
     static final String HELPED = "helped";
-    /** Particles times steps of a run: a tenth of a second or two each. */
-    private static final double MOST_WORK = 5e4;
+    /** Particles times steps of a run: a few tenths of a second each. */
+    private static final double MOST_WORK = 1e5;
     private static final int LEAST_STEPS = 40;
-    private static final int MOST_STEPS = 750;
+    private static final int MOST_STEPS = 1500;
 
     private SceneSums() {
     }
