@@ -53,7 +53,7 @@ public final class StepMemory {
      * @param source the source that was stepped
      * @param time   its time (s)
      * @param state  its state; copied
-     * @param n      how many entries it has; as where it is asked for, the loop is none where that is a constant
+     * @param n      how many entries it has; not read from the array, because the loop is none where it is a constant
      * @param deltaT the step that was made (s)
      */
     public void keep(DEStateSource source, double time, double[] state, int n, double deltaT) {

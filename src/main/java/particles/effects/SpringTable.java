@@ -9,16 +9,17 @@ import particles.Particles;
  * into the order in which their forces are evaluated fastest.
  */
 final class SpringTable {
+    private static final int[] NOT_GROUPED = {};
+
     int count;
     int[] from = new int[8];                            // where the particles' entries begin in the state
     int[] to = new int[8];
     double[] stiffness = new double[8];
     double[] restLength = new double[8];
     double[] damping = new double[8];
+    int[] groupEnds = NOT_GROUPED;                      // the end of the springs of each particle where springs begin
     private boolean arranged;
     private boolean sorted = true;
-    int[] groupEnds = new int[0];                       // where the springs of each particle end, once they are arranged
-    private int owners;                                 // particles at which springs begin, counted when arranged
     private final SpringBlocks blocks = new SpringBlocks();
 
     void add(int i, int j, double stiffness, double restLength, double damping) {
@@ -67,7 +68,7 @@ final class SpringTable {
             }
         }
         count = stay;
-        owners = 0;
+        groupEnds = NOT_GROUPED;
     }
 
     void remember(Memory memory) {
@@ -80,7 +81,7 @@ final class SpringTable {
         arranged = memory.keep(arranged);
         sorted = memory.keep(sorted);
         blocks.remember(memory);
-        owners = 0;
+        groupEnds = NOT_GROUPED;
     }
 
     private void move(int s, int stay) {
@@ -97,7 +98,7 @@ final class SpringTable {
      * Then divides them into blocks.
      */
     void arrange() {
-        if (arranged && (owners > 0 || count == 0)) {
+        if (arranged && (groupEnds.length > 0 || count == 0)) {
             return;
         }
         if (!arranged) {
@@ -112,16 +113,14 @@ final class SpringTable {
     }
 
     private void group() {
-        owners = 0;
-        for (int s = 0; s < count; s++) {
-            owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
-        }
-        groupEnds = new int[owners];
-        for (int s = 1, group = 0; s <= count; s++) {
+        int[] ends = new int[count];
+        int groups = 0;
+        for (int s = 1; s <= count; s++) {
             if (s == count || from[s] != from[s - 1]) {
-                groupEnds[group++] = s;
+                ends[groups++] = s;
             }
         }
+        groupEnds = Arrays.copyOf(ends, groups);
     }
 
     /** @return the group of spring s, once they are arranged */
@@ -137,7 +136,7 @@ final class SpringTable {
 
     /** @return whether a particle owns enough springs, two or more on average, to take them together */
     boolean isGrouped() {
-        return count >= 2L * owners;
+        return count >= 2L * groupEnds.length;
     }
 
     private void sort() {
