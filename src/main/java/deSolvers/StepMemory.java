@@ -33,13 +33,13 @@ public final class StepMemory {
                 && isKept(state, source.getStateSize());
     }
 
-    /** The source is asked for n, because the loop is none where that is a constant. */
+    /** The source is asked for n, because the loop is none where that is a constant; from the end, for one check of bounds. */
     private boolean isKept(double[] state, int n) {
         double[] kept = this.state;
         if (n != state.length || n != kept.length || n >= FEW) {
             return Arrays.equals(state, kept);
         }
-        for (int i = 0; i < n; i++) {
+        for (int i = n - 1; i >= 0; i--) {
             if (Double.doubleToRawLongBits(state[i]) != Double.doubleToRawLongBits(kept[i])) {
                 return false;
             }
@@ -52,23 +52,15 @@ public final class StepMemory {
      *
      * @param source the source that was stepped
      * @param time   its time (s)
-     * @param state  its state; copied
-     * @param n      how many entries it has; not read from the array, because the loop is none where it is a constant
+     * @param state  its state, in an array of the solver's own; not copied, so it has to stay as it is until the next step
+     *               asks for it or all is forgotten
      * @param deltaT the step that was made (s)
      */
-    public void keep(DEStateSource source, double time, double[] state, int n, double deltaT) {
-        if (this.state.length != n) {
-            this.state = new double[n];
+    public void keep(DEStateSource source, double time, double[] state, double deltaT) {
+        if (this.state != state) {                      // storing a reference, even the same, may cost as much as a small step
+            this.state = state;
         }
-        double[] kept = this.state;
-        if (n < FEW) {
-            for (int i = 0; i < n; i++) {
-                kept[i] = state[i];
-            }
-        } else {
-            System.arraycopy(state, 0, kept, 0, n);
-        }
-        if (this.source != source) {                    // storing a reference, even the same, may cost as much as a small step
+        if (this.source != source) {
             this.source = source;
         }
         valid = true;

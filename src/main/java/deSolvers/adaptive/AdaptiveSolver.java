@@ -158,15 +158,15 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
             }
             track.clear();
             source.requireFiniteStart();
-            source.getState(state);
-            boolean continues = memory.holds(client, source.getStartTime(), state, deltaT);
+            boolean continues = memory.holds(client, source.getStartTime(), source.getStartState(), deltaT);
             memory.forget();                            // until this step has ended well
+            source.getState(state);
             if (!continues) {
                 begin(source, deltaT);
             }
             cover(source, deltaT);
             source.finish(state);
-            memory.keep(client, source.getEndTime(), state, n, deltaT);
+            memory.keep(client, source.getEndTime(), state, deltaT);
             if (dense) {
                 track.finish(source.getStartTime(), source.getEndTime(), n);
             }

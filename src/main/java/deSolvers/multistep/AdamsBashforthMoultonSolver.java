@@ -50,11 +50,11 @@ public final class AdamsBashforthMoultonSolver extends DESolver {
             resize(n);
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            if (!memory.holds(client, source.getStartTime(), state, deltaT)) {
+            if (!memory.holds(client, source.getStartTime(), source.getStartState(), deltaT)) {
                 known = 0;
             }
             memory.forget();                            // until this step has ended well
+            source.getState(state);
             source.getStateDerivative(f0);              // at (s, t), which the last step left
             if (known < HISTORY) {
                 startWithRK4(source, deltaT);
@@ -63,7 +63,7 @@ public final class AdamsBashforthMoultonSolver extends DESolver {
                 predictAndCorrect(source, deltaT);
             }
             source.finish(state);
-            memory.keep(client, source.getEndTime(), state, n, deltaT);
+            memory.keep(client, source.getEndTime(), state, deltaT);
             shiftHistory();
         }
     }

@@ -14,26 +14,64 @@ final class ClosingKick {
     private static final double ROUNDING = 0x1p-50;
     private static final int MOST_ITERATIONS = 100;
 
-    private double[] before = {};
+    private double[] before = {};                       // the velocities alone, from which the kick starts
+    private double largestBefore;                       // of their sizes; NaN if one is
     private double change;                              // the largest one of a velocity in the last iteration
     private double scale;                               // the largest velocity, before the kick or after; NaN if one is
 
     /**
-     * Solves for the velocities and leaves the source at the new state.
+     * The opening kick and the drift, as {@link BlockLayout#kickDrift} does them, and a first guess at the closing kick: the
+     * acceleration as it was. In one pass, because on large systems each costs as much as a part of the springs.
+     *
+     * @param from   (x, v) at the beginning; n long
+     * @param dSdt   the derivative there; n long
+     * @param n      how many entries these arrays have
+     * @param d      positions in a block
+     * @param h      the leapfrog's length (s); each of the kicks takes half of it
+     * @param state  another array; receives x' and the guess at v'; n long
+     */
+    void open(double[] from, double[] dSdt, int n, int d, double h, double[] state) {
+        if (before.length != n / 2) {
+            before = new double[n / 2];
+        }
+        double largest = 0;
+        int j = 0;
+        if (d == 3) {                                   // written out: an inner loop over three entries takes twice as long
+            for (int x = 0; x < n; x += 6) {
+                largest = larger(Math.abs(open(from, dSdt, x, x + 3, h, state, j)), largest);
+                largest = larger(Math.abs(open(from, dSdt, x + 1, x + 4, h, state, j + 1)), largest);
+                largest = larger(Math.abs(open(from, dSdt, x + 2, x + 5, h, state, j + 2)), largest);
+                j += 3;
+            }
+        } else {
+            for (int block = 0; block < n; block += 2 * d) {
+                for (int x = block; x < block + d; x++) {
+                    largest = larger(Math.abs(open(from, dSdt, x, x + d, h, state, j++)), largest);
+                }
+            }
+        }
+        largestBefore = largest;
+    }
+
+    /** One position at x and its velocity at v, which is the j-th. */
+    private double open(double[] from, double[] dSdt, int x, int v, double h, double[] state, int j) {
+        double velocity = Math.fma(h / 2, dSdt[v], from[v]);
+        before[j] = velocity;
+        state[v] = Math.fma(h / 2, dSdt[v], velocity);
+        state[x] = Math.fma(h, velocity, Math.fma(dSdt[x], 0, from[x]));
+        return velocity;
+    }
+
+    /**
+     * Solves for the velocities, after {@link #open}.
      *
      * @param source the step's source, its clock already at the kick's time
-     * @param state  holds x and, before the kick, v0; receives v
-     * @param dSdt   holds the derivative of the last kick, for a first guess; receives the derivative at (x, v)
+     * @param state  holds x and a guess at v; receives v
+     * @param dSdt   receives the derivative at (x, v)
      * @param d      positions in a block
      * @param h      the kick's length (s)
      */
     void solve(GuardedStep source, double[] state, double[] dSdt, int d, double h) {
-        if (before.length != state.length) {
-            before = new double[state.length];
-        }
-        System.arraycopy(state, 0, before, 0, state.length);
-        BlockLayout.kick(state, dSdt, state.length, d, h); // first guess: the acceleration as it was
-        double largestBefore = largest(before, d, d);
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
             source.getStateDerivative(state, dSdt);     // at (x, v, t) with the latest v
             if (iteration == 0) {
@@ -48,7 +86,7 @@ final class ClosingKick {
             if (change <= TOLERANCE * scale) {
                 return;
             }
-            if (iteration > 0 && change >= last && change * Math.abs(h) <= ROUNDING * largest(state, 0, d)) {
+            if (iteration > 0 && change >= last && change * Math.abs(h) <= ROUNDING * largestPosition(state, d)) {
                 return;                                 // near rest, where large forces cancel, rounding is all that is left
             }
         }
@@ -64,9 +102,10 @@ final class ClosingKick {
             kickVectors(state, dSdt, h);
             return;
         }
+        int j = 0;
         for (int v = d; v < state.length; v += 2 * d) {
             for (int c = v; c < v + d; c++) {
-                double kicked = before[c] + h * dSdt[c];
+                double kicked = Math.fma(h, dSdt[c], before[j++]);
                 change = larger(Math.abs(kicked - state[c]), change);
                 scale = larger(Math.abs(kicked), scale);
                 state[c] = kicked;
@@ -74,15 +113,17 @@ final class ClosingKick {
         }
     }
 
-    /** The same in space, written out: an inner loop over three entries takes twice as long. */
+    /** The same in space, written out. */
     private void kickVectors(double[] state, double[] dSdt, double h) {
         double[] before = this.before;
         double change = this.change;
         double scale = this.scale;
+        int j = 0;
         for (int v = 3; v < state.length; v += 6) {
-            double vx = before[v] + h * dSdt[v];
-            double vy = before[v + 1] + h * dSdt[v + 1];
-            double vz = before[v + 2] + h * dSdt[v + 2];
+            double vx = Math.fma(h, dSdt[v], before[j]);
+            double vy = Math.fma(h, dSdt[v + 1], before[j + 1]);
+            double vz = Math.fma(h, dSdt[v + 2], before[j + 2]);
+            j += 3;
             change = larger(Math.abs(vx - state[v]), change);
             change = larger(Math.abs(vy - state[v + 1]), change);
             change = larger(Math.abs(vz - state[v + 2]), change);
@@ -102,20 +143,12 @@ final class ClosingKick {
         return size <= largest ? largest : Double.isNaN(largest) ? largest : size;
     }
 
-    /** The largest position (from the first entry on) or velocity (from entry d on), by its size; NaN if one is. */
-    private static double largest(double[] state, int first, int d) {
+    /** The largest position by its size; NaN if one is. */
+    private static double largestPosition(double[] state, int d) {
         double largest = 0;
-        if (d == 3) {
-            for (int x = first; x < state.length; x += 6) {
+        for (int block = 0; block < state.length; block += 2 * d) {
+            for (int x = block; x < block + d; x++) {
                 largest = larger(Math.abs(state[x]), largest);
-                largest = larger(Math.abs(state[x + 1]), largest);
-                largest = larger(Math.abs(state[x + 2]), largest);
-            }
-            return largest;
-        }
-        for (int block = first; block < state.length; block += 2 * d) {
-            for (int c = block; c < block + d; c++) {
-                largest = larger(Math.abs(state[c]), largest);
             }
         }
         return largest;

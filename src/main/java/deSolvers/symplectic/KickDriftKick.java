@@ -47,15 +47,14 @@ final class KickDriftKick {
                 source.getStateDerivative(from, dSdt);  // at (x, v, t)
                 source.requireFinite(dSdt);
             }
-            double done = 0;
-            for (double weight : weights) {
-                double h = weight * deltaT;
-                done += h;
-                leapfrog(source, secondOrder, from, n, h, done);
+            int last = weights.length - 1;
+            if (last > 0) {
+                leapfrogsBefore(last, source, secondOrder, from, n, deltaT);
                 from = state;
             }
-            memory.keep(client, source.getEndTime(), state, n, deltaT);
-            handOver(source);
+            leapfrog(source, secondOrder, from, n, weights[last] * deltaT, deltaT);
+            source.finish(state);                       // copied in, so that ours is left to be remembered
+            memory.keep(client, source.getEndTime(), state, deltaT);
         }
     }
 
@@ -65,26 +64,33 @@ final class KickDriftKick {
         memory.forget();
     }
 
+    /** All but the last, which stands by itself: a step of a single one needs no loop. */
+    private void leapfrogsBefore(int last, GuardedStep source, SecondOrderStateSource secondOrder, double[] start, int n,
+            double deltaT) {
+        double[] from = start;
+        double done = 0;
+        for (int k = 0; k < last; k++) {
+            double h = weights[k] * deltaT;
+            done += h;
+            leapfrog(source, secondOrder, from, n, h, done);
+            from = state;
+        }
+    }
+
     /** From one state into ours, over h, to where the step has come at its end; the derivative moves along. */
     private void leapfrog(GuardedStep source, SecondOrderStateSource secondOrder, double[] from, int n, double h, double end) {
         double[] state = this.state;
         double[] dSdt = this.dSdt;
         int d = secondOrder.getDimension();
-        kickDrift(from, dSdt, n, d, h / 2, h, state);
         source.setOffset(end);
         if (secondOrder.accelerationDependsOnVelocity()) {
+            closingKick.open(from, dSdt, n, d, h, state);
             closingKick.solve(source, state, dSdt, d, h / 2);
         } else {
+            kickDrift(from, dSdt, n, d, h / 2, h, state);
             source.getStateDerivative(state, dSdt);     // at (x(t + h), t + h)
             source.requireFinite(dSdt);
             kick(state, dSdt, n, d, h / 2);
-        }
-    }
-
-    private void handOver(GuardedStep source) {
-        double[] free = source.handOver(state);
-        if (free != state) {                            // storing a reference costs the garbage collector's note
-            state = free;
         }
     }
 
