@@ -10,9 +10,13 @@ final class Front {
     private final BlockPattern pattern;
     private final FrontalPlan plan;
     private final double[][] front;
-    private final double[][] pivotRow;
+    private final PivotRows pivotRows;
     private final double[] block = new double[9];
+    private final double[] minusInverse = new double[9];
     private final double[] factor = new double[9];
+    private final double[] next = new double[9];
+    private final double[] product = new double[9];
+    private final double[] firstFactors;                // of each row, where the pivot block is the first of two
     private final int[] at;                             // of each place: where it is in the front
     private final double[] left;
     private int leftEnd;
@@ -32,7 +36,8 @@ final class Front {
         int n = plan.fits ? pattern.rows : 0;
         int widest = 3 * plan.largestFront;
         front = new double[widest][widest];
-        pivotRow = new double[3][widest];
+        pivotRows = new PivotRows(widest);
+        firstFactors = new double[3 * widest];
         at = new int[n];
         left = new double[9 * plan.mostLeft];
         waiting = new int[plan.groups];
@@ -99,13 +104,17 @@ final class Front {
                     continue;
                 }
                 int row = at[plan.place[j]];
-                for (int e = 0; e < 9; e++) {
-                    front[row + e / 3][at[k] + e % 3] = a[9 * mirror[s] + e];
-                }
-                for (int e = 0; e < 9 && !symmetric; e++) {
-                    front[at[k] + e / 3][row + e % 3] = a[9 * s + e];
+                copyBlock(9 * mirror[s], row, at[k]);
+                if (!symmetric) {
+                    copyBlock(9 * s, at[k], row);
                 }
             }
+        }
+    }
+
+    private void copyBlock(int from, int row, int column) {
+        for (int c = 0; c < 3; c++) {
+            System.arraycopy(a, from + 3 * c, front[row + c], column, 3);
         }
     }
 
@@ -166,47 +175,70 @@ final class Front {
             if (!symmetric) {
                 System.arraycopy(front[k + c], k + 3, right, at, length);
             }
-            System.arraycopy(right, at, pivotRow[c], k + 3, length);
+            System.arraycopy(right, at, pivotRows.get(k % 6 + c), k + 3, length);
         }
     }
 
-    /** Subtracts from the rows below a pivot block at row k what its elimination adds to them. */
+    /**
+     * Subtracts from the rows below a pivot block at row k what its elimination adds to them. Blocks are eliminated in pairs;
+     * of the first one only what the second needs is subtracted before both are.
+     */
     void eliminate(int k, double[] inverse, int inverseAt) {
-        for (int r = k + 3; r < rows; r += 3) {
-            for (int i = 0; i < 3; i++) {
-                System.arraycopy(front[r + i], k, block, 3 * i, 3);
-            }
-            Block3.multiply(block, 0, inverse, inverseAt, factor, 0);
-            for (int i = 0; i < 9; i++) {
-                factor[i] = -factor[i];
-            }
-            addPivotRows(front[r], front[r + 1], front[r + 2], pivotRow[0], pivotRow[1], pivotRow[2], factor, k + 3,
-                    symmetric ? r + 3 : rows);
+        for (int e = 0; e < 9; e++) {
+            minusInverse[e] = -inverse[inverseAt + e];
+        }
+        if (k % 6 == 3) {
+            eliminatePair(k);
+        } else if (k + 3 < 3 * plan.width(g)) {
+            eliminateFirst(k);
+        } else {
+            eliminateSingle(k);
         }
     }
 
-    /** Adds f p to three rows; one loop over separate arrays, which the compiler makes vector instructions of. */
-    private static void addPivotRows(double[] a, double[] b, double[] c, double[] p, double[] q, double[] r, double[] f,
-                                     int from, int to) {
-        double f0 = f[0];
-        double f1 = f[1];
-        double f2 = f[2];
-        double f3 = f[3];
-        double f4 = f[4];
-        double f5 = f[5];
-        double f6 = f[6];
-        double f7 = f[7];
-        double f8 = f[8];
-        for (int j = from; j < to; j++) {               // all loads come first: else they might see the stores
-            double p0 = p[j];
-            double p1 = q[j];
-            double p2 = r[j];
-            double sumA = a[j];
-            double sumB = b[j];
-            double sumC = c[j];
-            a[j] = Math.fma(f0, p0, Math.fma(f1, p1, Math.fma(f2, p2, sumA)));
-            b[j] = Math.fma(f3, p0, Math.fma(f4, p1, Math.fma(f5, p2, sumB)));
-            c[j] = Math.fma(f6, p0, Math.fma(f7, p1, Math.fma(f8, p2, sumC)));
+    private void eliminateSingle(int k) {
+        for (int r = k + 3; r < rows; r += 3) {
+            findFactor(r, k, factor, 0);
+            for (int c = 0; c < 3; c++) {
+                pivotRows.add(front[r + c], factor, 3 * c, k + 3, symmetric ? r + 3 : rows);
+            }
         }
+    }
+
+    /** The columns of the second pivot block, and its rows; the factors are kept. */
+    private void eliminateFirst(int k) {
+        for (int c = 0; c < 3; c++) {
+            System.arraycopy(pivotRows.get(c), k + 3, next, 3 * c, 3);
+        }
+        for (int r = k + 3; r < rows; r += 3) {
+            findFactor(r, k, firstFactors, 3 * r);
+            Block3.multiply(firstFactors, 3 * r, next, 0, product, 0);
+            for (int c = 0; c < 3; c++) {
+                double[] row = front[r + c];
+                row[k + 3] += product[3 * c];
+                row[k + 4] += product[3 * c + 1];
+                row[k + 5] += product[3 * c + 2];
+            }
+        }
+        for (int r = k + 3; r < k + 6 && !symmetric; r++) {
+            pivotRows.add(front[r], firstFactors, 3 * r, k + 6, rows);
+        }
+    }
+
+    private void eliminatePair(int k) {
+        for (int r = k + 3; r < rows; r += 3) {
+            findFactor(r, k, factor, 0);
+            for (int c = 0; c < 3; c++) {
+                pivotRows.add(front[r + c], firstFactors, 3 * (r + c), factor, 3 * c, k + 3, symmetric ? r + 3 : rows);
+            }
+        }
+    }
+
+    /** What the pivot block's rows are to be multiplied by before they are added to three others. */
+    private void findFactor(int r, int k, double[] factor, int at) {
+        for (int c = 0; c < 3; c++) {
+            System.arraycopy(front[r + c], k, block, 3 * c, 3);
+        }
+        Block3.multiply(block, 0, minusInverse, 0, factor, at);
     }
 }
