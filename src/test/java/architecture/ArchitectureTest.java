@@ -25,8 +25,10 @@ class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
     private static final int MOST_LINES = 300;
 
-    private static final String ALGEBRA = "org.ejml", ORDERING = "edu.ufl.cise.amd", YAML = "org.snakeyaml", JSON = "com.fasterxml.jackson", COMMAND_LINE = "picocli",
-            CHARTS = "org.jfree", FILMS = "org.jcodec", XML = "javax.xml", COMPILER = "javax.tools", AWT = "java.awt", IMAGES = "javax.imageio";
+    private static final String ALGEBRA = "org.ejml", ORDERING = "edu.ufl.cise.amd", YAML = "org.snakeyaml",
+            JSON = "com.fasterxml.jackson", COMMAND_LINE = "picocli",
+            CHARTS = "org.jfree", FILMS = "org.jcodec", XML = "javax.xml", COMPILER = "javax.tools", AWT = "java.awt",
+                    IMAGES = "javax.imageio";
     private static final String EVERYTHING_OF_OURS = "*";
 
     /**
@@ -46,16 +48,19 @@ class ArchitectureTest {
             Map.entry("particles.effects", Set.of("particles")),
             Map.entry("particles.reactions", Set.of("particles", "particles.effects", ALGEBRA)),
             Map.entry("particles.rules", Set.of("particles", "particles.effects", "particles.reactions")),
-            Map.entry("particles.scene", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects", "particles.reactions",
+            Map.entry("particles.scene", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
+                    "particles.reactions",
                     "particles.rules", YAML, JSON)),
             Map.entry("particles.experiments", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
                     "particles.reactions", "particles.rules", "particles.scene", ALGEBRA)),
             Map.entry("particles.output", Set.of("particles", CHARTS, AWT, IMAGES, FILMS, JSON, XML)),
-            Map.entry("particles.teaching", Set.of("deSolvers", "deSolvers.", "particles", "particles.effects", "particles.reactions",
+            Map.entry("particles.teaching", Set.of("deSolvers", "deSolvers.", "particles", "particles.effects",
+                    "particles.reactions",
                     "particles.rules", "particles.scene", "particles.experiments")),
             Map.entry("particles.app", Set.of(EVERYTHING_OF_OURS, COMMAND_LINE, JSON, COMPILER))));
 
-    private final List<SourceFile> sources = SourceFile.readAll(MAIN).stream().filter(source -> !source.packageName().equals("exercises")).toList();
+    private final List<SourceFile> sources = SourceFile.readAll(MAIN).stream()
+            .filter(source -> !source.packageName().equals("exercises")).toList();
 
     @Test
     void sourcesAreRead() {
@@ -130,7 +135,8 @@ class ArchitectureTest {
 
     @Test
     void noFileIsLong() {
-        assertNone(sources.stream().filter(source -> source.lines() > MOST_LINES).map(source -> source + " has " + source.lines() + " lines").toList());
+        assertNone(sources.stream().filter(source -> source.lines() > MOST_LINES).map(source -> source + " has "
+                + source.lines() + " lines").toList());
     }
 
     @Test
@@ -182,7 +188,8 @@ class ArchitectureTest {
                 """);
         SourceFile bad = SourceFile.readAll(folder).get(0);
         assertEquals(new TreeSet<>(Set.of("particles.effects", "org.ejml", "java.awt", "java.util")), bad.usedPackages());
-        assertEquals(List.of("count is not final", "TABLE is an array that others can write to", "NAMES is a new java.util.ArrayList<>",
+        assertEquals(List.of("count is not final", "TABLE is an array that others can write to",
+                "NAMES is a new java.util.ArrayList<>",
                 "ALL is an array that others can write to", "used is not final"),
                 bad.mutableStatics().stream().map(line -> line.replaceFirst(".*: static ", "")).toList());
         assertEquals(List.of("deSolvers/Bad.java catches RuntimeException and does nothing"), bad.emptyCatches());

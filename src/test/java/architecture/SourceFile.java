@@ -56,12 +56,14 @@ final class SourceFile {
             return List.of();
         }
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        try (Stream<Path> tree = Files.walk(folder); StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null)) {
+        try (Stream<Path> tree = Files.walk(folder); StandardJavaFileManager files = compiler.getStandardFileManager(null,
+                null, null)) {
             List<Path> paths = tree.filter(file -> file.toString().endsWith(".java")).sorted().toList();
             if (paths.isEmpty()) {
                 return List.of();
             }
-            JavacTask parser = (JavacTask) compiler.getTask(null, files, null, List.of("-proc:none"), null, files.getJavaFileObjectsFromPaths(paths));
+            JavacTask parser = (JavacTask) compiler.getTask(null, files, null, List.of("-proc:none"), null,
+                    files.getJavaFileObjectsFromPaths(paths));
             List<SourceFile> sources = new ArrayList<>();
             for (CompilationUnitTree unit : parser.parse()) {
                 sources.add(new SourceFile(Path.of(unit.getSourceFile().toUri()), unit));
@@ -145,7 +147,8 @@ final class SourceFile {
         public Void visitVariable(VariableTree node, Void none) {
             Set<Modifier> flags = node.getModifiers().getFlags();
             Tree parent = getCurrentPath().getParentPath().getLeaf();
-            boolean constant = parent.getKind() == Tree.Kind.INTERFACE || parent.getKind() == Tree.Kind.ENUM && !flags.contains(Modifier.STATIC);
+            boolean constant = parent.getKind() == Tree.Kind.INTERFACE || parent.getKind() == Tree.Kind.ENUM
+                    && !flags.contains(Modifier.STATIC);
             if (parent instanceof ClassTree && (flags.contains(Modifier.STATIC) || parent.getKind() == Tree.Kind.INTERFACE)) {
                 String why = whyMutable(node, flags, constant);
                 if (!why.isEmpty()) {
@@ -166,7 +169,8 @@ final class SourceFile {
             if (MUTABLE.matcher(type.replaceFirst("<.*", "")).matches()) {
                 return "is a " + type;
             }
-            return node.getInitializer() instanceof NewClassTree made && MUTABLE.matcher(made.getIdentifier().toString().replaceFirst("<.*", "")).matches()
+            return node.getInitializer() instanceof NewClassTree made
+                    && MUTABLE.matcher(made.getIdentifier().toString().replaceFirst("<.*", "")).matches()
                     ? "is a new " + made.getIdentifier() : "";
         }
 

@@ -54,7 +54,8 @@ public final class BenchmarkTables {
         }
         return new DataTable("solvers", "One step of each solver; adaptive ones with their own tolerances",
                 List.of(DataTable.column("workload"), DataTable.column("solver"), new DataTable.Column("evaluations a step", 3),
-                        new DataTable.Column("time a step (\u00b5s)", 3), new DataTable.Column("time an evaluation (ns)", 3)), rows);
+                        new DataTable.Column("time a step (\u00b5s)", 3), new DataTable.Column("time an evaluation (ns)",
+                                3)), rows);
     }
 
     private static String twoDigits(double ratio) {
@@ -76,6 +77,7 @@ public final class BenchmarkTables {
                         + equal);
             }
         }
-        return parts.isEmpty() ? "What solvers, effects, scenes and frames take" : "Hipparchus takes " + String.join(", and ", parts);
+        return parts.isEmpty() ? "What solvers, effects, scenes and frames take"
+                : "Hipparchus takes " + String.join(", and ", parts);
     }
 }

@@ -94,7 +94,8 @@ public final class Benchmarks {
                     medians(SceneBenchmark.class, scenes, all)));
         }
         if (!frames.isEmpty()) {
-            tables.add(timeTable("frames", "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread", "scene",
+            tables.add(timeTable("frames", "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
+                    "scene",
                     MILLI, medians(FrameBenchmark.class, frames, all)));
         }
         return tables;

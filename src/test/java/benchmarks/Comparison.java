@@ -67,7 +67,9 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
         return Method.isAdaptive(method) ? byTolerance(workload, method, reference) : bySteps(workload, method, reference);
     }
 
-    /** The loosest tolerance: by half decades, and then by halving; errors of adaptive methods jump, so nothing finer means much. */
+    /**
+     * The loosest tolerance: by half decades, and then by halving; errors of adaptive methods jump, so nothing finer means much.
+     */
     private static Run byTolerance(Workload workload, String method, double[] reference) {
         double loose = Math.log10(LOOSEST);
         double tight = loose;

@@ -11,7 +11,8 @@ import org.junit.jupiter.params.provider.FieldSource;
 
 /** What the comparison rests on: the counts and errors, which do not depend on the machine. */
 class ComparisonTest {
-    static final List<Comparison.Plan> EQUAL_EVALUATIONS = Comparison.plans().stream().filter(plan -> !plan.equalError()).toList();
+    static final List<Comparison.Plan> EQUAL_EVALUATIONS = Comparison.plans().stream().filter(plan -> !plan.equalError())
+            .toList();
     static final List<Comparison.Plan> EQUAL_ERROR = Comparison.plans().stream().filter(Comparison.Plan::equalError).toList();
 
     @Test

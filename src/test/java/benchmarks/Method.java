@@ -37,7 +37,8 @@ interface Method {
 
     /** @return whether the method holds a tolerance, and steps of a given length are not enough */
     static boolean isAdaptive(String name) {
-        return HIPPARCHUS_ADAPTIVE.containsKey(name) || SolverCatalog.names().contains(name) && SolverCatalog.info(name).adaptive();
+        return HIPPARCHUS_ADAPTIVE.containsKey(name) || SolverCatalog.names().contains(name)
+                && SolverCatalog.info(name).adaptive();
     }
 
     /** What it does is done again and again by the same object, as by any program that makes more than one run. */

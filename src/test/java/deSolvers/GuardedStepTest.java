@@ -223,13 +223,15 @@ class GuardedStepTest {
         Falling client = new Falling(3);
         try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(client, DELTA_T)) {
             step.requireFinite(new double[3]);
-            DESolverException e = assertThrows(DESolverException.class, () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
+            DESolverException e = assertThrows(DESolverException.class,
+                    () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
             assertTrue(e.getMessage().contains("entry 1 of the derivative is NaN"), e.getMessage());
             assertEquals(1, e.getEntry());
         }
         client.state[2] = Double.NEGATIVE_INFINITY;
         try (GuardedStep step = new GuardedStep(new EulerSolver()).begin(client, DELTA_T)) {
-            DESolverException e = assertThrows(DESolverException.class, () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
+            DESolverException e = assertThrows(DESolverException.class,
+                    () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
             assertTrue(e.getMessage().contains("entry 2 of the state is -Infinity before the step"), e.getMessage());
             assertEquals(2, e.getEntry());
         }

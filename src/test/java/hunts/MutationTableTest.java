@@ -42,8 +42,10 @@ class MutationTableTest {
     @Test
     void optionsThatDoNotExistAreRefused() {
         assertEquals(List.of("deSolvers.adaptive"), MutationTests.packages(new String[] {"--package=deSolvers.adaptive"}));
-        assertTrue(message("--pakage=deSolvers").startsWith("unknown option -Ppakage; did you mean -Ppackage? allowed: -Ppackage"));
-        assertTrue(message("--package=deSolvers.adaptiv").startsWith("unknown package 'deSolvers.adaptiv'; did you mean 'deSolvers.adaptive'?"));
+        assertTrue(message("--pakage=deSolvers")
+                .startsWith("unknown option -Ppakage; did you mean -Ppackage? allowed: -Ppackage"));
+        assertTrue(message("--package=deSolvers.adaptiv")
+                .startsWith("unknown package 'deSolvers.adaptiv'; did you mean 'deSolvers.adaptive'?"));
         assertTrue(message("--package=").startsWith("unknown package ''; allowed: deSolvers, "));
         assertEquals("option -Ppackage needs a value: -Ppackage=...", message("--package"));
     }
@@ -58,7 +60,8 @@ class MutationTableTest {
         Path sources = Path.of("src", "main", "java");
         Set<String> found = new TreeSet<>(Set.of("particles.effects"));
         try (Stream<Path> files = Files.walk(sources.resolve("deSolvers"))) {
-            found.addAll(files.filter(Files::isDirectory).map(folder -> sources.relativize(folder).toString().replaceAll("[/\\\\]", "."))
+            found.addAll(files.filter(Files::isDirectory).map(folder -> sources.relativize(folder).toString()
+                    .replaceAll("[/\\\\]", "."))
                     .collect(Collectors.toSet()));
         }
         assertEquals(List.copyOf(found), MutationTests.packages(new String[0]));

@@ -48,9 +48,11 @@ final class MutationTests {
     private static List<String> command(String packageName) throws URISyntaxException {
         String others = PACKAGES.get(packageName);
         Path classes = Path.of(DESolver.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-        return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", System.getProperty("java.class.path"),
+        return List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
+                System.getProperty("java.class.path"),
                 "org.pitest.mutationtest.commandline.MutationCoverageReport",
-                "--reportDir", REPORTS.resolve(packageName).toString(), "--timestampedReports=false", "--outputFormats", "HTML,CSV",
+                "--reportDir", REPORTS.resolve(packageName).toString(), "--timestampedReports=false", "--outputFormats",
+                        "HTML,CSV",
                 "--targetClasses", classesOf(packageName), "--mutableCodePaths", classes.toString(),
                 "--targetTests", classesOf(packageName) + (others.isEmpty() ? "" : "," + others), "--excludedGroups", "hard,slow",
                 "--sourceDirs", Path.of("src", "main", "java").toString(), "--verbosity=NO_SPINNER",
@@ -98,7 +100,8 @@ final class MutationTests {
         List<String> names = Arrays.asList(asked.split(",", -1));
         for (String name : names) {
             if (!PACKAGES.containsKey(name)) {
-                throw new IllegalArgumentException("unknown package '" + name + "'" + DidYouMean.hint(name, PACKAGES.keySet(), "'%s'"::formatted)
+                throw new IllegalArgumentException("unknown package '" + name + "'"
+                        + DidYouMean.hint(name, PACKAGES.keySet(), "'%s'"::formatted)
                         + " allowed: " + String.join(", ", PACKAGES.keySet()));
             }
         }

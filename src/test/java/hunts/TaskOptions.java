@@ -18,7 +18,8 @@ public final class TaskOptions {
         for (String arg : args) {
             String[] parts = arg.replaceFirst("^--", "").split("=", 2);
             if (!allowed.contains(parts[0])) {
-                throw new IllegalArgumentException("unknown option -P" + parts[0] + DidYouMean.hint(parts[0], allowed, "-P%s"::formatted)
+                throw new IllegalArgumentException("unknown option -P" + parts[0]
+                        + DidYouMean.hint(parts[0], allowed, "-P%s"::formatted)
                         + " allowed: -P" + String.join(", -P", allowed));
             }
             if (parts.length < 2) {

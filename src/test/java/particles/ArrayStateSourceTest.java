@@ -58,7 +58,8 @@ class ArrayStateSourceTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4", "dormand-prince", "step-doubling",
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4", "dormand-prince",
+            "step-doubling",
         "bulirsch-stoer", "adams"})
     void sameBitsWithAndWithoutArrays(String name) {
         ParticleSystem fast = net();
@@ -76,7 +77,8 @@ class ArrayStateSourceTest {
 
     /** A step that fails leaves the array that it found, and the solver's own arrays are not the system's. */
     @ParameterizedTest
-    @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4", "dormand-prince", "step-doubling",
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4", "dormand-prince",
+            "step-doubling",
         "bulirsch-stoer", "adams"})
     void aFailingStepLeavesTheStateAlone(String name) {
         ParticleSystem system = net();

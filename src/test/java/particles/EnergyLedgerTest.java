@@ -80,7 +80,8 @@ class EnergyLedgerTest {
         springs.addSpring(0, 2, 5, 1.5, 0.1);
         system.addEffect(springs);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-        system.addEffect(new LinearDrag(system.getParticles(), 0.1, new GustyWind(new Vector3(2, 0, 0.5), new Vector3(1, 0, 1), 0.9)));
+        system.addEffect(new LinearDrag(system.getParticles(), 0.1,
+                new GustyWind(new Vector3(2, 0, 0.5), new Vector3(1, 0, 1), 0.9)));
         system.addEffect(new QuadraticDrag(system.getParticles(), 0.05, new TurbulentWind(Vector3.ZERO, 0.5, 2, 7)));
         system.addEffect(new PointAttraction(system.getParticles(), new Vector3(0, -2, 1), 1, 0.5));
         system.addEffect(new Cohesion(system.getParticles(), 4, 2, 0.5, 0.05));
@@ -159,7 +160,8 @@ class EnergyLedgerTest {
     @Test
     void bouncesAndRestAreBookedOnce() {
         ParticleSystem system = Systems.oneParticle(new Vector3(0, 1, 0), new Vector3(1, 0, 0));
-        RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(new ContactSurface("ground", Plane.ground(0), 0.5,
+        RestingContacts contacts = new RestingContacts(system.getParticles(),
+                List.of(new ContactSurface("ground", Plane.ground(0), 0.5,
                 new Friction(Friction.Law.COULOMB, 0.1, 0.2, 0), 1e-6)));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addReaction(contacts);

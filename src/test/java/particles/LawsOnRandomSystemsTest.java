@@ -180,7 +180,8 @@ class LawsOnRandomSystemsTest {
      * Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.0e-14 times the growth.
      */
     @Property
-    void numbersOfParticlesAndSpringsDoNotMatter(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
+    void numbersOfParticlesAndSpringsDoNotMatter(@ForAll("damped") RandomSystem any,
+            @ForAll("simple") Supplier<DESolver> solver) {
         int n = any.balls().size();
         int[] place = new int[n];
         for (int i = 0; i < n; i++) {
@@ -248,7 +249,8 @@ class LawsOnRandomSystemsTest {
         int time = 7;
         RandomSystem scaled = new RandomSystem(any.with(ball -> new Ball(Math.scalb(ball.mass(), mass),
                 ball.position().times(Math.scalb(1.0, length)), ball.velocity().times(Math.scalb(1.0, length - time)))).balls(),
-                any.springs().stream().map(s -> new RandomSystem.Spring(s.from(), s.to(), Math.scalb(s.stiffness(), mass - 2 * time),
+                any.springs().stream().map(s -> new RandomSystem.Spring(s.from(), s.to(),
+                        Math.scalb(s.stiffness(), mass - 2 * time),
                         Math.scalb(s.restLength(), length), Math.scalb(s.damping(), mass - time))).toList());
         double[] one = RandomSystem.run(any.build(), solver.get(), DELTA_T, STEPS);
         double[] other = RandomSystem.run(scaled.build(), solver.get(), Math.scalb(DELTA_T, time), STEPS);

@@ -57,7 +57,8 @@ class LinearLawTest {
         system.addEffect(new Gravity(particles, G));
         assertArrayEquals(byLoops(), derivative(), "drag and gravity");
         double[] dSdt = derivative();
-        assertEquals(G.y() - 0.25 * state[6 + 4] / particles.mass(1), dSdt[6 + 4], 1e-14, "by hand; the quotient is rounded once more");
+        assertEquals(G.y() - 0.25 * state[6 + 4] / particles.mass(1), dSdt[6 + 4], 1e-14,
+                "by hand; the quotient is rounded once more");
         assertTrue(dSdt[4] == 0, "a fixed particle");
     }
 

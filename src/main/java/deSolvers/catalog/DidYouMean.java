@@ -20,7 +20,8 @@ public final class DidYouMean {
         String lower = found.toLowerCase(Locale.ROOT);
         Comparator<String> byDistance = Comparator.comparingInt(name -> distance(lower, name.toLowerCase(Locale.ROOT)));
         Optional<String> nearest = known.stream().min(byDistance)
-                .filter(name -> distance(lower, name.toLowerCase(Locale.ROOT)) <= Math.max(1, Math.min(lower.length(), name.length()) / 3));
+                .filter(name -> distance(lower, name.toLowerCase(Locale.ROOT))
+                        <= Math.max(1, Math.min(lower.length(), name.length()) / 3));
         return nearest.isPresent() || lower.length() < 2 ? nearest
                 : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(lower)).min(Comparator.naturalOrder());
     }

@@ -139,7 +139,9 @@ final class ImplicitStage {
         }
     }
 
-    /** Where not even an Euler step is finite, the source is to blame and not Newton's method; the guard finds out and says so. */
+    /**
+     * Where not even an Euler step is finite, the source is to blame and not Newton's method; the guard finds out and says so.
+     */
     private static void failIfNotFinite(GuardedStep source, double[] start, double gamma, double[] euler) {
         source.setState(start);
         source.getStateDerivative(euler);

@@ -203,7 +203,8 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         for (int i = 0; i < v.length; i++) {
             int at = 6 * (i / 3) + 3 + i % 3;
             double mass = masses[i / 3] == 0 ? 1 : masses[i / 3];
-            floor[i] = Double.MIN_NORMAL + ROUNDING * (mass * (Math.abs(start[at]) + Math.abs(v[i])) + Math.abs(gamma) * forceScale[i]);
+            floor[i] = Double.MIN_NORMAL + ROUNDING * (mass * (Math.abs(start[at]) + Math.abs(v[i]))
+                    + Math.abs(gamma) * forceScale[i]);
         }
     }
 }

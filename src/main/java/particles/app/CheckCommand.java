@@ -23,7 +23,8 @@ import picocli.CommandLine.Option;
 abstract class CheckCommand extends ProgramCommand {
     private static final double SECONDS = 8;
 
-    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the report goes (default: build/out and the task's name).")
+    @Option(names = "--out", paramLabel = "FOLDER",
+            description = "Where the report goes (default: build/out and the task's name).")
     private String out;
 
     @Option(names = "--inThisProcess", hidden = true, description = "Checks here, as the process that was made for it.")
@@ -145,7 +146,8 @@ abstract class CheckCommand extends ProgramCommand {
     static List<String> paragraphs(List<Finding> findings) {
         List<String> text = new ArrayList<>();
         text.add(findings.stream().anyMatch(Finding::isWrong) ? "What is wrong:" : "Nothing is wrong.");
-        findings.stream().filter(Finding::isWrong).forEach(finding -> text.add("- **" + finding.kind().word() + "**: " + finding.text()));
+        findings.stream().filter(Finding::isWrong).forEach(finding -> text.add("- **" + finding.kind().word() + "**: "
+                + finding.text()));
         if (findings.stream().anyMatch(finding -> !finding.isWrong())) {
             text.add("Advice:");
             findings.stream().filter(finding -> !finding.isWrong()).forEach(finding -> text.add("- " + finding.text()));

@@ -13,7 +13,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle checkEffect -Peffect=exercises.MyGravity}: whether a force law keeps what it claims. */
-@Command(name = CheckEffectCommand.NAME, description = "Checks a force law: whether it keeps what it claims, and what is wrong with it.")
+@Command(name = CheckEffectCommand.NAME,
+        description = "Checks a force law: whether it keeps what it claims, and what is wrong with it.")
 final class CheckEffectCommand extends CheckCommand {
     static final String NAME = "checkEffect";
 

@@ -44,7 +44,8 @@ final class CheckSolverCommand extends CheckCommand {
             name = maker.get().getClass().getSimpleName();
         } catch (NoSuchElementException | IllegalArgumentException e) {
             return new Checked(solver + " cannot be checked.", List.of(new Finding(Kind.FAILURE,
-                    e.getMessage())), new ResultPage(NAME, solver + " cannot be checked", List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
+                    e.getMessage())), new ResultPage(NAME, solver + " cannot be checked",
+                            List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
         }
         SolverVerdict verdict = SolverCheck.check(maker, name);
         String title = name + ": " + verdict.identity();
@@ -63,12 +64,15 @@ final class CheckSolverCommand extends CheckCommand {
             return new Checked(title, all, new ResultPage(NAME, title, paragraphs(all), List.of(), List.of()));
         }
         List<Picture> pictures = new ArrayList<>();
-        pictures.add(Picture.chart("order", "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.", figures.order()));
+        pictures.add(Picture.chart("order", "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
+                figures.order()));
         figures.region().ifPresent(region -> pictures.add(Picture.map("region",
                 "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie there: deltaT times its"
                         + " eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m. Pale: the built-in solver that is nearest.", region)));
-        pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.", figures.energy()));
-        pictures.add(Picture.chart("work-precision", "The error after eight seconds against the work: lower left is better.", figures.workPrecision()));
+        pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.",
+                figures.energy()));
+        pictures.add(Picture.chart("work-precision", "The error after eight seconds against the work: lower left is better.",
+                figures.workPrecision()));
         return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures,
                 Stream.concat(Stream.of(figures.facts()), figures.growth().stream()).toList()));
     }

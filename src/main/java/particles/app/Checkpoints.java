@@ -65,7 +65,8 @@ final class Checkpoints {
     private String difference(String name, String then, String now, Path results, OptionStyle style) {
         return switch (name) {
             case "scene" -> "the run in " + results + " is of the scene '" + then + "', not of '" + now + "'";
-            case "sceneSha256" -> file + " has changed since the run in " + results + " began; leave the option away to begin anew";
+            case "sceneSha256" -> file + " has changed since the run in " + results
+                    + " began; leave the option away to begin anew";
             case "version" -> "the run in " + results + " was begun by version " + then + " of the program, and this is " + now;
             default -> "the run in " + results + " was begun with " + style.option(name) + "=" + then + ", not " + now;
         };

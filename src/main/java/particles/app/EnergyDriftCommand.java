@@ -60,7 +60,8 @@ final class EnergyDriftCommand extends ExperimentCommand {
                         + " it still grows in the second half, or ends at its largest; it is called bounded if not. Symplectic solvers trade energy back and forth; the others add or remove a little in"
                         + " each step, always to the same side."),
                 List.of(Picture.stacked("energy-drift", "Above the size of the error on a logarithmic scale, below the error itself as"
-                        + " long as it is less than a tenth. A cross is a run that ended early.", DriftCharts.charts(comparison))),
+                        + " long as it is less than a tenth. A cross is a run that ended early.",
+                        DriftCharts.charts(comparison))),
                 List.of(DriftCharts.table(comparison)));
     }
 }

@@ -13,7 +13,8 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: a class to begin with. */
 abstract class NewClassCommand extends ProgramCommand {
-    @Option(names = "--class", paramLabel = "NAME", required = true, description = "What the class is to be called, such as HeunSolver or MyForce.")
+    @Option(names = "--class", paramLabel = "NAME", required = true,
+            description = "What the class is to be called, such as HeunSolver or MyForce.")
     private String className;
 
     private final Path folder;
@@ -46,7 +47,8 @@ abstract class NewClassCommand extends ProgramCommand {
         try {
             Files.write(file, text(name).getBytes(StandardCharsets.UTF_8), StandardOpenOption.CREATE_NEW);
         } catch (FileAlreadyExistsException e) {
-            throw new Failure(ExitCode.BAD_INPUT, file + " is there already, and is left as it is; take another name, or remove it first");
+            throw new Failure(ExitCode.BAD_INPUT, file
+                    + " is there already, and is left as it is; take another name, or remove it first");
         }
         out.println("written: " + file);
         out.println("to check it: gradle " + check() + "exercises." + name);

@@ -64,7 +64,8 @@ final class Program {
     private CommandLine commandLine(String... args) {
         CommandLine program = new CommandLine(new Root());
         // Options are found by reflection, which takes a while for all commands: only where none is named are all needed.
-        List<ProgramCommand> named = commands.stream().filter(command -> args.length > 0 && name(command).equals(args[0])).toList();
+        List<ProgramCommand> named = commands.stream().filter(command -> args.length > 0
+                && name(command).equals(args[0])).toList();
         for (ProgramCommand command : named.isEmpty() ? commands : named) {
             program.addSubcommand(name(command), new CommandLine(command));
         }

@@ -80,7 +80,8 @@ final class RunJob {
                 checkpoints.writeTo(folder, pace, System::nanoTime);
                 early = simulate(scene, earlier);
             }
-            Summary summary = new Summary(SceneName.of(file).whole(), scene, observers.energy(), observers.books(), progress.seconds());
+            Summary summary = new Summary(SceneName.of(file).whole(), scene, observers.energy(), observers.books(),
+                    progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
             observers.drawCharts();
             summary.lines().forEach(out::println);

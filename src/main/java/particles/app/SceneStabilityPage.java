@@ -32,7 +32,8 @@ final class SceneStabilityPage {
         Mode fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst().orElseThrow();
         List<Limit> limits = SceneStability.measure(scene, spectrum, solvers, progress);
         progress.reached(0.9, "outlines of the regions");
-        List<String> outlined = solvers.size() == 1 ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
+        List<String> outlined = solvers.size() == 1
+                ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
                 .toList() : OUTLINES;
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.map("eigenvalues", "Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and"
@@ -53,16 +54,20 @@ final class SceneStabilityPage {
     }
 
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {
-        String limit = limits.stream().filter(known -> known.measured() > 0 && known.measured() < Double.POSITIVE_INFINITY).findFirst()
-                .map(known -> String.format(Locale.ROOT, ", and %s may step by %.4g s at most", known.solver().label(), known.measured()))
+        String limit = limits.stream().filter(known -> known.measured() > 0
+                && known.measured() < Double.POSITIVE_INFINITY).findFirst()
+                .map(known -> String.format(Locale.ROOT, ", and %s may step by %.4g s at most", known.solver().label(),
+                        known.measured()))
                 .orElse("");
         return String.format(Locale.ROOT, "%s: the fastest mode has |lambda| = %.5g /s%s", scene.title(), fastest.size(), limit);
     }
 
     private static List<String> text(Spectrum spectrum, Mode fastest) {
-        String grows = spectrum.growth() == 0 ? "" : String.format(Locale.ROOT, " Some motion grows by itself, by %.3g /s: that is physics, and"
+        String grows = spectrum.growth() == 0 ? ""
+                : String.format(Locale.ROOT, " Some motion grows by itself, by %.3g /s: that is physics, and"
                 + " no solver is blamed for it.", spectrum.growth());
-        return List.of(String.format(Locale.ROOT, "By the spectrum: the scene's equations, linearised at its start, have eigenvalues up to"
+        return List.of(String.format(Locale.ROOT,
+                "By the spectrum: the scene's equations, linearised at its start, have eigenvalues up to"
                         + " |lambda| = %.8g /s (%s, %d products with the Jacobian, relative error below %.0e). The longest safe step is the"
                         + " one at which the solver's own factor of some mode leaves 1.%s", fastest.size(), spectrum.method(),
                 spectrum.products(), Math.max(1e-15, spectrum.error()), grows),
@@ -80,7 +85,8 @@ final class SceneStabilityPage {
         for (Mode mode : spectrum.modes().subList(0, Math.min(MOST_MODES, spectrum.modes().size()))) {
             rows.add(List.of(mode.re(), mode.im(), mode.im() == 0 ? Double.POSITIVE_INFINITY : 2 * Math.PI / mode.im()));
         }
-        return new DataTable("modes", "The fastest modes of the scene's start", List.of(new DataTable.Column("Re lambda (1/s)", 6),
+        return new DataTable("modes", "The fastest modes of the scene's start",
+                List.of(new DataTable.Column("Re lambda (1/s)", 6),
                 new DataTable.Column("Im lambda (1/s)", 6), DataTable.column("period (s)")), rows);
     }
 }

@@ -27,11 +27,13 @@ final class StabilityCommand extends ExperimentCommand {
     static final String NAME = "stability";
     private static final Path SCENES = Path.of("scenes");
 
-    @Option(names = "--scene", paramLabel = "NAME", description = "How long a step may be in this scene: a file, or the name or number of"
+    @Option(names = "--scene", paramLabel = "NAME",
+            description = "How long a step may be in this scene: a file, or the name or number of"
             + " one in scenes (default: each solver by itself).")
     private String scene = "";
 
-    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers to try in the scene, separated by commas (default: all).")
+    @Option(names = "--solvers", paramLabel = "NAMES",
+            description = "Solvers to try in the scene, separated by commas (default: all).")
     private String solvers = "";
 
     @Option(names = "--deltaT", paramLabel = "SECONDS", description = "At which step growth is told, instead of the scene's.")
@@ -99,14 +101,16 @@ final class StabilityCommand extends ExperimentCommand {
                                 List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), progress, 0.5),
                         region("adaptive", "One sub-step of the explicit adaptive solvers: stable inside the outline",
                                 "Longer steps are divided, so that these outlines say what a stiff system costs.",
-                                List.of("step-doubling", "dormand-prince", "bulirsch-stoer"), new Window(-14, 4, 12, 0.15), progress, 0.6),
+                                List.of("step-doubling", "dormand-prince", "bulirsch-stoer"), new Window(-14, 4, 12, 0.15),
+                                        progress, 0.6),
                         region("symplectic", "Symplectic steps on a damped spring: stable inside the outline",
                                 "Without damping, on the imaginary axis, the limit is 2, of yoshida4 1.57; damping takes from it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04), progress, 0.7),
                         region("implicit", "Implicit steps: stable outside the outline",
                                 "All that decays is stable. implicit-midpoint has the imaginary axis itself for an outline: what grows"
                                         + " grows, and what decays decays. The others damp what grows too, if it is fast.",
-                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15), progress, 0.85)),
+                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15),
+                                        progress, 0.85)),
                 List.of(limits));
     }
 

@@ -81,7 +81,8 @@ final class StudentLoader extends ClassLoader {
         try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null);
                 InMemory memory = new InMemory(files)) {
             files.setLocation(StandardLocation.SOURCE_PATH, List.of(folder.toAbsolutePath().getParent().toFile()));
-            boolean compiles = compiler.getTask(null, memory, messages, List.of("-cp", System.getProperty("java.class.path"), "-proc:none"),
+            boolean compiles = compiler.getTask(null, memory, messages, List.of("-cp", System.getProperty("java.class.path"),
+                    "-proc:none"),
                     null, files.getJavaFileObjects(source.toFile())).call();
             if (!compiles) {
                 throw new IllegalArgumentException(messages.getDiagnostics().stream()
@@ -106,7 +107,8 @@ final class StudentLoader extends ClassLoader {
         }
 
         @Override
-        public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName, Set<JavaFileObject.Kind> kinds,
+        public Iterable<JavaFileObject> list(JavaFileManager.Location location, String packageName,
+                Set<JavaFileObject.Kind> kinds,
                 boolean recurse) throws IOException {
             return location == StandardLocation.SOURCE_PATH && !packageName.equals(PACKAGE) ? List.of()
                     : super.list(location, packageName, kinds, recurse);

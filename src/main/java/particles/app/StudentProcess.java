@@ -48,7 +48,8 @@ final class StudentProcess {
     static Outcome runQuietly(List<String> args, Path folder) throws IOException {
         Path screen = Files.createTempFile("desolver-check", ".txt");
         try {
-            ProcessBuilder process = builder(args, List.of(property(folder.toString()))).redirectErrorStream(true).redirectOutput(screen.toFile());
+            ProcessBuilder process = builder(args, List.of(property(folder.toString()))).redirectErrorStream(true)
+                    .redirectOutput(screen.toFile());
             try {
                 int code = await(process);
                 return new Outcome(code, lines(screen));
@@ -69,7 +70,8 @@ final class StudentProcess {
     }
 
     private static ProcessBuilder builder(List<String> args, List<String> properties) {
-        List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx" + MEGABYTES + "m",
+        List<String> line = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx" + MEGABYTES + "m",
                 "-XX:TieredStopAtLevel=1", "-Djava.awt.headless=true", "-cp", System.getProperty("java.class.path")));
         line.addAll(properties);
         String startedBy = System.getProperty(OptionStyle.STARTED_BY);

@@ -62,7 +62,8 @@ final class TimeEstimate {
         if (seconds < 6000) {
             return Digits.few(Math.ceil(seconds / 60)) + " min";
         }
-        return seconds < 172_800 ? Digits.few(Math.ceil(seconds / 3600)) + " h" : Digits.few(Math.ceil(seconds / 86_400)) + " days";
+        return seconds < 172_800 ? Digits.few(Math.ceil(seconds / 3600)) + " h"
+                : Digits.few(Math.ceil(seconds / 86_400)) + " days";
     }
 
     /** Runs a scene for a short while. @param nanoTime a clock, such as {@link System#nanoTime} */

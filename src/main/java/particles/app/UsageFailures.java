@@ -49,14 +49,17 @@ final class UsageFailures {
         boolean option = found.startsWith("-");
         if (line.getParent() == null) {
             return option ? "option " + found + " has to follow a command; commands: " + commands(line)
-                    : "unknown command '" + found + "'" + DidYouMean.hint(found, line.getSubcommands().keySet(), "'%s'"::formatted)
+                    : "unknown command '" + found + "'" + DidYouMean.hint(found, line.getSubcommands().keySet(),
+                    "'%s'"::formatted)
                     + " commands: " + commands(line);
         }
         if (!option) {
-            return "unexpected '" + found + "'; options are written " + style.option("name") + "=value; allowed: " + options(line);
+            return "unexpected '" + found + "'; options are written " + style.option("name") + "=value; allowed: "
+                    + options(line);
         }
         String name = OptionStyle.bare(found);
-        return "unknown option " + style.typed(found) + DidYouMean.hint(name, names(line), style::option) + " allowed: " + options(line);
+        return "unknown option " + style.typed(found) + DidYouMean.hint(name, names(line), style::option) + " allowed: "
+                + options(line);
     }
 
     private String invalid(ParameterException e) {

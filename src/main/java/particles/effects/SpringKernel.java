@@ -85,9 +85,11 @@ final class SpringKernel {
                 double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
                 if (square > SMALLEST_SQUARE && square < LARGEST_SQUARE) {
                     double length = Math.sqrt(square);
-                    double stretching = Math.fma(rx, state[j + 3] - vx, Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
+                    double stretching = Math.fma(rx, state[j + 3] - vx,
+                            Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
                     double inverse = 1 / length;
-                    double perLength = Math.fma(damping[s] * stretching, inverse, stiffness[s] * (length - restLength[s])) * inverse;
+                    double perLength = Math.fma(damping[s] * stretching, inverse,
+                            stiffness[s] * (length - restLength[s])) * inverse;
                     double fx = perLength * rx;
                     double fy = perLength * ry;
                     double fz = perLength * rz;

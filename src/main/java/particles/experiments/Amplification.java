@@ -48,7 +48,8 @@ public final class Amplification {
      * @return its amplification
      */
     public static Amplification of(SolverInfo info) {
-        DESolver solver = info.adaptive() ? SolverCatalog.create(info.name(), RELATIVE, EVERYTHING) : SolverCatalog.create(info.name());
+        DESolver solver = info.adaptive() ? SolverCatalog.create(info.name(), RELATIVE, EVERYTHING)
+                : SolverCatalog.create(info.name());
         return new Amplification(() -> {
             solver.reset();
             return solver;

@@ -109,8 +109,10 @@ public final class EffectCost {
         all.add(with(columns, "+ drag in turbulence", (s, r) -> s.addEffect(new LinearDrag(s.getParticles(), 0.01,
                 new TurbulentWind(Vector3.ZERO, 1, 1, 1)))));
         all.add(with(columns, "+ attraction", (s, r) -> s.addEffect(new PointAttraction(s.getParticles(), FAR_BELOW, 1, 1))));
-        all.add(with(columns, "+ cohesion", (s, r) -> s.addEffect(new Cohesion(s.getParticles(), 1.2 * SPACING, SPACING, 1e-9, 0))));
-        all.add(with(columns, "+ penalty plane", (s, r) -> s.addEffect(new PenaltyPlane(s.getParticles(), Plane.ground(-100), 1, 0))));
+        all.add(with(columns, "+ cohesion", (s, r) -> s.addEffect(new Cohesion(s.getParticles(), 1.2 * SPACING, SPACING,
+                1e-9, 0))));
+        all.add(with(columns, "+ penalty plane",
+                (s, r) -> s.addEffect(new PenaltyPlane(s.getParticles(), Plane.ground(-100), 1, 0))));
         all.add(with(columns, "+ penalty sphere", (s, r) -> s.addEffect(
                 new PenaltySphere(s.getParticles(), new Sphere(FAR_BELOW, 1, false), 1, 0))));
         all.add(with(columns, "+ tear", (s, r) -> r.addRule(new SpringTear((SpringForce) s.getEffects().get(0), 10))));

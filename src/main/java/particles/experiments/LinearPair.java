@@ -47,7 +47,8 @@ class LinearPair implements DEStateSource {
     /** @return by how much the third copy is not the sum of the two others, relative to the largest entry; 0 if all are 0 */
     double nonlinearity() {
         double largest = Math.max(size(), Double.MIN_NORMAL);
-        return Math.max(Math.abs(state[0] + state[1] - state[2]), Math.abs(state[COPIES] + state[COPIES + 1] - state[COPIES + 2])) / largest;
+        return Math.max(Math.abs(state[0] + state[1] - state[2]),
+                Math.abs(state[COPIES] + state[COPIES + 1] - state[COPIES + 2])) / largest;
     }
 
     /** @return the largest entry */

@@ -68,7 +68,8 @@ public final class SceneStability {
      * @param progress hears how far it is
      * @return a limit for each solver
      */
-    public static List<Limit> measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers, ProgressListener progress) {
+    public static List<Limit> measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers,
+            ProgressListener progress) {
         SceneStability stability = new SceneStability(scene, spectrum);
         AtomicInteger done = new AtomicInteger();
         // each run is a system of its own, so that solvers share nothing but the fine runs, which do not depend on who asks first
@@ -92,7 +93,8 @@ public final class SceneStability {
         if (solver.info().isEmpty()) {
             return bisected(solver, Double.NaN, 2 / fastest.size(), fastest);
         }
-        SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()), solver.info().get().secondOrder(), spectrum);
+        SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()), solver.info().get().secondOrder(),
+                spectrum);
         double predicted = theory.deltaT();
         Mode most = theory.growingMost(scene.deltaT());
         if (solver.adaptive() || predicted == Double.POSITIVE_INFINITY) {
@@ -103,7 +105,8 @@ public final class SceneStability {
         }
         Twins pair = twins.run(setting(solver, scene.deltaT()), most, TwinRuns.STEPS);
         return new Limit(solver, 0, 0, theory.factor(most, scene.deltaT()) - 1, pair.factor() - 1,
-                String.format(Locale.ROOT, "the mode of |lambda| = %.4g /s grows most at deltaT = %s s", most.size(), scene.deltaT()));
+                String.format(Locale.ROOT, "the mode of |lambda| = %.4g /s grows most at deltaT = %s s", most.size(),
+                        scene.deltaT()));
     }
 
     private Limit bisected(SolverChoice solver, double predicted, double start, Mode mode) {
@@ -113,7 +116,8 @@ public final class SceneStability {
             unsafe = safe;
             safe /= BRACKET;
             if (n == MOST_BRACKETS) {
-                return new Limit(solver, predicted, 0, Double.NaN, Double.NaN, String.format(Locale.ROOT, "grows even at %.3g s", unsafe));
+                return new Limit(solver, predicted, 0, Double.NaN, Double.NaN,
+                        String.format(Locale.ROOT, "grows even at %.3g s", unsafe));
             }
         }
         for (int n = 0; isSafe(solver, unsafe, mode); n++) {
@@ -161,7 +165,8 @@ public final class SceneStability {
         double longest = solver.adaptive() ? ADAPTIVE_TIMES * scene.deltaT() : FAR * unit;
         double done = 0;
         for (double deltaT = solver.adaptive() ? longest : unit; deltaT <= longest * (1 + ACCURACY); deltaT *= FAR_FACTOR) {
-            Outcome outcome = SceneRun.run(SceneRun.build(scene, setting(solver, deltaT), FAR_STEPS * deltaT), MOST_EVALUATIONS, List.of());
+            Outcome outcome = SceneRun.run(SceneRun.build(scene, setting(solver, deltaT), FAR_STEPS * deltaT),
+                    MOST_EVALUATIONS, List.of());
             if (outcome.failure().isPresent()) {
                 return new Limit(solver, predicted, done, predictedGrowth, Double.NaN,
                         String.format(Locale.ROOT, "at %.3g s: %s", deltaT, outcome.failure().get()));
@@ -182,7 +187,8 @@ public final class SceneStability {
         for (Limit limit : limits) {
             boolean sub = limit.solver().adaptive() && limit.predicted() > 0 && limit.predicted() < Double.POSITIVE_INFINITY;
             rows.add(List.of(limit.solver().label(),
-                    sub ? String.format(Locale.ROOT, "sub-steps of %.6g", limit.predicted()) : text(limit.predicted(), limit.predictedGrowth()),
+                    sub ? String.format(Locale.ROOT, "sub-steps of %.6g", limit.predicted())
+                            : text(limit.predicted(), limit.predictedGrowth()),
                     text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
         }
         return new DataTable("largest-safe-step", "The largest safe deltaT (s); growth is that at the scene's deltaT", List.of(
@@ -199,8 +205,10 @@ public final class SceneStability {
     private static String text(double value, double growth) {
         if (value == 0 && !Double.isNaN(growth)) {
             return growth > 0 ? StabilityLimit.text(0, growth)
-                    : String.format(Locale.ROOT, "changes by %.2e a step: no growth to be seen in %d steps", growth, TwinRuns.STEPS);
+                    : String.format(Locale.ROOT, "changes by %.2e a step: no growth to be seen in %d steps", growth,
+                    TwinRuns.STEPS);
         }
-        return value > 0 && value < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.6g", value) : StabilityLimit.text(value, growth);
+        return value > 0 && value < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.6g", value)
+                : StabilityLimit.text(value, growth);
     }
 }

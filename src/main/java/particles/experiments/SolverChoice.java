@@ -25,7 +25,8 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
      */
     public static SolverChoice of(String name) {
         SolverCatalog.create(name);
-        return new SolverChoice(name, SolverCatalog.names().contains(name) ? Optional.of(SolverCatalog.info(name)) : Optional.empty());
+        return new SolverChoice(name, SolverCatalog.names().contains(name) ? Optional.of(SolverCatalog.info(name))
+                : Optional.empty());
     }
 
     /**

@@ -117,7 +117,8 @@ public final class StabilityMap {
     }
 
     private static Series series(String name, Mark mark, List<double[]> line) {
-        return new Series(name, mark, line.stream().mapToDouble(p -> p[0]).toArray(), line.stream().mapToDouble(p -> p[1]).toArray());
+        return new Series(name, mark, line.stream().mapToDouble(p -> p[0]).toArray(),
+                line.stream().mapToDouble(p -> p[1]).toArray());
     }
 
     /**

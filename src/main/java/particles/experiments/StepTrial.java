@@ -57,7 +57,8 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
     }
 
     private static LinearPair spring(double[] place, double factor) {
-        return LinearPair.spring(factor * factor * (place[0] * place[0] + place[1] * place[1]), -2 * factor * Math.min(0, place[0]));
+        return LinearPair.spring(factor * factor * (place[0] * place[0] + place[1] * place[1]),
+                -2 * factor * Math.min(0, place[0]));
     }
 
     private static StepTrial on(Supplier<DESolver> maker, boolean springs, int steps) {
@@ -87,7 +88,8 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
         if (still) {
             return refused("a step leaves the state as it was");
         }
-        return steps == 1 && isExact(maker, springs) ? refused("it takes sub-steps as short as the system needs: any deltaT is stable, and costs"
+        return steps == 1 && isExact(maker, springs)
+                ? refused("it takes sub-steps as short as the system needs: any deltaT is stable, and costs"
                 + " what they cost") : new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise, "");
     }
 

@@ -100,7 +100,8 @@ final class Backdrop {
         double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU))) / spacing;
         double footV = (Math.abs(beside.minus(hit).dot(map.axisV)) + Math.abs(below.minus(hit).dot(map.axisV))) / spacing;
         double line = Math.max(Grid.coverage(u, footU), Grid.coverage(v, footV));
-        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0), sky.horizon, haze);
+        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0), sky.horizon,
+                haze);
         near[p] = (float) view.nearness(depth);
         if (ShadowMap.isLit(plane, lighting.lamp) && haze < 0.9) {
             planeAt[p] = (byte) nearest;

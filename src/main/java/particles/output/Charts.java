@@ -53,7 +53,8 @@ final class Charts {
         for (int k = 0; k < data.size(); k++) {
             int rows = data.get(k).rows().size();
             int series = data.get(k).series().size();
-            all.add(plot(data.get(k), series > 1 ? looks : 0), rows > 0 ? ROW * (rows + 1) : k > 0 ? 153 : ofQuantities > 1 ? 255 : 400);
+            all.add(plot(data.get(k), series > 1 ? looks : 0), rows > 0 ? ROW * (rows + 1) : k > 0 ? 153
+                    : ofQuantities > 1 ? 255 : 400);
             looks += series;
         }
         return finished(data.get(0).title(), all);

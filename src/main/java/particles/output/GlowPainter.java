@@ -38,7 +38,8 @@ final class GlowPainter {
         return mixed;
     }
 
-    void paint(FrameState state, Projected projected, Shown shown, double radius, Raster raster, Backdrop backdrop, int[] pixels) {
+    void paint(FrameState state, Projected projected, Shown shown, double radius, Raster raster, Backdrop backdrop,
+            int[] pixels) {
         layer.clear();
         for (int i = 0; i < state.particles; i++) {
             if (projected.visible[i] && !state.fixed[i] && shown.particle(i)) {

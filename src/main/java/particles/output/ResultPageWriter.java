@@ -43,7 +43,8 @@ public final class ResultPageWriter {
         }
         for (ResultPage.Picture picture : page.pictures()) {
             lines.addAll(List.of("", "![" + picture.caption() + "](" + picture.file() + ")", "", picture.caption()
-                    + (picture.data().isEmpty() ? "" : " Its numbers: [" + picture.name() + ".csv](" + picture.name() + ".csv).")));
+                    + (picture.data().isEmpty() ? "" : " Its numbers: [" + picture.name() + ".csv](" + picture.name()
+                    + ".csv).")));
         }
         for (DataTable table : page.tables()) {
             lines.addAll(List.of("", "## " + table.title(), ""));

@@ -62,7 +62,8 @@ public final class TableText {
     static List<String> csv(DataTable table) {
         List<String> lines = new ArrayList<>();
         lines.add(line(table.columns(), DataTable.Column::name));
-        table.rows().forEach(row -> lines.add(line(row, cell -> cell instanceof Double d ? Numbers.shortest(d) : cell.toString())));
+        table.rows().forEach(row -> lines.add(line(row, cell -> cell instanceof Double d ? Numbers.shortest(d)
+                : cell.toString())));
         return lines;
     }
 

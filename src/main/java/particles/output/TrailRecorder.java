@@ -75,7 +75,8 @@ final class TrailRecorder {
         int count = memory.keep(known.length);
         samples.clear();
         for (int k = 0; k < count; k++) {
-            samples.addLast(TrailSample.remembered(memory, memory.isReading() ? new TrailSample(0, new float[0], SAME) : known[k]));
+            samples.addLast(TrailSample.remembered(memory, memory.isReading() ? new TrailSample(0, new float[0], SAME)
+                    : known[k]));
         }
     }
 

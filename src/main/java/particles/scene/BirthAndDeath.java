@@ -48,7 +48,8 @@ final class BirthAndDeath {
     private static final Key<Double> LIFETIME = Key.optional("lifetime", NumberType.positive("s"),
             "How long each lives (s); for ever where it is not given.");
 
-    static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION, SPREAD, SPEED,
+    static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION,
+            SPREAD, SPEED,
             RATE, MASS, LIFETIME, MoreEffects.SEED) {
         @Override
         void build(Values values, SceneAssembly assembly) {

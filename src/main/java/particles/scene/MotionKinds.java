@@ -60,7 +60,8 @@ abstract class MotionKinds extends RuleKind {
     private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
             "The axis about which it turns, counter-clockwise seen against it; of any length.");
 
-    static final RuleKind CIRCLE = new MotionKinds("circle", "A fixed particle goes round an axis like a crank.", PARTICLE, CENTRE,
+    static final RuleKind CIRCLE = new MotionKinds("circle", "A fixed particle goes round an axis like a crank.", PARTICLE,
+            CENTRE,
             AXIS, PERIOD) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {
@@ -76,7 +77,8 @@ abstract class MotionKinds extends RuleKind {
     private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "Where it ends (m).");
     private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"), "How long it takes (s).");
 
-    static final RuleKind GLIDE = new MotionKinds("glide", "A fixed particle moves straight to another place, starting and stopping"
+    static final RuleKind GLIDE = new MotionKinds("glide",
+            "A fixed particle moves straight to another place, starting and stopping"
             + " smoothly.", PARTICLE, TO, DURATION) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {

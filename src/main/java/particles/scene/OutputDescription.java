@@ -97,6 +97,7 @@ public record OutputDescription(double frameRate, int width, int height, boolean
 
     static OutputDescription of(Values values) {
         return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT), values.get(ANIMATION),
-                Video.find(values.get(VIDEO)).orElseThrow(), values.get(ENERGY), values.find(PHASE).map(Phase::of), values.find(TRAJECTORY_STRIDE));
+                Video.find(values.get(VIDEO)).orElseThrow(), values.get(ENERGY), values.find(PHASE).map(Phase::of),
+                        values.find(TRAJECTORY_STRIDE));
     }
 }

@@ -39,7 +39,8 @@ final class OutsideCheck {
 
     private static void check(ShapeDescription shape, Obstacle plane, Chosen<RuleKind> rule, Problems problems) {
         Lattice lattice = shape.lattice();
-        if (problems.isFull() || plane.isFlat() && lattice.corners().stream().allMatch(n -> distance(plane, lattice.position(n)) >= 0)) {
+        if (problems.isFull() || plane.isFlat() && lattice.corners().stream().allMatch(n -> distance(plane,
+                lattice.position(n)) >= 0)) {
             return;                                     // on a plane's right side all others lie between the corners
         }
         int lowest = -1;

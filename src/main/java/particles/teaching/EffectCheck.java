@@ -93,11 +93,13 @@ public final class EffectCheck {
         effect.addForces(state, 0, filled, 0, effect.size());
         for (int k = 0; k < n; k++) {
             if (!Double.isFinite(force[k])) {
-                wrong(Kind.METHOD, entry(k) + " is " + force[k] + " at a state that is nothing special: look for a division by 0");
+                wrong(Kind.METHOD, entry(k) + " is " + force[k]
+                        + " at a state that is nothing special: look for a division by 0");
                 return;
             }
             if (k % 6 < 3 && force[k] != 0) {
-                wrong(Kind.STATE, entry(k) + " is written to entry " + k + ", where the position stands; it belongs where the velocity stands,"
+                wrong(Kind.STATE, entry(k) + " is written to entry " + k
+                        + ", where the position stands; it belongs where the velocity stands,"
                         + " entry " + (k + 3));
                 return;
             }
@@ -112,7 +114,8 @@ public final class EffectCheck {
         effect.addForces(state, 0, parts, middle, effect.size());
         for (int k = 0; k < n; k++) {
             if (Math.abs(parts[k] - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
-                wrong(Kind.STATE, entry(k) + " is " + parts[k] + " when items 0 to " + middle + " and the rest are asked for one after the other, and "
+                wrong(Kind.STATE, entry(k) + " is " + parts[k] + " when items 0 to " + middle
+                        + " and the rest are asked for one after the other, and "
                         + force[k] + " at once: the loop has to go from 'from' to 'to', and over nothing else");
                 return;
             }
@@ -142,13 +145,17 @@ public final class EffectCheck {
             }
             List<String> names = pushed.stream().map(i -> "'" + system.getParticles().id(i) + "'").toList();
             if (pushed.size() == 1) {
-                wrong(Kind.METHOD, "item " + item + " pushes particle " + names.get(0) + " and forgets the partner: F_ji = -F_ij has to be added to"
+                wrong(Kind.METHOD, "item " + item + " pushes particle " + names.get(0)
+                        + " and forgets the partner: F_ji = -F_ij has to be added to"
                         + " the other particle");
             } else {
                 int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
-                wrong(Kind.METHOD, "item " + item + " pushes particles " + String.join(" and ", names) + " with forces that add up to "
-                        + Formula.number(rest) + " along " + XYZ.charAt(axis) + " and not to 0" + (Math.abs(rest / 2) <= size * (1 + 1e-9) && sameForces(force, pushed)
-                                ? ": the partner gets the same force, and has to get the opposite one, F_ji = -F_ij" : ": F_ji has to be -F_ij"));
+                wrong(Kind.METHOD, "item " + item + " pushes particles " + String.join(" and ", names)
+                        + " with forces that add up to "
+                        + Formula.number(rest) + " along " + XYZ.charAt(axis) + " and not to 0"
+                        + (Math.abs(rest / 2) <= size * (1 + 1e-9) && sameForces(force, pushed)
+                                ? ": the partner gets the same force, and has to get the opposite one, F_ji = -F_ij"
+                                : ": F_ji has to be -F_ij"));
             }
             return;
         }
@@ -186,12 +193,14 @@ public final class EffectCheck {
 
     /** Compares forces of free particles component by component, and looks for what is common to all differences. */
     private void compare(double[] force, double[] expected, String authority, String other) {
-        double size = Math.max(Arrays.stream(force).map(Math::abs).max().orElse(0), Arrays.stream(expected).map(Math::abs).max().orElse(0));
+        double size = Math.max(Arrays.stream(force).map(Math::abs).max().orElse(0),
+                Arrays.stream(expected).map(Math::abs).max().orElse(0));
         for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
             if (system.getParticles().isFixed(k / 6) || Math.abs(force[k] - expected[k]) <= SAME * size) {
                 continue;
             }
-            wrong(Kind.METHOD, entry(k) + " is " + Formula.number(force[k]) + " where " + authority + " " + Formula.number(expected[k])
+            wrong(Kind.METHOD, entry(k) + " is " + Formula.number(force[k]) + " where " + authority + " "
+                    + Formula.number(expected[k])
                     + new ForceComparison(system, force, expected, size).cause(effect.dependsOnVelocity(), other));
             return;
         }
@@ -200,7 +209,8 @@ public final class EffectCheck {
     /** What damps takes as much power as it says. */
     private void power() {
         double dissipated = effect.getDissipatedPower(state, 0);
-        if (!effect.getTraits().contains(Trait.DISSIPATIVE) || effect.getTraits().contains(Trait.DRIVING) || !findings.isEmpty()) {
+        if (!effect.getTraits().contains(Trait.DISSIPATIVE) || effect.getTraits().contains(Trait.DRIVING)
+                || !findings.isEmpty()) {
             return;
         }
         double[] force = force(state, 0, effect.size());
@@ -216,11 +226,13 @@ public final class EffectCheck {
         if (Math.abs(power + dissipated) <= SAME * Math.max(1e-3, Math.abs(power))) {
             return;
         }
-        String start = "the forces do the work " + Formula.number(power) + " W and the effect says that it turns " + Formula.number(dissipated)
+        String start = "the forces do the work " + Formula.number(power) + " W and the effect says that it turns "
+                + Formula.number(dissipated)
                 + " W into heat";
         double ratio = -power / dissipated;
         wrong(Kind.METHOD, start + (dissipated == 0 ? ": getDissipatedPower is missing"
-                : Math.abs(ratio + 1) < 1e-4 && dissipated < 0 ? ": the sign of the dissipated power is wrong; what becomes heat counts as positive"
+                : Math.abs(ratio + 1) < 1e-4 && dissipated < 0
+                ? ": the sign of the dissipated power is wrong; what becomes heat counts as positive"
                 : Math.abs(ratio + 1) < 1e-4 ? ": the sign is wrong; damping has to push against the velocity"
                 : Math.abs(ratio - 2) < 1e-4 ? ": twice as much; a half stands in the dissipated power that does not belong there"
                 : Math.abs(ratio - 0.5) < 1e-4 ? ": half as much; a half is missing in the dissipated power, or is too much in the force" : ""));

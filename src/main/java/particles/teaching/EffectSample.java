@@ -68,13 +68,16 @@ public final class EffectSample {
         try {
             Class<?> found = Class.forName(full, true, Thread.currentThread().getContextClassLoader());
             if (!Effect.class.isAssignableFrom(found)) {
-                throw new IllegalArgumentException("class " + full + " is no effect: it has to implement " + Effect.class.getName());
+                throw new IllegalArgumentException("class " + full + " is no effect: it has to implement "
+                        + Effect.class.getName());
             }
             return found.asSubclass(Effect.class).getConstructor(Particles.class).newInstance(particles);
         } catch (ClassNotFoundException e) {
-            throw new NoSuchElementException("no class is called '" + full + "', and no effect; known effects: " + String.join(", ", new TreeSet<>(NAMED.keySet())), e);
+            throw new NoSuchElementException("no class is called '" + full + "', and no effect; known effects: "
+                    + String.join(", ", new TreeSet<>(NAMED.keySet())), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
-            throw new IllegalArgumentException("class " + full + " cannot be made: it has to be public, not abstract, and have a public"
+            throw new IllegalArgumentException("class " + full
+                    + " cannot be made: it has to be public, not abstract, and have a public"
                     + " constructor that takes particles.Particles", e);
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException("the constructor of " + full + " failed: " + e.getCause(), e);

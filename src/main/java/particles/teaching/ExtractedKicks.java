@@ -18,7 +18,8 @@ import java.util.Random;
  * @param kept   how much of the old position, and of the old velocity, is in the new one
  * @param left   whether the state was not set after the last evaluation
  */
-record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] pAt, double[] c, double end, double[] kept, boolean left) {
+record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] pAt, double[] c, double end, double[] kept,
+        boolean left) {
     private static final int BLOCKS = Probe.MOST_EVALUATIONS + 3;
     private static final int OLD_POSITION = BLOCKS - 2;
     private static final int OLD_VELOCITY = BLOCKS - 1;
@@ -38,7 +39,8 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
         double[] start = new double[BLOCKS * width];
         start[OLD_POSITION * width] = 1;
         start[OLD_VELOCITY * width + dimension] = 1;
-        Probe probe = new SecondOrderProbe(start, dimension, START, (evaluation, dSdt) -> dSdt[(1 + evaluation) * width + dimension] = 1);
+        Probe probe = new SecondOrderProbe(start, dimension, START, (evaluation, dSdt) -> dSdt[(1 + evaluation) * width
+                + dimension] = 1);
         solver.stepState(probe, h);
         int stages = probe.evaluations().size();
         double[] last = probe.state();
@@ -74,7 +76,8 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
         for (int j = 0; j < accelerations.length; j++) {
             accelerations[j] = random.doubles(start.length, -1, 1).toArray();
         }
-        Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0, dSdt, 0, dSdt.length));
+        Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0, dSdt,
+                0, dSdt.length));
         solver.stepState(probe, h);
         if (probe.evaluations().size() != v.length) {
             return 1;

@@ -17,18 +17,23 @@ final class KicksDiagnosis {
 
     private static final double YOSHIDA = 1 / (2 - StrictMath.cbrt(2));
 
-    private static final Known SYMPLECTIC = new Known("symplectic Euler, the slides' simple particle system algorithm", "the slide",
-            List.of("symplectic", "semiimplicit", "simple", "cromer"), new double[] {1}, new double[] {1}, new double[] {0}, new double[] {0});
+    private static final Known SYMPLECTIC = new Known("symplectic Euler, the slides' simple particle system algorithm",
+            "the slide",
+            List.of("symplectic", "semiimplicit", "simple", "cromer"), new double[] {1}, new double[] {1}, new double[] {0},
+                    new double[] {0});
 
     private static final Known EULER = new Known("the Euler method", "the slide", List.of(), new double[] {0}, new double[] {1},
             new double[] {0}, new double[] {0});
 
     private static final List<Known> ALL = List.of(SYMPLECTIC, EULER,
-            new Known("symplectic Euler with the position first", "the method", List.of("positionfirst"), new double[] {0}, new double[] {1},
+            new Known("symplectic Euler with the position first", "the method", List.of("positionfirst"), new double[] {0},
+                    new double[] {1},
                     new double[] {1}, new double[] {1}),
-            new Known("velocity Verlet (leapfrog: kick, drift, kick)", "the method", List.of("verlet", "leapfrog", "kickdriftkick"),
+            new Known("velocity Verlet (leapfrog: kick, drift, kick)", "the method",
+                    List.of("verlet", "leapfrog", "kickdriftkick"),
                     new double[] {0.5, 0}, new double[] {0.5, 0.5}, new double[] {0, 1}, new double[] {0, 1}),
-            new Known("position Verlet (drift, kick, drift)", "the method", List.of("positionverlet", "driftkickdrift"), new double[] {0.5},
+            new Known("position Verlet (drift, kick, drift)", "the method", List.of("positionverlet", "driftkickdrift"),
+                    new double[] {0.5},
                     new double[] {1}, new double[] {0.5}, new double[] {0.5}),
             yoshida());
 
@@ -58,7 +63,8 @@ final class KicksDiagnosis {
     private static Optional<Known> promised(String className) {
         String lower = className.toLowerCase(Locale.ROOT);
         return ALL.stream().filter(known -> known.spoken.stream().anyMatch(lower::contains))
-                .max(Comparator.comparingInt(known -> known.spoken.stream().filter(lower::contains).mapToInt(String::length).max().orElse(0)));
+                .max(Comparator.comparingInt(known -> known.spoken.stream().filter(lower::contains).mapToInt(String::length)
+                .max().orElse(0)));
     }
 
     /**
@@ -81,9 +87,11 @@ final class KicksDiagnosis {
             findings.add(new Finding(Kind.TIME, step.end() == 0 ? "the clock never moves: incTime(deltaT) is missing"
                     : "the clock ends at " + Formula.time(step.end()) + " and has to end at t + deltaT"));
         }
-        boolean promisesEuler = promised(className).isEmpty() && KnownMethod.promisedBy(className).filter(m -> m.stages() == 1).isPresent();
+        boolean promisesEuler = promised(className).isEmpty()
+                && KnownMethod.promisedBy(className).filter(m -> m.stages() == 1).isPresent();
         Optional<Known> exact = ALL.stream().filter(known -> differences(known, step).isEmpty()).findFirst();
-        if (exact.isPresent() && exact.get() == EULER && promised(className).isPresent() && promised(className).get() == SYMPLECTIC) {
+        if (exact.isPresent() && exact.get() == EULER && promised(className).isPresent() && promised(className).get()
+                == SYMPLECTIC) {
             findings.addAll(eulerInstead(className).stream().toList());
             return new Diagnosis("This is the Euler method.", findings);
         }
@@ -96,7 +104,8 @@ final class KicksDiagnosis {
                 .min(Comparator.comparingInt(known -> differences(known, step).size())).orElseThrow());
         List<Finding> differences = differences(promised, step);
         if (!differences.isEmpty() && exact.isPresent()) {
-            findings.add(new Finding(Kind.METHOD, "this is " + exact.get().name + " and not " + promised.name + ", as its name says"));
+            findings.add(new Finding(Kind.METHOD, "this is " + exact.get().name + " and not " + promised.name
+                    + ", as its name says"));
         }
         findings.addAll(differences);
         String identity = exact.isPresent() ? "This is " + exact.get().name + "."
@@ -110,16 +119,20 @@ final class KicksDiagnosis {
         double[] v = Arrays.copyOf(step.v(), stages);
         double[] x = Arrays.copyOf(step.x(), stages);
         if (step.v().length != known.v.length) {
-            found.add(new Finding(Kind.METHOD, "evaluations of the acceleration in a step: " + step.v().length + "; " + known.name + " needs "
-                    + known.v.length + ": " + (step.v().length < known.v.length ? "the one at the new position is missing" : "one is too many")));
+            found.add(new Finding(Kind.METHOD, "evaluations of the acceleration in a step: " + step.v().length + "; "
+                    + known.name + " needs "
+                    + known.v.length + ": " + (step.v().length < known.v.length ? "the one at the new position is missing"
+                    : "one is too many")));
         }
         for (int j = 0; j < Math.min(step.v().length, known.v.length); j++) {
             if (!Formula.same(step.pAt()[j], known.pAt[j])) {
                 found.add(new Finding(Kind.METHOD, "acceleration a" + (j + 1) + " is taken at a position that has moved "
-                        + Formula.number(step.pAt()[j]) + " v deltaT; " + known.authority + " says " + Formula.number(known.pAt[j])));
+                        + Formula.number(step.pAt()[j]) + " v deltaT; " + known.authority + " says "
+                        + Formula.number(known.pAt[j])));
             }
             if (!Formula.same(step.c()[j], known.c[j]) && step.end() != 0) {
-                found.add(new Finding(Kind.TIME, "acceleration a" + (j + 1) + " is evaluated at " + Formula.time(step.c()[j]) + "; "
+                found.add(new Finding(Kind.TIME, "acceleration a" + (j + 1) + " is evaluated at " + Formula.time(step.c()[j])
+                        + "; "
                         + known.authority + " says " + Formula.time(known.c[j])));
             }
         }
@@ -132,13 +145,15 @@ final class KicksDiagnosis {
         return found;
     }
 
-    private static void compare(String what, String letter, double[] found, double[] expected, double p, Known known, List<Finding> findings,
+    private static void compare(String what, String letter, double[] found, double[] expected, double p, Known known,
+            List<Finding> findings,
                                 String unit) {
         boolean position = letter.equals("x");
         if (MethodDifferences.same(found, expected) && (!position || Formula.same(p, 1))) {
             return;
         }
-        findings.add(new Finding(Kind.METHOD, "the new " + what + " is " + formula(letter, found, p, unit) + "; " + known.authority + " says "
+        findings.add(new Finding(Kind.METHOD, "the new " + what + " is " + formula(letter, found, p, unit) + "; "
+                + known.authority + " says "
                 + formula(letter, expected, 1, unit) + hint(position, found, expected, p)));
     }
 
@@ -159,7 +174,8 @@ final class KicksDiagnosis {
             names.add("a" + j + unit);
         }
         String accelerations = Formula.state(0, weights, names);
-        String start = letter.equals("x") ? "x" + (Formula.same(p, 1) ? " + v deltaT" : p == 0 ? "" : " + " + Formula.number(p) + " v deltaT") : "v";
+        String start = letter.equals("x") ? "x" + (Formula.same(p, 1) ? " + v deltaT" : p == 0 ? ""
+                : " + " + Formula.number(p) + " v deltaT") : "v";
         return accelerations.equals("0") ? start : start + (accelerations.startsWith(" - ") ? "" : " + ") + accelerations;
     }
 }

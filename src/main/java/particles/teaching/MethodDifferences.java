@@ -57,7 +57,8 @@ final class MethodDifferences {
         for (int i = 0; i < Math.min(a.length, method.stages()); i++) {
             double[] expected = Arrays.copyOf(method.row(i), a.length);
             if (!same(a[i], expected)) {
-                wrong(Finding.Kind.METHOD, slope(i) + " is evaluated at " + Formula.state(1, a[i], method.steps()) + "; " + method.authority()
+                wrong(Finding.Kind.METHOD, slope(i) + " is evaluated at " + Formula.state(1, a[i], method.steps()) + "; "
+                        + method.authority()
                         + " says " + Formula.state(1, expected, method.steps()) + stageHint(i, expected));
             }
         }
@@ -70,7 +71,8 @@ final class MethodDifferences {
     private String stageHint(int i, double[] expected) {
         if (!step.stateSet()[i] && i > 0) {
             return ": setState is missing before this getStateDerivative, so that it is "
-                    + (sum(a[i]) == 0 ? "the derivative at the old state once more, " + slope(0) + " again" : slope(i - 1) + " again");
+                    + (sum(a[i]) == 0 ? "the derivative at the old state once more, " + slope(0) + " again"
+                    : slope(i - 1) + " again");
         }
         if (i > 0 && sum(a[i]) == 0) {
             return ": nothing is added to s; 1/2 is 0 in Java, as both are whole numbers, and 0.5 is meant";
@@ -86,7 +88,8 @@ final class MethodDifferences {
         for (double factor : new double[] {-1, 2, 0.5, -0.5, -2}) {
             double[] scaled = Arrays.stream(expected).map(x -> factor * x).toArray();
             if (same(found, scaled)) {
-                return factor < 0 ? ": the sign is wrong" : factor == 2 ? ": the half is missing" : ": it is halved once too often";
+                return factor < 0 ? ": the sign is wrong" : factor == 2 ? ": the half is missing"
+                        : ": it is halved once too often";
             }
         }
         return "";
@@ -101,7 +104,8 @@ final class MethodDifferences {
         }
         boolean neverMoved = wrong.size() > 1 && wrong.stream().allMatch(i -> c[i] == 0);
         if (neverMoved) {
-            wrong(Finding.Kind.TIME, join(wrong.stream().map(this::slope).toList()) + " are evaluated at t; " + method.authority() + " says "
+            wrong(Finding.Kind.TIME, join(wrong.stream().map(this::slope).toList()) + " are evaluated at t; "
+                    + method.authority() + " says "
                     + join(wrong.stream().map(i -> Formula.time(method.tableau().node(i))).toList())
                     + ": the clock has to be moved with incTime before each evaluation, and not only at the end");
             return;
@@ -126,7 +130,8 @@ final class MethodDifferences {
         if (same(weights, expected) || b.length < method.stages() && same(b, Arrays.copyOf(expected, b.length))) {
             return;                                     // right, but for a stage that is missing and was named
         }
-        String text = "the new state is " + Formula.state(step.kept(), weights, method.steps()) + "; " + method.authority() + " says "
+        String text = "the new state is " + Formula.state(step.kept(), weights, method.steps()) + "; " + method.authority()
+                + " says "
                 + Formula.state(1, expected, method.steps());
         String hint = weightHint(weights, expected);
         if (!hint.isEmpty()) {
@@ -135,7 +140,8 @@ final class MethodDifferences {
         }
         for (int j = 0; j < expected.length; j++) {     // one finding a weight, so that the nearest method is the one with the fewest
             if (!Formula.same(weights[j], expected[j])) {
-                wrong(Finding.Kind.METHOD, text + ": the weight of " + slope(j) + " is " + Formula.number(weights[j]) + " instead of "
+                wrong(Finding.Kind.METHOD, text + ": the weight of " + slope(j) + " is " + Formula.number(weights[j])
+                        + " instead of "
                         + Formula.number(expected[j]));
             }
         }
@@ -146,7 +152,8 @@ final class MethodDifferences {
         if (last > 0 && Math.abs(sum(weights)) == 0 && Arrays.stream(weights).allMatch(w -> w == 0)) {
             return ": no evaluation is in it; 1/6 is 0 in Java, as both are whole numbers, and 1.0/6 is meant";
         }
-        if (last > 0 && method.stages() == b.length && Formula.same(weights[last], 1) && Formula.same(sum(weights), 1) && expected[last] != 1) {
+        if (last > 0 && method.stages() == b.length && Formula.same(weights[last], 1) && Formula.same(sum(weights), 1)
+                && expected[last] != 1) {
             return ": all of them are " + slope(last) + ", as if " + slope(0) + " to " + slope(last)
                     + " were one array, which each evaluation writes over";
         }

@@ -51,7 +51,8 @@ public final class SolverCheck {
             WindyOscillators source = new WindyOscillators(2);
             maker.get().stepState(source, 1.0 / 16);
             if (!Double.isFinite(MethodDifferences.sum(source.state()))) {
-                return new SolverVerdict("It makes no step.", List.of(new Finding(Kind.STATE, "the new state is NaN or infinite although state"
+                return new SolverVerdict("It makes no step.",
+                        List.of(new Finding(Kind.STATE, "the new state is NaN or infinite although state"
                         + " and derivative are finite: look for 0/0, the root of a negative number, or a division by something that is 0")),
                         false);
             }
@@ -60,7 +61,8 @@ public final class SolverCheck {
                     + StudentFailure.describe(e))), false);
         }
         if (!repeats()) {
-            return new SolverVerdict("It makes another step each time.", List.of(new Finding(Kind.METHOD, "two new solvers make different steps from"
+            return new SolverVerdict("It makes another step each time.",
+                    List.of(new Finding(Kind.METHOD, "two new solvers make different steps from"
                     + " the same place: something is random, or static and shared by all solvers (a static field outlives a step and its solver)")),
                     false);
         }
@@ -117,7 +119,8 @@ public final class SolverCheck {
                     findings.add(new Finding(Kind.STATE, source.evaluations() == before
                             ? "the derivative is stale: getStateDerivative is called in the first step only, and each step needs the derivative"
                                     + " at its own start"
-                            : "the derivative is stale: step " + (step + 1) + " is not the one that a new solver makes from the same place, and the"
+                            : "the derivative is stale: step " + (step + 1)
+                            + " is not the one that a new solver makes from the same place, and the"
                                     + " error does not go to 0 with deltaT. Something from the step before is used again; getStateDerivative has"
                                     + " to be called anew, after the state and the clock were set"));
                 }
@@ -136,7 +139,8 @@ public final class SolverCheck {
                 return Optional.empty();
             }
             if (Arrays.stream(step.misfit(maker.get(), LARGE)).anyMatch(difference -> difference > FLOAT_ROUNDING)) {
-                findings.add(new Finding(Kind.METHOD, "with derivatives up to " + Formula.number(LARGE) + " the step is not the one that it makes with"
+                findings.add(new Finding(Kind.METHOD, "with derivatives up to " + Formula.number(LARGE)
+                        + " the step is not the one that it makes with"
                         + " derivatives up to 1: something is cut off, or depends on the size"));
             }
             Diagnosis diagnosis = TableauDiagnosis.of(step, twice, back,
@@ -170,7 +174,8 @@ public final class SolverCheck {
             boolean row = left.get(left.size() - 1) - left.get(0) == left.size() - 1 && left.size() > 2;
             findings.add(new Finding(Kind.STATE, "entr" + (left.size() == 1 ? "y " : "ies ")
                     + (row ? left.get(0) + " to " + left.get(left.size() - 1) : left.toString().replaceAll("[\\[\\]]", ""))
-                    + " of a state of " + misfit.length + " numbers stay" + (left.size() == 1 ? "s" : "") + " as it was: the loop over i has to go"
+                    + " of a state of " + misfit.length + " numbers stay" + (left.size() == 1 ? "s"
+                    : "") + " as it was: the loop over i has to go"
                     + " from 0 to source.getStateSize() - 1"));
         }
         if (largest > DOUBLE_ROUNDING) {

@@ -22,7 +22,8 @@ import particles.DataTable;
  * @param energy        the energy of a spring over time
  * @param workPrecision error against evaluations, beside other solvers
  */
-public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData> region, Optional<DataTable> growth, ChartData energy,
+public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData> region, Optional<DataTable> growth,
+        ChartData energy,
                              ChartData workPrecision) {
     private static final double ENERGY_STEP = 0.1;
     private static final int ENERGY_STEPS = 2000;
@@ -54,10 +55,12 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         }
         work.add(series(name, builtIn ? Mark.LINE_AND_POINTS : Mark.LINE_AND_OPEN_POINTS, work(maker)));
         return new SolverFigures(facts(maker, verdict, order, energy, stability),
-                new ChartData(String.format(Locale.ROOT, "The error falls as deltaT^%.2f", order.order()), "deltaT (s)", "error after 2 s", true,
+                new ChartData(String.format(Locale.ROOT, "The error falls as deltaT^%.2f", order.order()), "deltaT (s)",
+                        "error after 2 s", true,
                         true, List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
                 stability.growth(),
-                new ChartData(String.format(Locale.ROOT, "Energy of a spring, deltaT = 0.1 s: off by up to %.2g of it", largest(energy)),
+                new ChartData(String.format(Locale.ROOT, "Energy of a spring, deltaT = 0.1 s: off by up to %.2g of it",
+                        largest(energy)),
                         "time (s)", "|energy / first energy - 1|", false, true, energies),
                 new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true, work));
     }
@@ -70,7 +73,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
 
     private static Series series(String name, Mark mark, List<double[]> points) {
         List<double[]> shown = points.stream().filter(p -> p[1] > 0 && p[1] < BLOWN_UP).toList();
-        return new Series(name, mark, shown.stream().mapToDouble(p -> p[0]).toArray(), shown.stream().mapToDouble(p -> p[1]).toArray());
+        return new Series(name, mark, shown.stream().mapToDouble(p -> p[0]).toArray(),
+                shown.stream().mapToDouble(p -> p[1]).toArray());
     }
 
     private static List<double[]> energy(Supplier<DESolver> maker) {
@@ -116,14 +120,17 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
             rows.add(List.of("the same with deltaT omega = 0.1", text(step(maker, 0.1).amplification()), "exactly 1"));
             double area = springs.area() - 1;
             rows.add(List.of("area in state space, a step of deltaT omega = 1", text(springs.area()), small != large
-                    ? "off by what the tolerance lets pass" : Math.abs(area) > 1e-10 ? "not symplectic: " + (area > 0 ? "gains" : "loses") + " area"
+                    ? "off by what the tolerance lets pass" : Math.abs(area) > 1e-10
+                    ? "not symplectic: " + (area > 0 ? "gains" : "loses") + " area"
                     : "symplectic on the spring: areas are kept"));
         }
         double back = back(maker);
-        rows.add(List.of("a step and the same step back", text(back), back < 1e-12 ? "reversible: it ends where it began" : "not reversible"));
+        rows.add(List.of("a step and the same step back", text(back), back < 1e-12 ? "reversible: it ends where it began"
+                : "not reversible"));
         rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)), "relative"));
         rows.addAll(stability.rows());
-        return new DataTable("facts", "What it does", List.of(DataTable.column("property"), DataTable.column("value"), DataTable.column("meaning")),
+        return new DataTable("facts", "What it does", List.of(DataTable.column("property"), DataTable.column("value"),
+                DataTable.column("meaning")),
                 rows);
     }
 

@@ -75,7 +75,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         String nearest = nearest(name, plane);
         List<List<Object>> rows = new ArrayList<>();
         if (!subStep && !plane.springs && !multistep && trial.noise() < CLEAN) {
-            StabilityFunction.of(maker, trial.noise()).ifPresent(r -> rows.add(List.of("R(z), by which a step multiplies y in y' = lambda y",
+            StabilityFunction.of(maker, trial.noise())
+                    .ifPresent(r -> rows.add(List.of("R(z), by which a step multiplies y in y' = lambda y",
                     r.text(), r.owner().isEmpty() ? "z is deltaT lambda" : r.owner())));
         }
         StabilityLimit drag = plane.ofDrag();
@@ -90,7 +91,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     private static String text(StabilityLimit limit) {
-        return limit.value() == Double.POSITIVE_INFINITY ? "unbounded" : limit.value() == 0 ? "0" : String.format(Locale.ROOT, "%.8g", limit.value());
+        return limit.value() == Double.POSITIVE_INFINITY ? "unbounded" : limit.value() == 0 ? "0"
+                : String.format(Locale.ROOT, "%.8g", limit.value());
     }
 
     private static DoubleBinaryOperator builtIn(String other, Plane like) {
@@ -151,7 +153,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
             series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-top, top}));
         }
         String title = "Stable where striped: " + most(drag) + " for damping, " + most(spring) + " for undamped springs";
-        return new ChartData(title, plane.springs ? "deltaT omega: stiffness" : "Re(deltaT lambda): decay to the left, growth to the right",
+        return new ChartData(title, plane.springs ? "deltaT omega: stiffness"
+                : "Re(deltaT lambda): decay to the left, growth to the right",
                 plane.springs ? "deltaT c/m: damping" : "Im(deltaT lambda): oscillation", false, false, series);
     }
 
@@ -166,7 +169,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         if (!others.contains(nearest)) {
             others.add(nearest);
         }
-        List<DataTable.Column> columns = new ArrayList<>(List.of(DataTable.column(plane.springs ? "deltaT omega" : "deltaT lambda")));
+        List<DataTable.Column> columns = new ArrayList<>(List.of(DataTable.column(plane.springs ? "deltaT omega"
+                : "deltaT lambda")));
         if (plane.springs) {
             columns.add(DataTable.column("deltaT c/m"));
         }
@@ -179,7 +183,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
             if (plane.springs) {
                 row.addAll(List.of(at[0], at[1]));
             } else {
-                row.add(at[1] == 0 ? number(at[0]) : at[0] == 0 ? number(at[1]) + " i" : number(at[0]) + " + " + number(at[1]) + " i");
+                row.add(at[1] == 0 ? number(at[0]) : at[0] == 0 ? number(at[1]) + " i"
+                        : number(at[0]) + " + " + number(at[1]) + " i");
             }
             row.add(digits(plane.springs ? damped(at[0], at[1]) : StrictMath.exp(at[0])));
             row.add(digits(plane.growth(at[0], at[1])));

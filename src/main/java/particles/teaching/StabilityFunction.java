@@ -21,7 +21,8 @@ record StabilityFunction(double[] above, double[] below) {
     /** Coefficients that are looked at: those of higher powers drown in rounding. */
     private static final int KNOWN = 9;
     private static final double ROUNDING = 1e-13;
-    private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0}, {2, 2}, {5, 0}, {6, 0}};
+    private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0}, {2, 2},
+            {5, 0}, {6, 0}};
 
     /**
      * @param maker makes solvers whose step treats all entries of the state alike
@@ -31,7 +32,8 @@ record StabilityFunction(double[] above, double[] below) {
     static Optional<StabilityFunction> of(Supplier<DESolver> maker, double noise) {
         double[] taylor = taylor(maker);
         for (int[] degree : DEGREES) {
-            Optional<StabilityFunction> found = fraction(taylor, degree[0], degree[1]).filter(f -> f.has(taylor, ROUNDING + 10 * noise));
+            Optional<StabilityFunction> found = fraction(taylor, degree[0], degree[1]).filter(f -> f.has(taylor, ROUNDING
+                    + 10 * noise));
             if (found.isPresent()) {
                 return found;
             }
@@ -44,7 +46,8 @@ record StabilityFunction(double[] above, double[] below) {
         double[] c = new double[KNOWN];
         for (int j = 0; j < PLACES; j++) {
             double angle = 2 * Math.PI * j / PLACES;
-            StepMatrix step = StepMatrix.onTestEquation(maker.get(), RADIUS * StrictMath.cos(angle), RADIUS * StrictMath.sin(angle));
+            StepMatrix step = StepMatrix.onTestEquation(maker.get(), RADIUS * StrictMath.cos(angle),
+                    RADIUS * StrictMath.sin(angle));
             for (int k = 0; k < KNOWN; k++) {
                 double turned = step.xx() * StrictMath.cos(k * angle) + step.vx() * StrictMath.sin(k * angle);
                 c[k] += turned / (PLACES * StrictMath.pow(RADIUS, k));
@@ -120,8 +123,10 @@ record StabilityFunction(double[] above, double[] below) {
                 factorial *= Math.max(1, k);
                 exponential &= Formula.same(above[k] * factorial, 1);
             }
-            List<String> owners = List.of("", "that of the Euler method", "that of the midpoint method, and of all of order 2 with two evaluations",
-                    "that of all methods of order 3 with three evaluations", "that of RK4, and of all of order 4 with four evaluations");
+            List<String> owners = List.of("", "that of the Euler method",
+                    "that of the midpoint method, and of all of order 2 with two evaluations",
+                    "that of all methods of order 3 with three evaluations",
+                            "that of RK4, and of all of order 4 with four evaluations");
             return exponential && above.length <= owners.size() ? owners.get(above.length - 1) : "";
         }
         double theta = -below[1];

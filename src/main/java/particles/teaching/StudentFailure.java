@@ -21,8 +21,10 @@ final class StudentFailure {
      */
     static String place(StackTraceElement[] stack) {
         Optional<StackTraceElement> found = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && !isOurs(frame)).findFirst()
-                .or(() -> Arrays.stream(stack).filter(frame -> !isOfJava(frame) && !frame.getClassName().startsWith("particles.teaching.")).findFirst());
-        return found.map(frame -> ", in " + frame.getClassName().replaceAll(".*[.$]", "") + "." + frame.getMethodName() + ", line "
+                .or(() -> Arrays.stream(stack).filter(frame -> !isOfJava(frame)
+                        && !frame.getClassName().startsWith("particles.teaching.")).findFirst());
+        return found.map(frame -> ", in " + frame.getClassName().replaceAll(".*[.$]", "") + "." + frame.getMethodName()
+                + ", line "
                 + frame.getLineNumber() + " of " + frame.getFileName()).orElse("");
     }
 

@@ -22,7 +22,8 @@ final class TableauDiagnosis {
     private double[] b;
     private double[] c;
 
-    private TableauDiagnosis(ExtractedTableau step, ExtractedTableau twice, ExtractedTableau back, Optional<KnownMethod> promised) {
+    private TableauDiagnosis(ExtractedTableau step, ExtractedTableau twice, ExtractedTableau back,
+            Optional<KnownMethod> promised) {
         this.step = step;
         this.twice = twice;
         this.back = back;
@@ -72,28 +73,34 @@ final class TableauDiagnosis {
             return false;
         }
         if (Formula.same(twice.end(), step.end()) && step.end() != 0) {
-            wrong(Kind.TIME, "the clock moves by " + Formula.number(step.end()) + " s in every step, whatever deltaT is: it is hard-coded;"
+            wrong(Kind.TIME, "the clock moves by " + Formula.number(step.end())
+                    + " s in every step, whatever deltaT is: it is hard-coded;"
                     + " incTime(deltaT) is meant");
             return false;
         }
         boolean calls = step.clockMoves().stream().allMatch(move -> move == h);
         double ahead = step.end() - h;
         if (ahead != 0 && Formula.same(twice.end() - twice.h(), ahead) && Formula.same(back.end() - back.h(), ahead)) {
-            wrong(Kind.TIME, "the clock moves by " + Formula.number(step.end()) + " s in a step of " + Formula.number(h) + " s that begins at "
+            wrong(Kind.TIME, "the clock moves by " + Formula.number(step.end()) + " s in a step of " + Formula.number(h)
+                    + " s that begins at "
                     + Formula.number(ahead) + " s: incTime takes how far the clock moves, deltaT, and not the new time");
             return false;
         }
         if (calls && step.stages() > 2) {
-            wrong(Kind.TIME, "the clock moves by " + Formula.number(end) + " deltaT: incTime(deltaT) is called " + step.clockMoves().size()
+            wrong(Kind.TIME, "the clock moves by " + Formula.number(end) + " deltaT: incTime(deltaT) is called "
+                    + step.clockMoves().size()
                     + " times, and all moves together have to make one deltaT");
             return false;
         }
         if (calls) {
-            wrong(Kind.TIME, "the clock moves by " + Formula.number(end) + " deltaT: incTime(deltaT) is called " + step.clockMoves().size()
+            wrong(Kind.TIME, "the clock moves by " + Formula.number(end) + " deltaT: incTime(deltaT) is called "
+                    + step.clockMoves().size()
                     + " times, once is right");
         } else {
-            List<String> moves = step.clockMoves().stream().map(move -> Formula.state(0, new double[] {move / h}, List.of("deltaT"))).toList();
-            wrong(Kind.TIME, "the clock ends at " + Formula.time(end) + " and has to end at t + deltaT; it was moved by " + String.join(", then ", moves)
+            List<String> moves = step.clockMoves().stream().map(move -> Formula.state(0, new double[] {move / h},
+                    List.of("deltaT"))).toList();
+            wrong(Kind.TIME, "the clock ends at " + Formula.time(end) + " and has to end at t + deltaT; it was moved by "
+                    + String.join(", then ", moves)
                     + ": all moves together have to make deltaT");
         }
         return true;
@@ -113,7 +120,8 @@ final class TableauDiagnosis {
             return false;
         }
         if (!step.setAfterLast()) {
-            wrong(Kind.STATE, step.stages() > 1 ? "the state is left at a trial state, " + Formula.state(step.kept(), b, stepNames())
+            wrong(Kind.STATE, step.stages() > 1 ? "the state is left at a trial state, "
+                    + Formula.state(step.kept(), b, stepNames())
                     + ", that of the last evaluation: setState with the new state is missing at the end"
                     : "the state is set before the derivative is known, and never to the new state: setState(state) is missing at the end");
             return false;
@@ -135,7 +143,8 @@ final class TableauDiagnosis {
     /** @return whether the step is made with deltaT, so that its weights can be compared */
     private boolean checkDeltaT() {
         for (int i = 1; i < step.stages(); i++) {
-            String fault = fault(MethodDifferences.sum(step.a()[i]), MethodDifferences.sum(twice.a()[i]), MethodDifferences.sum(back.a()[i]));
+            String fault = fault(MethodDifferences.sum(step.a()[i]), MethodDifferences.sum(twice.a()[i]),
+                    MethodDifferences.sum(back.a()[i]));
             if (!fault.isEmpty()) {
                 wrong(Kind.METHOD, names().get(i) + " is evaluated at a state that is off: " + fault);
             }
@@ -156,7 +165,8 @@ final class TableauDiagnosis {
         if (Formula.same(ratio, 1)) {
             return Formula.same(once, 1) || Formula.same(once, 0.5)
                     ? "deltaT is ignored; the derivative has to be multiplied by deltaT"
-                    : Formula.same(once, ExtractedTableau.START) ? "its length is the time, source.getTime(), and deltaT is ignored"
+                    : Formula.same(once, ExtractedTableau.START)
+                    ? "its length is the time, source.getTime(), and deltaT is ignored"
                     : "a time step of " + Formula.number(once) + " s is hard-coded, and deltaT is ignored";
         }
         if (Formula.same(ratio, 0.5)) {
@@ -219,11 +229,14 @@ final class TableauDiagnosis {
             return "This is the Euler method, twice.";
         }
         KnownMethod nearest = KnownMethod.all().stream()
-                .min(Comparator.comparingInt(method -> MethodDifferences.of(method, a, weights, clocks, step).size())).orElseThrow();
+                .min(Comparator.comparingInt(method -> MethodDifferences.of(method, a, weights, clocks,
+                        step).size())).orElseThrow();
         List<Finding> differences = MethodDifferences.of(nearest, a, weights, clocks, step);
         if (b.length > MANY && differences.size() > MANY) {
-            wrong(Kind.METHOD, "with " + b.length + " evaluations this is no method that we know, and its weights " + (weights.length == 0
-                    || Formula.same(MethodDifferences.sum(weights), 1) ? "" : "do not add up to 1 but to " + Formula.number(MethodDifferences.sum(weights))
+            wrong(Kind.METHOD, "with " + b.length + " evaluations this is no method that we know, and its weights "
+                    + (weights.length == 0
+                    || Formula.same(MethodDifferences.sum(weights), 1) ? ""
+                    : "do not add up to 1 but to " + Formula.number(MethodDifferences.sum(weights))
                     + ", or its ") + "places and clocks do not belong together: each stage at the time t + c deltaT has to be where c deltaT leads");
             return "This is a method of one's own, but for what is wrong below.";
         }
@@ -232,7 +245,8 @@ final class TableauDiagnosis {
     }
 
     private boolean isTwoEulerSteps() {
-        return b.length == 2 && Formula.same(step.end(), 2 * h) && Formula.same(b[0], 1) && Formula.same(b[1], 1) && Formula.same(a[1][0], 1)
+        return b.length == 2 && Formula.same(step.end(), 2 * h) && Formula.same(b[0], 1) && Formula.same(b[1], 1)
+                && Formula.same(a[1][0], 1)
                 && Formula.same(c[1], 1);
     }
 
@@ -244,7 +258,8 @@ final class TableauDiagnosis {
             used--;
         }
         if (used < b.length) {
-            findings.add(new Finding(Kind.ADVICE, "the last " + (b.length - used == 1 ? "evaluation enters" : b.length - used + " evaluations enter")
+            findings.add(new Finding(Kind.ADVICE, "the last " + (b.length - used == 1 ? "evaluation enters"
+                    : b.length - used + " evaluations enter")
                     + " nothing, and could be left out"));
             int stages = used;
             a = Arrays.stream(Arrays.copyOf(a, stages)).map(row -> Arrays.copyOf(row, stages)).toArray(double[][]::new);

@@ -52,7 +52,8 @@ class ToleranceTest {
         new Tolerance(0, MAX);
         new Tolerance(Double.MIN_VALUE, 0);
         new Tolerance(0, Double.MIN_VALUE);
-        double[][] refused = {{0, 0}, {MAX, MAX}, {1, -Double.MIN_VALUE}, {-Double.MIN_VALUE, 1}, {Double.NaN, 1}, {1, Double.NaN}};
+        double[][] refused = {{0, 0}, {MAX, MAX}, {1, -Double.MIN_VALUE}, {-Double.MIN_VALUE, 1}, {Double.NaN, 1},
+                {1, Double.NaN}};
         for (double[] pair : refused) {
             assertThrows(IllegalArgumentException.class, () -> new Tolerance(pair[0], pair[1]), pair[0] + ", " + pair[1]);
         }

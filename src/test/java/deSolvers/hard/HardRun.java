@@ -19,7 +19,8 @@ import java.util.stream.IntStream;
  * @param failure  why the run stopped before its end, if it did
  */
 record HardRun(double error, double largest, Optional<DESolverException> failure) {
-    static final List<String> SECOND_ORDER = SolverCatalog.all().stream().filter(s -> s.secondOrder()).map(s -> s.name()).toList();
+    static final List<String> SECOND_ORDER = SolverCatalog.all().stream().filter(s -> s.secondOrder()).map(s -> s.name())
+            .toList();
 
     /**
      * @param solver  a catalogue name

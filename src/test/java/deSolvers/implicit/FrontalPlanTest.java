@@ -50,7 +50,8 @@ class FrontalPlanTest {
         BitSet[] below = fill(pattern, plan);
         for (int k = 0; k < n; k++) {
             for (int m = k + 1; m < first(below[k]); m++) {
-                assertTrue(first(below[m]) > 0 && first(below[m]) <= first(below[k]), "between " + k + " and its heir comes " + m);
+                assertTrue(first(below[m]) > 0 && first(below[m]) <= first(below[k]), "between " + k + " and its heir comes "
+                        + m);
             }
         }
     }

@@ -107,7 +107,8 @@ class RadauSystemsTest {
      * of the velocities' equation, in which masses weigh (measured 1.4e-4, and 2.2e-4 where it is stiff).
      */
     @ParameterizedTest
-    @CsvSource({"dense, 1, 5, EXACT, 2e-15", "dense, 6, 5, NONE, 2e-15", "products, 6, 5, NONE, 1e-5", "products, 20, 5, NONE, 1e-5",
+    @CsvSource({"dense, 1, 5, EXACT, 2e-15", "dense, 6, 5, NONE, 2e-15", "products, 6, 5, NONE, 1e-5",
+            "products, 20, 5, NONE, 1e-5",
         "blocks, 20, 5, EXACT, 2e-4", "blocks, 20, 1e5, EXACT, 1e-3", "blocks, 20, 5, APPROXIMATE, 2e-4",
         "blocks, 20, 1e5, APPROXIMATE, 1e-3"})
     void whatIsLeftIsWithinTheTolerance(String kind, int n, double stiffness, Blocks blocks, double most) {
@@ -130,13 +131,16 @@ class RadauSystemsTest {
         assertEquals(byBlocks && blocks == Blocks.EXACT, work.products == 0);
     }
 
-    /** Factors serve while the sub-step has not changed to twice or half of theirs; beyond it, and backwards, there are new ones. */
+    /**
+     * Factors serve while the sub-step has not changed to twice or half of theirs; beyond it, and backwards, there are new ones.
+     */
     @Test
     void factorsAreKeptWhileTheyServe() {
         BlockParticles particles = new BlockParticles(30, 1e5, true, Blocks.EXACT);
         BlockRadauSystems systems = new BlockRadauSystems(work, 180);
         setJacobian(systems, particles, 0.3);
-        double[][] lengthsAndFactorisations = {{0.3, 1}, {0.58, 1}, {0.16, 1}, {0.3, 1}, {0.62, 2}, {0.32, 2}, {0.3, 3}, {-0.3, 4},
+        double[][] lengthsAndFactorisations = {{0.3, 1}, {0.58, 1}, {0.16, 1}, {0.3, 1}, {0.62, 2}, {0.32, 2}, {0.3, 3},
+                {-0.3, 4},
             {0.3, 5}};
         for (double[] each : lengthsAndFactorisations) {
             assertTrue(systems.prepare(each[0], MU, MU_RE, MU_IM));

@@ -92,7 +92,10 @@ class SpringInsideOutTest {
         assertArrayEquals(new double[] {LENGTH + 2 * G * v, 0, 0, 2 * v - SPEED, 0, 0}, spring.state(), CLOSE);
     }
 
-    /** Backward Euler goes straight on, as what is not stiff does, and so does its linearised step: along a line the force is linear. */
+    /**
+     * Backward Euler goes straight on, as what is not stiff does, and so does its linearised step: along a line the force is
+     * linear.
+     */
     @Test
     void backwardEulerGoesStraightOn() {
         Spring spring = new Spring();

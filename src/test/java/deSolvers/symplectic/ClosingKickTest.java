@@ -16,7 +16,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ClosingKickTest {
     private static final double H = 0.5;
 
-    /** Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity, none for the others. */
+    /**
+     * Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity, none
+     * for the others.
+     */
     private static final class OneMoves implements SecondOrderStateSource {
         private static final int MOVING = 7;            // the last velocity where d is 2; its position is entry 5
         private final DoubleUnaryOperator acceleration;

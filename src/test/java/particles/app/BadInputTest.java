@@ -56,17 +56,22 @@ class BadInputTest {
         put("no number", (HEAD + BOB).replace("0.01", ".nan"), "'deltaT' is");
         put("a huge number", (HEAD + BOB).replace("0.01", "1" + "0".repeat(90_000)), "'deltaT' is");
         put("a huge exponent", (HEAD + BOB).replace("0.01", "1e999999999"), "'deltaT' is");
-        put("a billion particles", HEAD + CLOTH.formatted("31623", "31623"), "1000014129 particles; a scene may have at most 1000000");
-        put("more particles than numbers", HEAD + CLOTH.formatted("1000000000", "1000000000"), "a whole number from 2 to 1000000");
-        put("a billion births", EMITTER.replace("duration: 1\n", "duration: 1000\n"), "MiB of memory for up to 1000000001 particles");
+        put("a billion particles", HEAD + CLOTH.formatted("31623", "31623"),
+                "1000014129 particles; a scene may have at most 1000000");
+        put("more particles than numbers", HEAD + CLOTH.formatted("1000000000", "1000000000"),
+                "a whole number from 2 to 1000000");
+        put("a billion births", EMITTER.replace("duration: 1\n", "duration: 1000\n"),
+                "MiB of memory for up to 1000000001 particles");
         put("a billion births at once", (EMITTER + "  - kill: {point: [0, -1, 0]}\n").replace("deltaT: 0.01", "deltaT: 2000")
                 .replace("duration: 1\n", "duration: 2000\n"), "MiB of memory for up to 2000000001 particles");
-        put("too much for the heap", HEAD.replace("rk4", "radau") + CLOTH.formatted("600", "600"), "of memory for up to 360000 particles");
+        put("too much for the heap", HEAD.replace("rk4", "radau") + CLOTH.formatted("600", "600"),
+                "of memory for up to 360000 particles");
         put("too many steps", (HEAD + BOB).replace("0.01", "1e-20"), "more than 1e10 steps");
         put("too many pictures", HEAD.replace("duration: 1", "duration: 1e6") + BOB + "output: {frameRate: 1000}\n",
                 "more than a million pictures");
         put("not UTF-8", new byte[] {'a', ':', ' ', (byte) 0xc3, (byte) 0x28}, "a byte here is not UTF-8");
-        put("half of a surrogate pair", new byte[] {'a', ':', ' ', (byte) 0xed, (byte) 0xa0, (byte) 0x80}, "a byte here is not UTF-8");
+        put("half of a surrogate pair", new byte[] {'a', ':', ' ', (byte) 0xed, (byte) 0xa0, (byte) 0x80},
+                "a byte here is not UTF-8");
         put("tabs", HEAD + "particles:\n\t- {id: bob, position: [0, 1, 0]}\n", "a tab; YAML is indented by spaces");
         put("zeros", new byte[1000], "not printable");
         put("nothing", "", "the file is empty");
@@ -82,7 +87,8 @@ class BadInputTest {
         byte[] contents = (byte[]) FILES.get(name).get(0);
         Path file = Files.write(top.resolve("scene.yaml"), contents);
         Path out = top.resolve("out");
-        ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).jvm("-Xmx512m").run("run", "--scene=" + file, "--out=" + out);
+        ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).jvm("-Xmx512m").run("run", "--scene=" + file,
+                "--out=" + out);
         assertEquals(2, end.code(), end.lines());
         assertFalse(Files.exists(out), "nothing is written");
         List<String> lines = end.lines().lines().toList();

@@ -155,7 +155,8 @@ class CheckEffectCommandTest {
 
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
-        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("no class is called 'exercises.MyGravity', and no effect; known effects: "));
+        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity",
+                folder).contains("no class is called 'exercises.MyGravity', and no effect; known effects: "));
     }
 
     @Test
@@ -176,7 +177,8 @@ class CheckEffectCommandTest {
 
     @Test
     void aMethodThatCallsItselfIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("the stack overflows: a method calls itself without end, in Overflows.getPotentialEnergy, line ", Overflows.class, folder);
+        assertFailure("the stack overflows: a method calls itself without end, in Overflows.getPotentialEnergy, line ",
+                Overflows.class, folder);
     }
 
     @Test

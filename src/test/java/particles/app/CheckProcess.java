@@ -26,7 +26,8 @@ final class CheckProcess {
      * @param folder  for the report
      * @return the screen's first line
      */
-    static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException, InterruptedException {
+    static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException,
+            InterruptedException {
         Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m",
                 "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), Main.class.getName(), command,
                 option + planted.getName(), "--inThisProcess", "--out=" + folder).redirectErrorStream(true).start();

@@ -124,7 +124,8 @@ class CheckSolverCommandTest {
 
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
-        assertTrue(here(ExitCode.BAD_INPUT, "HeunSolver", folder).contains("no class is called 'exercises.HeunSolver', and no solver; known"));
+        assertTrue(here(ExitCode.BAD_INPUT, "HeunSolver",
+                folder).contains("no class is called 'exercises.HeunSolver', and no solver; known"));
     }
 
     private static String failure(Class<?> solver, Path folder) throws IOException, InterruptedException {
@@ -144,11 +145,13 @@ class CheckSolverCommandTest {
 
     @Test
     void aMethodThatCallsItselfIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(failure(Overflows.class, folder).startsWith("failure: the stack overflows: a method calls itself without end, in Overflows."));
+        assertTrue(failure(Overflows.class, folder)
+                .startsWith("failure: the stack overflows: a method calls itself without end, in Overflows."));
     }
 
     @Test
     void hugeArraysAreFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(failure(Hoards.class, folder).startsWith("failure: it asks for more memory than the 256 MB that there are, in Hoards.stepState"));
+        assertTrue(failure(Hoards.class, folder)
+                .startsWith("failure: it asks for more memory than the 256 MB that there are, in Hoards.stepState"));
     }
 }

@@ -118,7 +118,8 @@ class FaultsTest {
     @Test
     void aDiskWithoutSpaceIsSaidToBeFull() throws Exception {
         Path disk = Files.createDirectory(top.resolve("disk"));
-        String[] inside = {"unshare", "-rm", "sh", "-c", "mount -t tmpfs -o size=200k tmpfs \"$0\" && \"$@\"; code=$?; ls -A \"$0\"/out >&2; "
+        String[] inside = {"unshare", "-rm", "sh", "-c",
+                "mount -t tmpfs -o size=200k tmpfs \"$0\" && \"$@\"; code=$?; ls -A \"$0\"/out >&2; "
                 + "exit $code", disk.toString()};
         assumeTrue(mayMount(inside), "this machine lets us mount nothing");
         Path scene = scene(LONG);
@@ -199,7 +200,8 @@ class FaultsTest {
     @ParameterizedTest
     @ValueSource(strings = {"-Duser.language=de -Duser.country=DE", "-Duser.language=tr -Duser.country=TR",
             "-Duser.language=ar -Duser.country=EG -Duser.extensions=u-nu-arab",
-            "-Duser.language=th -Duser.country=TH -Duser.variant=TH", "-Duser.timezone=Pacific/Kiritimati", "-Dfile.encoding=UTF-16"})
+            "-Duser.language=th -Duser.country=TH -Duser.variant=TH", "-Duser.timezone=Pacific/Kiritimati",
+                    "-Dfile.encoding=UTF-16"})
     void languageAndTimeZoneChangeNothing(String options) throws Exception {
         Path scene = scene(SHORT);
         Map<String, String> expected = unbroken(scene);
@@ -237,7 +239,8 @@ class FaultsTest {
     void lettersThatTheSystemDoesNotKnowAreALine() throws Exception {
         assumeTrue(KNOWS_ALL_LETTERS, "this Java cannot even name such files");
         Path scene = scene(SHORT);
-        ChildProgram.End end = child().environment("LC_ALL", "C").run("run", "--scene=" + scene, "--out=" + top.resolve("\u00fcbung"));
+        ChildProgram.End end = child().environment("LC_ALL", "C").run("run", "--scene=" + scene, "--out="
+                + top.resolve("\u00fcbung"));
         assertEquals(2, end.code(), end.lines());
         assertTrue(end.lastLine().endsWith("is no folder's name: Malformed input or input contains unmappable characters"),
                 end.lines());

@@ -125,13 +125,15 @@ class GradeCommandTest {
         assertTrue(report.contains("| 1. Three steps of the Euler method | 0 | 'NaN' is no finite number"), report);
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
         assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: This is the Euler method."), report);
-        assertTrue(report.contains("| solver BrokenSolver | 0 | exercises.BrokenSolver cannot be checked. Wrong: failure: "), report);
+        assertTrue(report.contains("| solver BrokenSolver | 0 | exercises.BrokenSolver cannot be checked. Wrong: failure: "),
+                report);
         assertTrue(report.contains("failure: BrokenSolver.java:11: it does not compile: cannot find symbol symbol: variable dSdx"), report);
         assertTrue(report.contains("| solver WrongSolver | 0 | WrongSolver: "), report);
         assertEquals(Exercises.all().size() + 3,
                 report.lines().filter(line -> line.matches("\\| .* \\| [01] \\| .*")).count());
 
-        Element suite = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(folder.resolve("report/TEST-grade.xml").toFile()).getDocumentElement();
+        Element suite = DocumentBuilderFactory.newInstance().newDocumentBuilder()
+                .parse(folder.resolve("report/TEST-grade.xml").toFile()).getDocumentElement();
         assertEquals("testsuite", suite.getTagName());
         assertEquals("15", suite.getAttribute("tests"));
         assertEquals("13", suite.getAttribute("failures"));
@@ -140,7 +142,8 @@ class GradeCommandTest {
         assertEquals(13, suite.getElementsByTagName("failure").getLength());
         Element last = (Element) cases.item(11);
         assertEquals("12. Design a scene", last.getAttribute("name"));
-        assertTrue(((Element) last.getElementsByTagName("failure").item(0)).getAttribute("message").contains("no <such> & scene.yaml"));
+        assertTrue(((Element) last.getElementsByTagName("failure").item(0)).getAttribute("message")
+                .contains("no <such> & scene.yaml"));
     }
 
     @Test

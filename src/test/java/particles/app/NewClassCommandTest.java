@@ -33,7 +33,8 @@ class NewClassCommandTest {
         PrintWriter both = new PrintWriter(out);
         List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"), OptionStyle.GRADLE),
                 new NewClassCommand.NewEffect(folder.resolve("exercises"), OptionStyle.GRADLE));
-        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both, both).execute(command, "--class=" + name), out.toString());
+        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both, both).execute(command, "--class=" + name),
+                out.toString());
         return out.toString();
     }
 
@@ -50,9 +51,11 @@ class NewClassCommandTest {
     @Test
     void aSolverCompilesAndIsToldWhatIsMissing() throws ReflectiveOperationException, IOException {
         assertTrue(run(ExitCode.DONE, "newSolver", "MyRK4Solver").contains("gradle checkSolver -Psolver=exercises.MyRK4Solver"));
-        assertTrue(Files.readString(folder.resolve("exercises/MyRK4Solver.java")).contains("// 4. k4 = deltaT * derivative at (s + k3, t + deltaT)"));
+        assertTrue(Files.readString(folder.resolve("exercises/MyRK4Solver.java"))
+                .contains("// 4. k4 = deltaT * derivative at (s + k3, t + deltaT)"));
         Class<?> solver = compiled("MyRK4Solver");
-        List<String> wrong = SolverCheck.check(() -> make(solver), "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
+        List<String> wrong = SolverCheck.check(() -> make(solver),
+                "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
         assertTrue(wrong.contains("time: the clock never moves: incTime(deltaT) is missing"), wrong.toString());
         assertTrue(wrong.contains("state: the new state never reaches the source: setState(state) is missing"), wrong.toString());
     }
@@ -67,7 +70,8 @@ class NewClassCommandTest {
 
     @Test
     void everySlidesOutlineIsThere() throws IOException {
-        for (String[] pair : new String[][] {{"MidpointSolver", "gMid"}, {"SymplecticEulerSolver", "v += a * deltaT"}, {"HeunSolver", "weights add up to 1"}}) {
+        for (String[] pair : new String[][] {{"MidpointSolver", "gMid"}, {"SymplecticEulerSolver", "v += a * deltaT"},
+                {"HeunSolver", "weights add up to 1"}}) {
             run(ExitCode.DONE, "newSolver", pair[0]);
             assertTrue(Files.readString(folder.resolve("exercises").resolve(pair[0] + ".java")).contains(pair[1]), pair[0]);
         }
@@ -77,7 +81,8 @@ class NewClassCommandTest {
     void anEffectCompilesAndClaimsNothingYet() throws ReflectiveOperationException, IOException {
         run(ExitCode.DONE, "newEffect", "MyGravity");
         ParticleSystem system = EffectSample.system();
-        Effect effect = compiled("MyGravity").asSubclass(Effect.class).getConstructor(Particles.class).newInstance(system.getParticles());
+        Effect effect = compiled("MyGravity").asSubclass(Effect.class).getConstructor(Particles.class)
+                .newInstance(system.getParticles());
         assertEquals(List.of(), EffectCheck.check(system, effect));
     }
 
@@ -94,7 +99,8 @@ class NewClassCommandTest {
     @Test
     void namesThatAreNoneAreRefused() {
         for (String name : List.of("3rd", "class", "My Solver", "../Up", "a.B")) {
-            assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name).startsWith("option -Pclass: '" + name + "' is no name for a class"), name);
+            assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name).startsWith("option -Pclass: '" + name
+                    + "' is no name for a class"), name);
         }
     }
 }

@@ -32,7 +32,8 @@ class ProgramTest {
     private static final class TryCommand extends ProgramCommand {
         @Option(names = "--deltaT", paramLabel = "SECONDS", description = "The time step.")
         private Double deltaT;
-        @Option(names = "--frames", arity = "0..1", fallbackValue = "true", paramLabel = "true|false", description = "Pictures or not.")
+        @Option(names = "--frames", arity = "0..1", fallbackValue = "true", paramLabel = "true|false",
+                description = "Pictures or not.")
         private boolean frames;
         @Option(names = "--scene", paramLabel = "NAME", description = "The scene, as in gradle --help.")
         private String scene;
@@ -122,7 +123,8 @@ class ProgramTest {
 
     @Test
     void argumentThatIsNoOptionIsRefused() {
-        assertRefused(OptionStyle.SHELL, "unexpected 'cloth'; options are written --name=value; allowed: --help", "solvers", "cloth");
+        assertRefused(OptionStyle.SHELL, "unexpected 'cloth'; options are written --name=value; allowed: --help", "solvers",
+                "cloth");
     }
 
     @Test
@@ -142,7 +144,8 @@ class ProgramTest {
 
     private static String commands() {
         List<String> names = new ArrayList<>();
-        Main.commands(OptionStyle.SHELL, new StopRequest()).forEach(known -> names.add(known.getClass().getAnnotation(Command.class).name()));
+        Main.commands(OptionStyle.SHELL, new StopRequest())
+                .forEach(known -> names.add(known.getClass().getAnnotation(Command.class).name()));
         names.add("try");
         return String.join(", ", names);
     }
@@ -169,7 +172,8 @@ class ProgramTest {
 
     @Test
     void blowUpIsOneLineAndCode3() {
-        assertEnds(ExitCode.STOPPED, "the kinetic energy is too large", new SimulationException(1, 0, "the kinetic energy is too large", null));
+        assertEnds(ExitCode.STOPPED, "the kinetic energy is too large",
+                new SimulationException(1, 0, "the kinetic energy is too large", null));
     }
 
     @Test
@@ -208,7 +212,8 @@ class ProgramTest {
 
     @Test
     void failureOfACommandKeepsItsLinesAndItsCode() {
-        assertEnds(ExitCode.BAD_INPUT, "one" + System.lineSeparator() + "two", new Failure(ExitCode.BAD_INPUT, List.of("one", "two")));
+        assertEnds(ExitCode.BAD_INPUT, "one" + System.lineSeparator() + "two",
+                new Failure(ExitCode.BAD_INPUT, List.of("one", "two")));
     }
 
     @Test
@@ -230,8 +235,10 @@ class ProgramTest {
     @Test
     void fullMemoryIsOneLineAndCode1() {
         long most = Runtime.getRuntime().maxMemory();
-        assertEnds(ExitCode.TROUBLE, "the memory that Java may use, " + (most >> 20) + " MiB, is full; take fewer particles, frames or"
-                + " runs, or give Java more: JAVA_TOOL_OPTIONS=-Xmx" + ((most >> 30) + 1) + "g", new OutOfMemoryError("Java heap space"));
+        assertEnds(ExitCode.TROUBLE, "the memory that Java may use, " + (most >> 20)
+                + " MiB, is full; take fewer particles, frames or"
+                + " runs, or give Java more: JAVA_TOOL_OPTIONS=-Xmx" + ((most >> 30) + 1)
+                + "g", new OutOfMemoryError("Java heap space"));
     }
 
     @Test

@@ -113,7 +113,8 @@ class ReadmeCommandsTest {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
         String[] args = command.replaceFirst("gradle ", "").replace(" -P", " --").split(" ");
-        ExitCode code = new Program(Main.commands(OptionStyle.GRADLE, new StopRequest()), OptionStyle.GRADLE, both, both).execute(args);
+        ExitCode code = new Program(Main.commands(OptionStyle.GRADLE, new StopRequest()), OptionStyle.GRADLE, both,
+                both).execute(args);
         assertEquals(expected, code, out.toString());
     }
 }

@@ -97,7 +97,8 @@ class ReadmeTest {
         List<String> rows = new ArrayList<>();
         for (String list : matches(Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|"), reference)) {
             for (String name : list.replace("`", "").split(", ")) {
-                rows.add("| `" + name + "` | " + matches(Pattern.compile("(?m)^### `" + name + "`\n(.*)$"), reference).get(0) + " |");
+                rows.add("| `" + name + "` | " + matches(Pattern.compile("(?m)^### `" + name + "`\n(.*)$"), reference).get(0)
+                        + " |");
             }
         }
         assertTrue(rows.size() > 5, rows.toString());
@@ -107,7 +108,8 @@ class ReadmeTest {
     @Test
     void theTasksAreThoseOfTheBuild() throws IOException {
         List<String> rows = new ArrayList<>();
-        Matcher task = Pattern.compile("(?m)^(?:program|hunt) '([^']*)', '([^']*)'").matcher(Files.readString(Path.of("build.gradle")));
+        Matcher task = Pattern.compile("(?m)^(?:program|hunt) '([^']*)', '([^']*)'")
+                .matcher(Files.readString(Path.of("build.gradle")));
         while (task.find()) {
             rows.add("| `" + task.group(1) + "` | " + task.group(2) + " |");
         }

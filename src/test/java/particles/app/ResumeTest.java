@@ -123,7 +123,8 @@ class ResumeTest {
         String[] options = {"--scene=pendulum", "--frames=false", "--solver=adams", "--deltaT=0.005", "--duration=0.5"};
         assertEquals(ExitCode.DONE, run(top.resolve("often"), Long.MAX_VALUE, ALWAYS, options));
         assertEquals(ExitCode.DONE, run(top.resolve("once"), Long.MAX_VALUE, CheckpointPace.USUAL, options));
-        assertNotEquals(WholeFiles.sums(top.resolve("often")).get("trajectory.csv"), WholeFiles.sums(top.resolve("once")).get("trajectory.csv"));
+        assertNotEquals(WholeFiles.sums(top.resolve("often")).get("trajectory.csv"),
+                WholeFiles.sums(top.resolve("once")).get("trajectory.csv"));
     }
 
     private void assertRefused(String line, Path out, String... options) {
@@ -138,7 +139,8 @@ class ResumeTest {
         Path out = top.resolve("out");
         Path scene = Files.copy(SCENES.resolve("04-pendulum.yaml"), top.resolve("pendulum.yaml"));
         String[] options = {"--scene=" + scene, "--frames=false", "--duration=1"};
-        assertRefused("-Presume: no run that could be continued is in " + out + "; leave the option away to begin one", out, options);
+        assertRefused("-Presume: no run that could be continued is in " + out + "; leave the option away to begin one", out,
+                options);
         assertFalse(Files.exists(out), "nothing was written");
         assertEquals(ExitCode.STOPPED, run(out, 50, ALWAYS, options));
         assertRefused("-Presume: the run in " + out + " is of the scene 'pendulum', not of '02-one-spring'", out,
@@ -150,7 +152,8 @@ class ResumeTest {
         assertRefused("-Presume: the run in " + out + " was begun with -Pframes=false, not true", out,
                 "--scene=" + scene, "--duration=1");
         Files.writeString(scene, Files.readString(scene) + "# another line\n");
-        assertRefused("-Presume: " + scene + " has changed since the run in " + out + " began; leave the option away to begin anew",
+        assertRefused("-Presume: " + scene + " has changed since the run in " + out
+                + " began; leave the option away to begin anew",
                 out, options);
         Files.copy(SCENES.resolve("04-pendulum.yaml"), scene, StandardCopyOption.REPLACE_EXISTING);
         assertEquals(ExitCode.DONE, run(out, Long.MAX_VALUE, ALWAYS, options[0], options[1], options[2], "--resume"));
@@ -169,12 +172,14 @@ class ResumeTest {
             damaged[k] ^= 1;
             Files.write(file, damaged);
             assertEquals(ExitCode.TROUBLE, run(out, Long.MAX_VALUE, ALWAYS, options[0], options[1], options[2], "--resume"));
-            assertEquals("cannot continue from " + file + ": it is damaged; the run has to begin anew", errors.toString().strip());
+            assertEquals("cannot continue from " + file + ": it is damaged; the run has to begin anew",
+                    errors.toString().strip());
         }
         Files.write(file, bytes);
         Files.writeString(out.resolve("trajectory.csv"), "time\n");
         assertEquals(ExitCode.TROUBLE, run(out, Long.MAX_VALUE, ALWAYS, options[0], options[1], options[2], "--resume"));
-        assertEquals("cannot continue " + out.resolve("trajectory.csv") + ": it is not as long any more as when the run was interrupted",
+        assertEquals("cannot continue " + out.resolve("trajectory.csv")
+                + ": it is not as long any more as when the run was interrupted",
                 errors.toString().strip());
     }
 

@@ -84,7 +84,8 @@ class SameBitsTest {
         return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
     }
 
-    private Map<String, String> sums(Path jdk, List<String> jvm, Path scenes, String... options) throws IOException, InterruptedException {
+    private Map<String, String> sums(Path jdk, List<String> jvm, Path scenes, String... options) throws IOException,
+            InterruptedException {
         List<String> command = new ArrayList<>(List.of(jdk.resolve("bin/java").toString(), "-Djava.awt.headless=true", "-Xmx1g"));
         command.addAll(jvm);
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), "particles.app.SceneSums",

@@ -37,7 +37,8 @@ class StartUpTest {
         ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).jvm("-Xlog:class+load:file=" + classes + "::filesize=0")
                 .run("run", "--scene=" + scene, "--frames=false", "--out=" + top.resolve("out"));
         assertEquals(0, end.code(), end.lines());
-        return Files.readAllLines(classes).stream().map(line -> line.replaceFirst("^(\\[[^\\]]*\\])* ?", "").split(" ")[0]).toList();
+        return Files.readAllLines(classes).stream().map(line -> line.replaceFirst("^(\\[[^\\]]*\\])* ?",
+                "").split(" ")[0]).toList();
     }
 
     private static List<String> of(List<String> loaded, String which) {

@@ -24,7 +24,8 @@ class StoppedProgramTest {
 
     private Process start(Path out, String... more) throws IOException {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        List<String> command = new ArrayList<>(List.of(java, "-cp", System.getProperty("java.class.path"), "particles.app.Main", "run", "--scene=scenes/02-one-spring.yaml",
+        List<String> command = new ArrayList<>(List.of(java, "-cp", System.getProperty("java.class.path"),
+                "particles.app.Main", "run", "--scene=scenes/02-one-spring.yaml",
                 "--out=" + out));
         command.addAll(List.of(more));
         return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(top.resolve("lines.txt").toFile()).start();

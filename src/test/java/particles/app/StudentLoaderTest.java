@@ -16,7 +16,8 @@ class StudentLoaderTest {
     private StudentLoader loader(String... namesAndBodies) throws Exception {
         Path classes = Files.createDirectories(folder.resolve("exercises"));
         for (int k = 0; k < namesAndBodies.length; k += 2) {
-            Files.writeString(classes.resolve(namesAndBodies[k] + ".java"), "package exercises;\npublic class " + namesAndBodies[k] + " {\n"
+            Files.writeString(classes.resolve(namesAndBodies[k] + ".java"), "package exercises;\npublic class "
+                    + namesAndBodies[k] + " {\n"
                     + namesAndBodies[k + 1] + "\n}\n");
         }
         return new StudentLoader(classes, getClass().getClassLoader());
@@ -25,11 +26,14 @@ class StudentLoaderTest {
     @Test
     void oneThatDoesNotCompileBreaksWhatUsesItOnly() throws Exception {
         StudentLoader loader = loader("Good", "public static int of() { return Helper.ONE + new Inner().two; } static class Inner { int two = 2; }",
-                "Helper", "static final int ONE = Integer.valueOf(1);", "Broken", "int x = y;\nint z = w;", "User", "Broken broken;");
+                "Helper", "static final int ONE = Integer.valueOf(1);", "Broken", "int x = y;\nint z = w;", "User",
+                        "Broken broken;");
         assertEquals(3, loader.loadClass("exercises.Good").getMethod("of").invoke(null));
         String message = "Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class exercises.Broken";
-        assertEquals(message, assertThrows(IllegalArgumentException.class, () -> loader.loadClass("exercises.Broken")).getMessage());
-        assertEquals(message, assertThrows(IllegalArgumentException.class, () -> loader.loadClass("exercises.User")).getMessage());
+        assertEquals(message, assertThrows(IllegalArgumentException.class,
+                () -> loader.loadClass("exercises.Broken")).getMessage());
+        assertEquals(message, assertThrows(IllegalArgumentException.class,
+                () -> loader.loadClass("exercises.User")).getMessage());
     }
 
     @Test

@@ -44,12 +44,14 @@ final class WholeFiles {
             } else if (name.endsWith(".gif")) {
                 assertEnds(GIF_END, bytes, name);
             } else if (name.endsWith(".mp4")) {
-                try (MP4Demuxer film = MP4Demuxer.createMP4Demuxer(new ByteBufferSeekableByteChannel(ByteBuffer.wrap(bytes), bytes.length))) {
+                try (MP4Demuxer film = MP4Demuxer.createMP4Demuxer(new ByteBufferSeekableByteChannel(ByteBuffer.wrap(bytes),
+                        bytes.length))) {
                     assertTrue(film.getVideoTrack().getMeta().getTotalFrames() > 0, name);
                 }
             } else if (name.equals("trajectory.csv")) {
                 String text = new String(bytes, StandardCharsets.UTF_8);
-                assertTrue(text.endsWith("\n") && text.lines().allMatch(line -> line.replaceAll("\"[^\"]*\"", "id").split(",").length == 8), name);
+                assertTrue(text.endsWith("\n") && text.lines().allMatch(line -> line.replaceAll("\"[^\"]*\"",
+                        "id").split(",").length == 8), name);
             } else if (name.equals("run.json")) {
                 try (JsonParser json = new JsonFactory().createParser(bytes)) {
                     json.nextToken();

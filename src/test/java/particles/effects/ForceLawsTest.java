@@ -116,7 +116,9 @@ class ForceLawsTest {
         assertEquals(Math.log((1 + b * v0) / (1 - b * w)), b * (v0 + w), 1e-6);
     }
 
-    /** Two particles swing about the distance of balance with omega&sup2; = 2 e (dX/dr)&sup2;/(m/2). Measured: 2e-8 of the swing. */
+    /**
+     * Two particles swing about the distance of balance with omega&sup2; = 2 e (dX/dr)&sup2;/(m/2). Measured: 2e-8 of the swing.
+     */
     @Test
     void twoThatCohereSwingAboutTheirDistance() {
         double h = 1;
@@ -151,7 +153,8 @@ class ForceLawsTest {
                 for (int j = 0; j < i; j++) {
                     ParticleSystem two = new ParticleSystem();
                     for (int p : new int[] {i, j}) {
-                        two.addParticle("p", 1, new Vector3(state[6 * p], state[6 * p + 1], state[6 * p + 2]), Vector3.ZERO, false);
+                        two.addParticle("p", 1, new Vector3(state[6 * p], state[6 * p + 1], state[6 * p + 2]), Vector3.ZERO,
+                                false);
                     }
                     pairs += new Cohesion(two.getParticles(), 0.7, 0.4, 1, 0).getPotentialEnergy(two.getOwnState(), 0);
                 }

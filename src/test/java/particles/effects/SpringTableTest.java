@@ -206,7 +206,8 @@ class SpringTableTest {
         for (int b = 0; b < blocks; b++) {
             int from = first[b];
             int to = first[b + 1];
-            List<Spring> within = springs.stream().filter(s -> s.from >= from && s.to >= from && s.from < to && s.to < to).toList();
+            List<Spring> within = springs.stream().filter(s -> s.from >= from && s.to >= from && s.from < to
+                    && s.to < to).toList();
             assertEquals(within, parts.get(b));
             rest.removeAll(within);
         }

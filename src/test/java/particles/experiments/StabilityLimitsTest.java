@@ -78,7 +78,8 @@ class StabilityLimitsTest {
     @ParameterizedTest
     @CsvSource({"euler, -1", "backward-euler, 1"})
     void theOutlinesOfTheTwoEulersAreCircles(String solver, double centre) {
-        Series outline = new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, new StabilityRegion.Window(-3, 3, 2, 0.05), true)
+        Series outline = new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at,
+                new StabilityRegion.Window(-3, 3, 2, 0.05), true)
                 .outline(solver);
         int points = 0;
         for (int k = 0; k < outline.x().length; k++) {

@@ -135,7 +135,8 @@ class LargeStepsOfSoftBodiesTest {
         assertFalse(run(scene.simulation()).failed());
         assertEquals(0.796903, extreme(scene, 1), 1e-6);
         assertEquals(0, extreme(scene, -1), 1e-15);
-        assertTrue(fastest(scene.system()) < (solver.equals("dormand-prince") ? 1e-7 : 5e-13), "speed " + fastest(scene.system()));
+        assertTrue(fastest(scene.system()) < (solver.equals("dormand-prince") ? 1e-7
+                : 5e-13), "speed " + fastest(scene.system()));
     }
 
     /** The same for the two that are dearest, for one minute and for ten seconds. */

@@ -251,7 +251,8 @@ class JointContactsTest {
     /** Falling, striking, sliding with friction, coming to rest: the books close, and the rod does no work. */
     @Test
     void aFallingRodComesToRest() {
-        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3, new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-3),
+        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3,
+                new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-3),
                 1e-3);
         Case rod = new Case(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {new Vector3(1, 0, 0), new Vector3(1, 0, 0)},
                 new int[] {0, 1});
@@ -271,7 +272,8 @@ class JointContactsTest {
     /** By steps that are clamped it ends in the same rest, about. */
     @Test
     void aFallingRodComesToRestByClamping() {
-        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3, new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-2),
+        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3,
+                new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-2),
                 1e-2);
         Case rod = new Case(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {new Vector3(1, 0, 0), new Vector3(1, 0, 0)},
                 new int[] {0, 1});

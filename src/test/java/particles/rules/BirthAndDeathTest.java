@@ -35,7 +35,8 @@ import particles.reactions.RestingContacts;
 class BirthAndDeathTest {
 
     private static Emitter emitter(double rate, double lifetime, long seed) {
-        return new Emitter(new Emitter.Nozzle("drop", new Vector3(0, 1, 0), 0.1, new Vector3(1, 2, 0), 0.4, 3, rate, 0.5, lifetime,
+        return new Emitter(new Emitter.Nozzle("drop", new Vector3(0, 1, 0), 0.1, new Vector3(1, 2, 0), 0.4, 3, rate, 0.5,
+                lifetime,
                 seed));
     }
 
@@ -69,7 +70,8 @@ class BirthAndDeathTest {
                 Vector3 from = new Vector3(state[6 * i], state[6 * i + 1], state[6 * i + 2]).minus(v.times(age));
                 assertEquals(3, v.length(), 1e-14);
                 assertTrue(v.normalized().dot(new Vector3(1, 2, 0).normalized()) >= Math.cos(0.4) - 1e-14);
-                assertTrue(from.minus(new Vector3(0, 1, 0)).length() <= 0.1 + 1e-12, "without forces it came straight from there");
+                assertTrue(from.minus(new Vector3(0, 1, 0)).length() <= 0.1 + 1e-12,
+                        "without forces it came straight from there");
             }
         }
     }

@@ -49,7 +49,8 @@ class ExactImpactsTest {
         return contacts;
     }
 
-    private static Simulation simulation(ParticleSystem system, RestingContacts contacts, Supplier<DESolver> solver, double deltaT,
+    private static Simulation simulation(ParticleSystem system, RestingContacts contacts, Supplier<DESolver> solver,
+            double deltaT,
                                          double duration) {
         Simulation simulation = new Simulation(system, solver.get(), deltaT, duration, Double.POSITIVE_INFINITY);
         simulation.addEventRule(new ExactImpacts(contacts), solver.get());
@@ -110,7 +111,8 @@ class ExactImpactsTest {
             Watch watch = new Watch();
             simulation.addObserver(watch);
             simulation.run();
-            assertEquals(one[1], watch.times.get(watch.times.size() - 1), 3e-6, "2 v/g (1 + r + ...) with v = 1e-6 m/s is left out");
+            assertEquals(one[1], watch.times.get(watch.times.size() - 1), 3e-6,
+                    "2 v/g (1 + r + ...) with v = 1e-6 m/s is left out");
             assertTrue(watch.lowest >= -1e-12, "lowest place " + watch.lowest);
         }
     }

@@ -166,7 +166,8 @@ class SphereImpactsTest {
             if (Math.tan(angle) < 0.3) {
                 assertEquals(Math.sin(angle), entry(system, 0), 1e-15);
             } else {
-                assertTrue(entry(system, 0) > Math.sin(angle) + 1e-4, "slides from " + Math.sin(angle) + " to " + entry(system, 0));
+                assertTrue(entry(system, 0) > Math.sin(angle) + 1e-4, "slides from " + Math.sin(angle) + " to "
+                        + entry(system, 0));
             }
         }
     }

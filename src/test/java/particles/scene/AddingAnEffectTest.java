@@ -116,7 +116,8 @@ class AddingAnEffectTest {
         Path sources = folder.resolve("src");
         Path newClass = write(sources.resolve("particles/effects/Coriolis.java"), NEW_CLASS);
         String kinds = Files.readString(Path.of("src/main/java/particles/scene/EffectKind.java"));
-        String registered = kinds.replace(LIST, REGISTRATION + LIST).replaceFirst("(static final List<EffectKind> ALL = List\\.of\\([^)]*)\\)",
+        String registered = kinds.replace(LIST, REGISTRATION
+                + LIST).replaceFirst("(static final List<EffectKind> ALL = List\\.of\\([^)]*)\\)",
                 "$1, CORIOLIS)");
         assertTrue(registered.contains(", CORIOLIS)"));
         compile(folder, newClass, write(sources.resolve("particles/scene/EffectKind.java"), registered));

@@ -14,7 +14,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Whoever does it right hears no complaint. */
 class CatalogueSolversPassTest {
-    private static final Map<String, String> IDENTITIES = Map.of("euler", "This is the Euler method.", "midpoint", "This is the midpoint method.",
+    private static final Map<String, String> IDENTITIES = Map.of("euler", "This is the Euler method.", "midpoint",
+            "This is the midpoint method.",
             "rk4", "This is RK4, the classical Runge-Kutta method.", "symplectic-euler",
             "This is symplectic Euler, the slides' simple particle system algorithm.", "verlet",
             "This is velocity Verlet (leapfrog: kick, drift, kick).", "yoshida4", "This is Yoshida's method of order 4.", "adams",
@@ -27,9 +28,11 @@ class CatalogueSolversPassTest {
     @ParameterizedTest
     @MethodSource("names")
     void everyCatalogueSolverPassesWithNoComplaintAndIsRecognised(String name) {
-        SolverVerdict verdict = SolverCheck.check(() -> SolverCatalog.create(name), SolverCatalog.create(name).getClass().getSimpleName());
+        SolverVerdict verdict = SolverCheck.check(() -> SolverCatalog.create(name),
+                SolverCatalog.create(name).getClass().getSimpleName());
         assertEquals(List.of(), verdict.findings());
-        assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed coefficients, adaptive or implicit."), verdict.identity());
+        assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed coefficients, adaptive or implicit."),
+                verdict.identity());
     }
 
     /** The code of the slide "Euler Solver Code (cont'd)", letter by letter. */
@@ -53,6 +56,7 @@ class CatalogueSolversPassTest {
         SolverVerdict verdict = SolverCheck.check(SlideEuler::new, "SlideEuler");
         assertEquals(List.of(), verdict.wrong());
         assertEquals("This is the Euler method.", verdict.identity());
-        assertTrue(verdict.advice().stream().anyMatch(advice -> advice.text().contains("NaN goes unnoticed")), verdict.advice().toString());
+        assertTrue(verdict.advice().stream().anyMatch(advice -> advice.text().contains("NaN goes unnoticed")),
+                verdict.advice().toString());
     }
 }

@@ -69,7 +69,8 @@ class GuardedRunTest {
             never.await();
             return 1;
         });
-        assertTrue(found.startsWith("failure: it did not come back within 3/10 s: it waits for something that never comes"), found);
+        assertTrue(found.startsWith("failure: it did not come back within 3/10 s: it waits for something that never comes"),
+                found);
     }
 
     @Test

@@ -94,7 +94,8 @@ class PlantedClaimsTest {
 
     @Test
     void heatThatIsNotTold() {
-        assertFound(law(EnumSet.of(Trait.DISSIPATIVE), true, DRAG, NONE, NONE), "turns 0 W into heat: getDissipatedPower is missing");
+        assertFound(law(EnumSet.of(Trait.DISSIPATIVE), true, DRAG, NONE, NONE),
+                "turns 0 W into heat: getDissipatedPower is missing");
     }
 
     @Test
@@ -105,12 +106,14 @@ class PlantedClaimsTest {
 
     @Test
     void nothingIsClaimedAtAll() {
-        assertFound(law(EnumSet.noneOf(Trait.class), true, DRAG, NONE, NONE), "the forces do work that the effect does not account for");
+        assertFound(law(EnumSet.noneOf(Trait.class), true, DRAG, NONE, NONE),
+                "the forces do work that the effect does not account for");
     }
 
     @Test
     void dampingThatClaimsToBeConservative() {
-        assertFound(law(EnumSet.of(Trait.CONSERVATIVE), true, DRAG, NONE, NONE), "a force that depends on the velocity is not CONSERVATIVE");
+        assertFound(law(EnumSet.of(Trait.CONSERVATIVE), true, DRAG, NONE, NONE),
+                "a force that depends on the velocity is not CONSERVATIVE");
     }
 
     @Test

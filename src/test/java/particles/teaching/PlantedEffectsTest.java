@@ -130,7 +130,8 @@ class PlantedEffectsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gravity", "springs", "damped-springs", "linear-drag", "quadratic-drag", "attraction", "cohesion", "penalty-plane"})
+    @ValueSource(strings = {"gravity", "springs", "damped-springs", "linear-drag", "quadratic-drag", "attraction",
+            "cohesion", "penalty-plane"})
     void ourOwnEffectsPass(String name) {
         assertFound(p -> EffectSample.create(name, p));
     }

@@ -34,7 +34,8 @@ class PlantedFormulaTest {
     @Test
     void wrongWeight() {
         assertFound("Mine", () -> rk4(PLACES, MOVES, new double[] {1.0 / 6, 1.0 / 3, 1.0 / 6, 1.0 / 6}),
-                "method: the new state is s + k1/6 + k2/3 + k3/6 + k4/6" + NEW_STATE + ": the weight of k3 is 1/6 instead of 1/3");
+                "method: the new state is s + k1/6 + k2/3 + k3/6 + k4/6" + NEW_STATE
+                        + ": the weight of k3 is 1/6 instead of 1/3");
     }
 
     @Test
@@ -51,7 +52,8 @@ class PlantedFormulaTest {
 
     @Test
     void newVelocityWhereEulerTakesTheOld() {
-        assertFound("EulerSolver", () -> blocks(true), "method: the position is updated with the new velocity; the slide's Euler method takes the old");
+        assertFound("EulerSolver", () -> blocks(true),
+                "method: the position is updated with the new velocity; the slide's Euler method takes the old");
     }
 
     @Test
@@ -110,8 +112,10 @@ class PlantedFormulaTest {
 
     @Test
     void anotherMethodThanTheNameSays() {
-        assertFound("HeunSolver", () -> midpoint(0.5, 0.5, 0.5), "method: this is the midpoint method and not Heun's method, as its name says",
-                "method: k2 is evaluated at s + k1/2; Heun's method says s + k1: it is halved", "time: k2 is evaluated at t + deltaT/2",
+        assertFound("HeunSolver", () -> midpoint(0.5, 0.5, 0.5),
+                "method: this is the midpoint method and not Heun's method, as its name says",
+                "method: k2 is evaluated at s + k1/2; Heun's method says s + k1: it is halved",
+                        "time: k2 is evaluated at t + deltaT/2",
                 "method: the new state is s + k2; Heun's method says s + k1/2 + k2/2: all of them are k2");
     }
 

@@ -60,7 +60,8 @@ class PlantedHabitsTest {
         public void stepState(DEStateSource source, double deltaT) {
             double[] now = slope(source);
             double[] start = state(source);
-            boolean goesOn = source == this.source && source.getTime() == time && deltaT == this.deltaT && Arrays.equals(start, state);
+            boolean goesOn = source == this.source && source.getTime() == time && deltaT == this.deltaT
+                    && Arrays.equals(start, state);
             double[] before = goesOn ? last : now;
             state = with(start, i -> deltaT * (1.5 * now[i] - 0.5 * before[i]));
             source.setState(state);
@@ -180,7 +181,8 @@ class PlantedHabitsTest {
 
     @Test
     void theClockMovedAtEveryStage() {
-        assertFound("RK4Solver", () -> PlantedSolvers.rk4(PlantedSolvers.PLACES, new double[] {1, 1, 1, 1}, PlantedSolvers.WEIGHTS),
+        assertFound("RK4Solver", () -> PlantedSolvers.rk4(PlantedSolvers.PLACES, new double[] {1, 1, 1, 1},
+                PlantedSolvers.WEIGHTS),
                 "time: the clock moves by 4 deltaT: incTime(deltaT) is called 4 times, and all moves together have to make one deltaT");
     }
 
@@ -203,7 +205,8 @@ class PlantedHabitsTest {
     void whatIsRememberedOfEarlierStepsHasToBeForgotten() {
         assertEquals(List.of(), SolverCheck.check(CarefulAdamsBashforth::new, "Mine").wrong());
         assertTrue(SolverCheck.check(CarefulAdamsBashforth::new, "Mine").multistep());
-        assertFound("Mine", StabilityFiguresTest.AdamsBashforth2::new, "state: the state was set from outside, as a collision does, and the step"
+        assertFound("Mine", StabilityFiguresTest.AdamsBashforth2::new,
+                "state: the state was set from outside, as a collision does, and the step"
                 + " afterwards still uses the steps before it. What is remembered of earlier steps may be used only while source, time, state");
     }
 }

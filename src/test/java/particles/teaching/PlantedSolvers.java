@@ -98,7 +98,8 @@ final class PlantedSolvers {
                 source.incTime(moves[before] * deltaT);
                 k[stage] = slopeAt(source, with(state, i -> place * deltaT * k[before][i]));
             }
-            source.setState(with(state, i -> deltaT * (weights[0] * k[0][i] + weights[1] * k[1][i] + weights[2] * k[2][i] + weights[3] * k[3][i])));
+            source.setState(with(state, i -> deltaT * (weights[0] * k[0][i] + weights[1] * k[1][i] + weights[2] * k[2][i]
+                    + weights[3] * k[3][i])));
             source.incTime(moves[3] * deltaT);
         });
     }

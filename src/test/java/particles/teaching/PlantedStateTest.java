@@ -71,7 +71,8 @@ class PlantedStateTest {
 
     @Test
     void sizeCachedFromTheFirstSource() {
-        assertFound("Mine", PlantedSolvers.CachedSize::new, "state: the solver stepped a source of 18 numbers and then one of 36, and");
+        assertFound("Mine", PlantedSolvers.CachedSize::new,
+                "state: the solver stepped a source of 18 numbers and then one of 36, and");
     }
 
     @Test

@@ -60,7 +60,8 @@ class PlantedTimeTest {
 
     @Test
     void deltaTIgnored() {
-        assertFound("Mine", () -> euler((dSdt, deltaT) -> dSdt), "method: the new state does not follow deltaT: deltaT is ignored");
+        assertFound("Mine", () -> euler((dSdt, deltaT) -> dSdt),
+                "method: the new state does not follow deltaT: deltaT is ignored");
     }
 
     @Test

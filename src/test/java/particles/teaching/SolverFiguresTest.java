@@ -15,7 +15,8 @@ class SolverFiguresTest {
     }
 
     private static String value(SolverFigures figures, String property) {
-        List<Object> row = figures.facts().rows().stream().filter(r -> r.get(0).toString().startsWith(property)).findFirst().orElseThrow();
+        List<Object> row = figures.facts().rows().stream().filter(r -> r.get(0).toString().startsWith(property)).findFirst()
+                .orElseThrow();
         return row.get(1) + " " + row.get(2);
     }
 

@@ -72,7 +72,8 @@ class StabilityFiguresTest {
     }
 
     private static String value(StabilityFigures figures, String property) {
-        return figures.rows().stream().filter(row -> row.get(0).toString().startsWith(property)).findFirst().orElseThrow().get(1).toString();
+        return figures.rows().stream().filter(row -> row.get(0).toString().startsWith(property)).findFirst().orElseThrow()
+                .get(1).toString();
     }
 
     private static double damping(StabilityFigures figures) {
@@ -137,7 +138,8 @@ class StabilityFiguresTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1, 1 / (1 - z), that of backward Euler", "0.5, (1 + z/2) / (1 - z/2), that of the trapezoidal rule and of implicit midpoint",
+    @CsvSource({"1, 1 / (1 - z), that of backward Euler",
+            "0.5, (1 + z/2) / (1 - z/2), that of the trapezoidal rule and of implicit midpoint",
         "0.75, (1 + z/4) / (1 - 3/4 z), that of the theta method with theta = 3/4"})
     void aRationalFunctionIsFoundAndNamed(double theta, String text, String owner) {
         List<Object> row = figures(() -> theta(theta)).rows().get(0);
@@ -150,7 +152,8 @@ class StabilityFiguresTest {
         assertEquals("unbounded", value(figures, "largest stable deltaT |lambda|"));
         assertEquals("unbounded", value(figures, "largest stable deltaT omega"));
         ChartData region = figures.region().orElseThrow();
-        assertTrue(region.series().stream().anyMatch(series -> series.name().equals("implicit-midpoint")), "the nearest built-in solver");
+        assertTrue(region.series().stream().anyMatch(series -> series.name().equals("implicit-midpoint")),
+                "the nearest built-in solver");
     }
 
     /** 1 + z + z^2/2 + z^3/6: sqrt(3) on the imaginary axis; on the real one the root of 1 + x + x^2/2 + x^3/6 = -1. */
@@ -208,10 +211,13 @@ class StabilityFiguresTest {
     @Test
     void whatHasNoFunctionSaysWhy() {
         Random random = new Random(1);
-        StabilityFigures shaky = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * deltaT * (1 + 0.1 * random.nextDouble())));
-        assertTrue(shaky.rows().get(0).toString().contains("two steps from the same place are not the same"), shaky.rows().toString());
+        StabilityFigures shaky = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * deltaT * (1
+                + 0.1 * random.nextDouble())));
+        assertTrue(shaky.rows().get(0).toString().contains("two steps from the same place are not the same"),
+                shaky.rows().toString());
         StabilityFigures adaptive = figures(DormandPrinceSolver::new);
-        assertTrue(adaptive.rows().get(0).toString().contains("it takes sub-steps as short as the system needs"), adaptive.rows().toString());
+        assertTrue(adaptive.rows().get(0).toString().contains("it takes sub-steps as short as the system needs"),
+                adaptive.rows().toString());
         StabilityFigures fixed = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * 0.1));
         assertTrue(fixed.rows().get(0).toString().contains("it does not follow deltaT"), fixed.rows().toString());
         for (StabilityFigures none : List.of(shaky, adaptive, fixed)) {

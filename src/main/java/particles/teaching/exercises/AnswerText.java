@@ -29,7 +29,8 @@ record AnswerText(Optional<Double> value, String problem) {
      * @return the number, or what is wrong
      */
     static AnswerText read(String typed, String unit) {
-        String text = typed.strip().replaceFirst(NAME, "").replace('\u2212', '-').replaceAll("\\s*[x*\u00d7\u00b7]\\s*10\\s*\\^\\s*", "e");
+        String text = typed.strip().replaceFirst(NAME, "").replace('\u2212',
+                '-').replaceAll("\\s*[x*\u00d7\u00b7]\\s*10\\s*\\^\\s*", "e");
         if (text.isEmpty()) {
             return refused("The answer is empty; " + ALLOWED + ".");
         }

@@ -43,7 +43,8 @@ public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
         Optional<Values> values = SourceText.read(file, in).flatMap(bytes -> YamlText.compose(bytes,
                 in)).map(root -> format.readRoot(root, in));
         Map<Integer, String> answers = new TreeMap<>();
-        values.ifPresent(found -> keys.forEach(key -> found.find(key).ifPresent(answer -> answers.put(Integer.valueOf(key.name()), answer))));
+        values.ifPresent(found -> keys.forEach(key -> found.find(key)
+                .ifPresent(answer -> answers.put(Integer.valueOf(key.name()), answer))));
         return new AnswersFile(answers, problems.lines());
     }
 }
