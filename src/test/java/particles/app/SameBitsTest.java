@@ -10,6 +10,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -84,14 +88,26 @@ class SameBitsTest {
         return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
     }
 
-    private Map<String, String> sums(Path jdk, List<String> jvm, Path scenes, String... options) throws IOException,
-            InterruptedException {
-        List<String> command = new ArrayList<>(List.of(jdk.resolve("bin/java").toString(), "-Djava.awt.headless=true", "-Xmx1g"));
-        command.addAll(jvm);
+    /** One of the runs that have to come to the same sums: with which Java, its options, and those of {@link SceneSums}. */
+    private record Run(Path jdk, List<String> jvm, Path scenes, List<String> options) {
+        Run(Path jdk, Path scenes, String... options) {
+            this(jdk, List.of(), scenes, List.of(options));
+        }
+
+        Run withOneCompiler() {
+            return new Run(jdk, List.of("-XX:TieredStopAtLevel=1"), scenes, options);
+        }
+    }
+
+    private Map<String, String> sums(Run run) throws IOException, InterruptedException {
+        Path folder = Files.createTempDirectory(top, "run");
+        List<String> command = new ArrayList<>(List.of(run.jdk.resolve("bin/java").toString(), "-Djava.awt.headless=true",
+                "-Xmx1g"));
+        command.addAll(run.jvm);
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), "particles.app.SceneSums",
-                scenes.toString(), top.resolve("out").toString()));
-        command.addAll(List.of(options));
-        Path lines = top.resolve("lines.txt");
+                run.scenes.toString(), folder.resolve("out").toString()));
+        command.addAll(run.options);
+        Path lines = folder.resolve("lines.txt");
         Process process = new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(lines.toFile()).start();
         assertEquals(0, process.waitFor(), Files.readString(lines));
         Map<String, String> sums = new TreeMap<>();
@@ -102,38 +118,58 @@ class SameBitsTest {
         return sums;
     }
 
+    /** Does the runs, two at a time, and compares them; returns the first one's sums, without whether a thread helped. */
+    private Map<String, String> allTheSame(List<Run> runs, boolean helpedInFirst, boolean helpedInOthers) throws Exception {
+        ExecutorService two = Executors.newFixedThreadPool(2);
+        try {
+            List<Callable<Map<String, String>>> tasks = new ArrayList<>();
+            for (Run run : runs) {
+                tasks.add(() -> sums(run));
+            }
+            List<Future<Map<String, String>>> results = two.invokeAll(tasks);
+            Map<String, String> expected = results.get(0).get();
+            assertEquals(Boolean.toString(helpedInFirst), expected.put(SceneSums.HELPED, Boolean.toString(helpedInOthers)));
+            for (int i = 1; i < runs.size(); i++) {
+                assertEquals(expected, results.get(i).get(), runs.get(i).toString());
+            }
+            expected.remove(SceneSums.HELPED);
+            return expected;
+        } finally {
+            two.shutdownNow();
+        }
+    }
+
     @Test
     void everySceneHasOneTrajectory() throws Exception {
         TreeMap<Integer, Path> jdks = jdks();
         System.out.println("SameBitsTest: " + jdks);
         Path own = Path.of(System.getProperty("java.home"));
-        Map<String, String> expected = sums(own, List.of(), SCENES, "--frames=false");
-        assertEquals("false", expected.remove(SceneSums.HELPED), "the scenes are too small for two threads");
-        assertEquals(SceneFiles.list(SCENES).size(), expected.size(), expected.toString());
-        expected.forEach((scene, sum) -> assertTrue(sum.matches("[0-9a-f]{64}"), scene + ": " + sum));
-        assertEquals(expected.size(), expected.values().stream().distinct().count(), "no two scenes are the same");
-        expected.put(SceneSums.HELPED, "false");
-        for (Path jdk : List.of(own, jdks.lastEntry().getValue())) {
-            assertEquals(expected, sums(jdk, List.of("-XX:TieredStopAtLevel=1"), SCENES, "--frames=false", "--threads=1"),
-                    jdk + ", one compiler");
-            assertEquals(expected, sums(jdk, List.of(), SCENES, "--frames=true", "--threads=2"), jdk + ", with pictures");
-        }
-        assertEquals(expected, sums(jdks.lastEntry().getValue(), List.of(), SCENES, "--frames=false"), "the newest JDK");
+        Path newest = jdks.lastEntry().getValue();
+        Map<String, String> sums = allTheSame(List.of(
+                new Run(own, SCENES, "--frames=false"),
+                new Run(newest, SCENES, "--frames=false"),
+                new Run(own, SCENES, "--frames=false", "--threads=1").withOneCompiler(),
+                new Run(newest, SCENES, "--frames=false", "--threads=1").withOneCompiler(),
+                new Run(own, SCENES, "--frames=true", "--threads=2"),
+                new Run(newest, SCENES, "--frames=true", "--threads=2")), false, false);    // too small for two threads
+        assertEquals(SceneFiles.list(SCENES).size(), sums.size(), sums.toString());
+        sums.forEach((scene, sum) -> assertTrue(sum.matches("[0-9a-f]{64}"), scene + ": " + sum));
+        assertEquals(sums.size(), sums.values().stream().distinct().count(), "no two scenes are the same");
     }
 
     /** One that is large enough for two threads to share the work. */
     @Test
     void aLargeSceneHasOneTrajectoryWithOneThreadAndWithTwo() throws Exception {
         Path own = Path.of(System.getProperty("java.home"));
+        Path newest = jdks().lastEntry().getValue();
         Path folder = Files.createDirectory(top.resolve("large"));
         Files.writeString(folder.resolve("large.yaml"), LARGE);
-        Map<String, String> expected = sums(own, List.of(), folder, "--frames=false", "--threads=1");
-        assertEquals("false", expected.put(SceneSums.HELPED, "true"), "one thread has no help");
-        assertTrue(expected.get("large.yaml").matches("[0-9a-f]{64}"), expected.toString());
-        for (Path jdk : List.of(own, jdks().lastEntry().getValue())) {
-            assertEquals(expected, sums(jdk, List.of(), folder, "--frames=false", "--threads=2"), jdk + ", two threads");
-            assertEquals(expected, sums(jdk, List.of(), folder, "--frames=true", "--threads=2"),
-                    jdk + ", two threads and pictures");
-        }
+        Map<String, String> sums = allTheSame(List.of(
+                new Run(own, folder, "--frames=false", "--threads=1"),
+                new Run(own, folder, "--frames=false", "--threads=2"),
+                new Run(newest, folder, "--frames=false", "--threads=2"),
+                new Run(own, folder, "--frames=true", "--threads=2"),
+                new Run(newest, folder, "--frames=true", "--threads=2")), false, true);
+        assertTrue(sums.get("large.yaml").matches("[0-9a-f]{64}"), sums.toString());
     }
 }
