@@ -20,7 +20,7 @@ class ClosingKickTest {
      * Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity, none
      * for the others.
      */
-    private static final class OneMoves implements SecondOrderStateSource {
+    private static class OneMoves implements SecondOrderStateSource {
         private static final int MOVING = 7;            // the last velocity where d is 2; its position is entry 5
         private final DoubleUnaryOperator acceleration;
         private final int d;
@@ -133,6 +133,46 @@ class ClosingKickTest {
         // measured 1.1e-16
         assertEquals((1 - kick) / (1 + kick), source.state[OneMoves.MOVING], 1e-15, "implicit in the second half");
         assertEquals(8, source.evaluations);
+    }
+
+    /**
+     * Where the kick stops what moved, its length is what it is measured by: relative to the velocity that is left, which is 0,
+     * no change would ever be small. With a = -126 - v/16 from v = 64 the first kick leaves 31.5, and the closing one takes
+     * them: 0 solves 31.5 - (126 + v/16)/4 = v. Each iteration leaves 2^-6 of v: from -0.5 on, 31.5e-13 are reached in seven.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void whatStopsIsMeasuredByHowFastItWas(int d) {
+        OneMoves source = new OneMoves(d, v -> -126 - v / 16);
+        int moving = 4 * d - 1;
+        source.state[moving] = 64;
+        new VelocityVerletSolver().stepState(source, H);
+        assertEquals(0, source.state[moving], 31.5e-13);
+        assertEquals(31.5 * H, source.state[moving - d], 1e-14);
+        assertEquals(9, source.evaluations, "the step's first one, seven, and one that sees it");
+    }
+
+    /** The derivative that the next step would begin with is looked at in this one. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1})
+    void aDerivativeThatIsNotFiniteAtTheEndIsNamed(int entry) {
+        OneMoves source = new OneMoves(1, v -> 0) {
+            @Override
+            public boolean accelerationDependsOnVelocity() {
+                return false;
+            }
+
+            @Override
+            public void getStateDerivative(double[] dSdt) {
+                super.getStateDerivative(dSdt);
+                if (getTime() > 0) {
+                    dSdt[entry] = Double.NaN;
+                }
+            }
+        };
+        DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
+        assertTrue(e.getMessage().contains("entry " + entry + " of the derivative is NaN at t = 0.5"), e.getMessage());
+        assertEquals(0, source.getTime());
     }
 
     /** A drag that grows beyond all bounds is no fault of the source, and no endless loop: it is said that deltaT is too long. */

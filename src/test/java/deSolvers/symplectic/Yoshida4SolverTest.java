@@ -48,6 +48,9 @@ class Yoshida4SolverTest extends SymplecticContract {
             solver.stepState(problem, 0.125);
         }
         assertEquals(31, problem.evaluations());
+        solver.reset();
+        solver.stepState(problem, 0.125);
+        assertEquals(35, problem.evaluations(), "one more where the last acceleration is forgotten");
     }
 
     /** The trace leaves [-2, 2] where the closed form's does. */
