@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 @Tag("slow")
 class StiffClothTest {
     private static final double SPRINGS = 23_938;
-    /** From where rk4 needs two steps to 5,000: conjugate gradients up to 9, where they need most, and then elimination. */
-    private static final long[] SWEEP = {2, 5, 9, 10, 100, 1000, 5000};
+    /** From where rk4 needs two steps to 5,000: conjugate gradients up to 7, where they need most, and then elimination. */
+    private static final long[] SWEEP = {2, 5, 7, 8, 100, 1000, 5000};
 
     @Test
     void aLinearisedStepCostsMuchTheSameHoweverManyStepsRk4Needs() {
@@ -22,11 +22,11 @@ class StiffClothTest {
             double stiffness = StiffCloth.stiffnessFor(steps);
             assertEquals(steps, StiffCloth.rk4Steps(stiffness));
             ImplicitWork work = StiffCloth.linearisedWork(stiffness);
-            assertEquals(steps < 10 ? 0 : 1, work.factorisations());
+            assertEquals(steps < 8 ? 0 : 1, work.factorisations());
             least = Math.min(least, work.blockOperations());
             most = Math.max(most, work.blockOperations());
         }
-        // Measured 2.69e6 products of 3 x 3 blocks in 47 iterations at 2, 1.03e7 in 183 at 9, and 9.18e6 in elimination, at
+        // Measured 2.69e6 products of 3 x 3 blocks in 47 iterations at 2, 8.52e6 in 151 at 7, and 9.18e6 in elimination, at
         // each of the others. Where rk4 needs a single step 25 iterations are enough: there nobody takes an implicit one.
         assertTrue(most < 4 * least, least + " to " + most + " products of blocks");
     }
