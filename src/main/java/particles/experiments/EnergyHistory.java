@@ -122,8 +122,8 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene
-     * at         rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
+     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene at
+     *         rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
      */
     public double getScale() {
         return largestOfMotionAndSprings > AT_REST * restScale ? largestOfMotionAndSprings : restScale;
@@ -131,7 +131,7 @@ public final class EnergyHistory implements Observer {
 
     /**
      * The energies. The total is the first series. A potential that no inner force has, such as gravity's, has its zero at
-     * the lowest value of the run, since a chart must not depend on where the origin lies.
+     * the lowest value of the run, since a chart must not depend on where the origin lies; its name says so.
      *
      * @param title of the chart, such as the scene and its solver
      * @return the chart
@@ -152,7 +152,8 @@ public final class EnergyHistory implements Observer {
             boolean internal = effects.get(e).getTraits().contains(Effect.Trait.INTERNAL);
             double lowest = internal ? 0 : energy.smallest();
             zero += lowest;
-            parts.add(line("potential: " + effects.get(e).getName(), energy, lowest));
+            String from = lowest == 0 ? "" : ", from its lowest";
+            parts.add(line("potential: " + effects.get(e).getName() + from, energy, lowest));
         }
         series.add(line("total", total, zero));
         series.add(line("kinetic", kinetic, 0));
