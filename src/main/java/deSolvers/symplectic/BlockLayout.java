@@ -85,11 +85,12 @@ final class BlockLayout {
         }
     }
 
-    /** One position at x and its velocity at v. */
-    private static void move(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
+    /** One position at x and its velocity at v; returns v'. */
+    static double move(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
         double velocity = Math.fma(kick, dSdt[v], state[v]);
         result[v] = velocity;
         result[x] = Math.fma(drift, velocity, Math.fma(dSdt[x], 0, state[x]));
+        return velocity;
     }
 
     /** Changes the velocities by an acceleration, read from the derivative's velocity entries: v += h a. */

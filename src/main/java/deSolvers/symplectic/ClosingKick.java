@@ -55,10 +55,9 @@ final class ClosingKick {
 
     /** One position at x and its velocity at v, which is the j-th. */
     private double open(double[] from, double[] dSdt, int x, int v, double h, double[] state, int j) {
-        double velocity = Math.fma(h / 2, dSdt[v], from[v]);
+        double velocity = BlockLayout.move(from, dSdt, x, v, h / 2, h, state);
         before[j] = velocity;
         state[v] = Math.fma(h / 2, dSdt[v], velocity);
-        state[x] = Math.fma(h, velocity, Math.fma(dSdt[x], 0, from[x]));
         return velocity;
     }
 

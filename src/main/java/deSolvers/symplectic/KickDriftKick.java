@@ -12,7 +12,6 @@ import deSolvers.StepMemory;
 /**
  * A step made of one or more leapfrogs, each as long as its weight says: half a kick, a drift, half a kick. The
  * acceleration at the end of one is the acceleration at the beginning of the next, in the same step or the one after.
- * What a step is made of stands in methods of its own: so it is small enough to be compiled into its caller's loop.
  */
 final class KickDriftKick {
     private final BlockLayout layout;

@@ -102,7 +102,7 @@ final class StabilityCommand extends ExperimentCommand {
                         region("adaptive", "One sub-step of the explicit adaptive solvers: stable inside the outline",
                                 "Longer steps are divided, so that these outlines say what a stiff system costs.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"), new Window(-14, 4, 12, 0.15),
-                                        progress, 0.6),
+                                progress, 0.6),
                         region("symplectic", "Symplectic steps on a damped spring: stable inside the outline",
                                 "Without damping, on the imaginary axis, the limit is 2, of yoshida4 1.57; damping takes from it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04), progress, 0.7),
@@ -110,7 +110,7 @@ final class StabilityCommand extends ExperimentCommand {
                                 "All that decays is stable. implicit-midpoint has the imaginary axis itself for an outline: what grows"
                                         + " grows, and what decays decays. The others damp what grows too, if it is fast.",
                                 List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15),
-                                        progress, 0.85)),
+                                progress, 0.85)),
                 List.of(limits));
     }
 
