@@ -10,7 +10,7 @@ package deSolvers;
  *     {@code incTime(deltaT / 2)}, backwards too - and leaves it at (s(t + deltaT), t + deltaT), the clock exactly there
  *     for a dyadic deltaT and within one unit in the last place otherwise.</li>
  * <li>On an exception, its own or the source's, it puts back the state and the time that it found and lets the
- *     exception reach the caller. The next call works as if nothing had happened.</li>
+ *     exception reach the caller. The next call works as if nothing had happened, or as a new solver's first.</li>
  * <li>Arrays handed to the source are exactly {@link DEStateSource#getStateSize()} long.</li>
  * <li>One solver may step any number of sources, of equal or different sizes, in turn. What it remembers of the last
  *     step serves only while source, time, state and deltaT are bit for bit what it left; anything else restarts

@@ -10,10 +10,14 @@ public final class FiniteCheck {
      * @return the index of the first one that is NaN or infinite, or -1
      */
     public static int firstNonFinite(double[] values) {
-        int n = values.length;
-        if (n == 2) {                                   // the slides' oscillator: a loop costs more than a whole step of it
+        if (values.length == 2) {                       // the slides' oscillator: a loop costs more than a whole step of it
             return Math.fma(values[0], 0, values[1] * 0) == 0 ? -1 : find(values);
         }
+        return firstOfMany(values);
+    }
+
+    private static int firstOfMany(double[] values) {
+        int n = values.length;
         double a = 0;                                   // 0 times a finite number is 0, times any other NaN; eight sums, since
         double b = 0;                                   // each addition waits for the one before
         double c = 0;

@@ -14,8 +14,9 @@ import java.util.Arrays;
  * Between the two calls this object stands for the client: it passes every call on. If the body ends without
  * {@link #finish}, by whatever exception, the client gets back the state and the time that {@link #begin} found.
  *
- * <p>Whether a state is finite is looked at once, at the end: each stage enters the new state with a weight that is not 0,
- * and no finite factor makes an infinity or a NaN finite again. Only when the check fails is the cause looked for.
+ * <p>Whether a state is finite is looked at once, at the end: each stage enters the new state, or the place where a later
+ * one is evaluated, with a weight that is not 0, and no finite factor makes an infinity or a NaN finite again. Only when the
+ * check fails is the cause looked for.
  */
 public final class GuardedStep implements DEStateSource, AutoCloseable {
     /** Below this many doubles copying the new state in is cheaper than exchanging arrays. */
@@ -43,13 +44,12 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @param client the source to be stepped
      * @param deltaT the time step (s)
      * @return this, which stands for the client until the step ends
-     * @throws DESolverException if deltaT or the client's time is not finite
+     * @throws DESolverException if deltaT, the client's time or the time at the end of the step is not finite
      */
     public GuardedStep begin(DEStateSource client, double deltaT) {
         double time = client.getTime();
-        if (!Double.isFinite(deltaT) || !Double.isFinite(time)) {
-            throw new DESolverException(solver, time, deltaT, -1, Double.isFinite(deltaT)
-                    ? "the clock of the source has to be a finite number" : "the time step has to be a finite number");
+        if (!Double.isFinite(time + deltaT)) {          // where one of them is not, the sum is not
+            throw notFiniteEnd(time, deltaT);
         }
         if (this.client != client) {
             this.client = client;
@@ -69,6 +69,12 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         moved = false;
         open = true;
         return this;
+    }
+
+    private DESolverException notFiniteEnd(double time, double deltaT) {
+        return new DESolverException(solver, time, deltaT, -1, !Double.isFinite(deltaT)
+                ? "the time step has to be a finite number" : !Double.isFinite(time)
+                ? "the clock of the source has to be a finite number" : "the clock of the source cannot go that far");
     }
 
     private void copyState() {
@@ -98,12 +104,16 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         if (direct) {
             arrays.getStateDerivative(state, dSdt);
         } else {
-            if (moved || state != stateFound) {
-                client.setState(state);
-                moved = true;
-            }
-            client.getStateDerivative(dSdt);
+            moveAndEvaluate(state, dSdt);
         }
+    }
+
+    private void moveAndEvaluate(double[] state, double[] dSdt) {
+        if (moved || state != stateFound) {
+            client.setState(state);
+            moved = true;
+        }
+        client.getStateDerivative(dSdt);
     }
 
     /**
@@ -119,8 +129,8 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
             return newState;
         }
         requireFiniteEnd(newState);
+        SourceClock.moveToEnd(client, timeFound, deltaT);
         double[] free = arrays.exchangeState(newState);
-        moveClockToEnd();
         open = false;
         return free;
     }
@@ -134,11 +144,12 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      */
     public void finish(double[] newState) {
         if (deltaT == 0) {
+            requireFiniteStart();
             return;                                     // close() puts back what was found
         }
         requireFiniteEnd(newState);
+        SourceClock.moveToEnd(client, timeFound, deltaT);       // first: it can be moved back, a state handed over cannot
         client.setState(newState);
-        moveClockToEnd();
         open = false;
     }
 
@@ -159,7 +170,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
                     client.setState(stateFound);
                 }
             } finally {
-                moveClockTo(timeFound);
+                SourceClock.moveTo(client, timeFound);
             }
         }
     }
@@ -185,8 +196,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @param offset the time since the step began (s); negative where deltaT is
      */
     public void setOffset(double offset) {
-        double now = client.getTime();
-        client.incTime(now == timeFound ? offset : timeFound + offset - now);
+        SourceClock.moveWithin(client, timeFound, offset);
     }
 
     /**
@@ -198,10 +208,14 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     public void requireFinite(double[] dSdt) {
         int entry = FiniteCheck.firstNonFinite(dSdt);
         if (entry >= 0) {
-            requireFiniteStart();
-            throw failure(entry, "entry " + entry + " of the derivative is " + dSdt[entry] + " at t = " + client.getTime()
-                    + "; the source divides by zero or overflows there");
+            throw derivativeNotFinite(entry, dSdt[entry]);
         }
+    }
+
+    private DESolverException derivativeNotFinite(int entry, double value) {
+        requireFiniteStart();
+        return failure(entry, "entry " + entry + " of the derivative is " + value + " at t = " + client.getTime()
+                + "; the source divides by zero or overflows there");
     }
 
     /**
@@ -226,24 +240,6 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      */
     public DESolverException failure(int entry, String cause) {
         return new DESolverException(solver, timeFound, deltaT, entry, cause);
-    }
-
-    /** Where the body left the clock alone one addition does: what is begun next waits for the clock. */
-    private void moveClockToEnd() {
-        double end = timeFound + deltaT;
-        double now = client.getTime();
-        client.incTime(now == timeFound ? deltaT : end - now);
-        if (client.getTime() != end) {
-            moveClockTo(end);
-        }
-    }
-
-    /** A difference of two clock readings may round; what is left after one move is so small that a second is exact. */
-    private void moveClockTo(double time) {
-        client.incTime(time - client.getTime());
-        if (client.getTime() != time) {
-            client.incTime(time - client.getTime());
-        }
     }
 
     /** Looks for the cause where the step began: in the state, in the derivative, or else in the size of the step. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.problems.ArraySpySource;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.SecondOrderProblem;
 import deSolvers.problems.SpySource;
@@ -41,6 +42,28 @@ public abstract class FailureContract extends ContractBasics {
         problem.incTime(Double.NaN);
         DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, STEP));
         assertTrue(e.getMessage().contains("clock"), e.getMessage());
+    }
+
+    @Test
+    void aClockThatCannotGoOnStaysWhereItIs() {
+        SecondOrderProblem problem = windy(1);
+        problem.incTime(1.5e308 - START);
+        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, 1e308));
+        assertTrue(e.getMessage().contains("the clock of the source cannot go that far"), e.getMessage());
+        assertEquals(1.5e308, problem.getTime());
+        assertArrayEquals(windy(1).state(), problem.state());
+    }
+
+    @Test
+    void aStepOfNoLengthNamesAStateThatIsNotFiniteToo() {
+        SecondOrderProblem problem = windy(1);
+        double[] state = problem.state();
+        state[4] = Double.NaN;
+        problem.setState(state);
+        DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, 0));
+        assertNames(e, "deltaT = 0", "entry 4 of the state is NaN before the step");
+        assertArrayEquals(state, problem.state());
+        assertEquals(START, problem.getTime());
     }
 
     @Test
@@ -104,17 +127,32 @@ public abstract class FailureContract extends ContractBasics {
     void onAnExceptionOfTheSourceStateAndTimeComeBackBitForBit() {
         for (SpySource.Call call : SpySource.Call.values()) {
             int k = 1;
-            while (failsAt(call, k)) {
+            while (failsAt(new SpySource(windy(1)), call, k)) {
                 k += k < 200 ? 1 : k / 3;               // every call of a short step, a sample of a long one
             }
             assertTrue(k > 1 || call.compareTo(SpySource.Call.DIMENSION) >= 0, call + " was never called");
         }
     }
 
+    /** Eleven blocks are enough for arrays to be exchanged, where a solver does that. */
+    @Test
+    void aSourceThatOffersItsArrayGetsStateAndTimeBackToo() {
+        for (SpySource.Call call : SpySource.Call.values()) {
+            for (int blocks : new int[] {1, 11}) {
+                int k = 1;
+                while (failsAt(new ArraySpySource(windy(blocks)), call, k)) {
+                    k += k < 50 ? 1 : k / 3;
+                }
+                assertTrue(k > 1 || call != SpySource.Call.INC_TIME && call != SpySource.Call.STATE_ARRAY
+                        && call != SpySource.Call.DERIVATIVE, call + " was never called");
+            }
+        }
+    }
+
     /** The second step fails at the k-th call, then is made again; false if it has fewer calls. */
-    private boolean failsAt(SpySource.Call call, int k) {
-        SpySource source = new SpySource(windy(1));
-        SecondOrderProblem unbroken = windy(1);
+    private boolean failsAt(SpySource source, SpySource.Call call, int k) {
+        int blocks = source.problem().getStateSize() / 6;
+        SecondOrderProblem unbroken = windy(blocks);
         DESolver solver = createSolver();
         DESolver other = createSolver();
         solver.stepState(source, STEP);
@@ -127,7 +165,7 @@ public abstract class FailureContract extends ContractBasics {
         } catch (SpySource.Failure expected) {
             assertSameBits(unbroken, source.problem(), "failure at " + call + " " + k);
         }
-        SecondOrderProblem restarted = windy(1);
+        SecondOrderProblem restarted = windy(blocks);
         moveTo(restarted, unbroken);
         createSolver().stepState(restarted, STEP);
         other.stepState(unbroken, STEP);

@@ -8,7 +8,7 @@ import deSolvers.GuardedStep;
  * step, and the order would fall to 1.
  */
 final class ClosingKick {
-    /** Relative to the largest velocity; some hundred roundings, always reached where the iteration converges. */
+    /** Relative to the largest velocity; some hundred roundings, reached where an iteration leaves less than 0.74 of a change. */
     private static final double TOLERANCE = 1e-13;
     /** Of the largest position: what a step's end may be moved by where the change of the velocity no longer falls. */
     private static final double ROUNDING = 0x1p-50;

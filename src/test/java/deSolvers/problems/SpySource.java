@@ -11,9 +11,9 @@ import java.util.Map;
  * Stands before a problem and watches its solver: counts the calls of each method, fails at a chosen one, gives numbers
  * that are not finite where told to, and keeps hold of every array that it was handed, to spoil them later.
  */
-public final class SpySource implements SecondOrderStateSource {
+public class SpySource implements SecondOrderStateSource {
     /** The methods of a source. */
-    public enum Call { SIZE, GET_STATE, SET_STATE, DERIVATIVE, TIME, INC_TIME, DIMENSION, VELOCITY_ASKED }
+    public enum Call { SIZE, GET_STATE, SET_STATE, DERIVATIVE, TIME, INC_TIME, DIMENSION, VELOCITY_ASKED, STATE_ARRAY, EXCHANGE }
 
     /** What a source throws when it fails. */
     public static final class Failure extends RuntimeException {
@@ -70,7 +70,7 @@ public final class SpySource implements SecondOrderStateSource {
         return problem;
     }
 
-    private void note(Call call, double[] array) {
+    final void note(Call call, double[] array) {
         if (array != null && arraysSeen.stream().noneMatch(seen -> seen == array)) {
             arraysSeen.add(array);
         }
@@ -106,6 +106,10 @@ public final class SpySource implements SecondOrderStateSource {
     public void getStateDerivative(double[] dSdt) {
         note(Call.DERIVATIVE, dSdt);
         problem.getStateDerivative(dSdt);
+        spoil(dSdt);
+    }
+
+    final void spoil(double[] dSdt) {
         if (badEntry >= 0 && problem.getTime() > badAfter) {
             dSdt[badEntry] = badValue;
         }

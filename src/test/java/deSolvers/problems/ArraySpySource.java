@@ -1,0 +1,44 @@
+package deSolvers.problems;
+
+import deSolvers.ArrayStateSource;
+
+/** A {@link SpySource} that offers its own array. The problem behind follows it, so that it always tells the state. */
+public final class ArraySpySource extends SpySource implements ArrayStateSource {
+    private double[] own;
+
+    /** @param problem what is really stepped */
+    public ArraySpySource(SecondOrderProblem problem) {
+        super(problem);
+        own = problem.state();
+    }
+
+    @Override
+    public void setState(double[] state) {
+        super.setState(state);
+        System.arraycopy(state, 0, own, 0, own.length);
+    }
+
+    @Override
+    public double[] getStateArray() {
+        note(Call.STATE_ARRAY, null);
+        return own;
+    }
+
+    @Override
+    public void getStateDerivative(double[] state, double[] dSdt) {
+        note(Call.DERIVATIVE, dSdt);
+        problem().setState(state);
+        problem().getStateDerivative(dSdt);
+        problem().setState(own);
+        spoil(dSdt);
+    }
+
+    @Override
+    public double[] exchangeState(double[] state) {
+        note(Call.EXCHANGE, null);
+        double[] before = own;
+        own = state;
+        problem().setState(own);
+        return before;
+    }
+}
