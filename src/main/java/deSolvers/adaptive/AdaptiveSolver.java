@@ -2,6 +2,7 @@ package deSolvers.adaptive;
 
 import deSolvers.DenseOutput;
 import deSolvers.DESolver;
+import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
 import deSolvers.GuardedStep;
 import deSolvers.StepMemory;
@@ -18,7 +19,7 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
     public static final double RELATIVE_TOLERANCE = 1e-6;
     /** What is allowed besides, in the unit of the state's entries. */
     public static final double ABSOLUTE_TOLERANCE = 1e-9;
-    /** With a relative tolerance over this a vibration that is too fast for the method may grow. */
+    /** With a relative tolerance over this what is too fast for the method may grow without end; see the package. */
     public static final double LOOSEST_TOLERANCE = 1e-3;
     /** After so many sub-steps, taken or rejected, a step is given up. */
     public static final int MOST_SUB_STEPS = 500_000;
@@ -152,12 +153,14 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
             resize(n);
             memory.forget();
         }
+        boolean told = track.suspend();                 // a step that fails, or cannot begin, leaves nothing to tell
         try (GuardedStep source = guard.begin(client, deltaT)) {
+            source.requireFiniteStart();
             if (deltaT == 0) {
+                track.resume(told);
                 return;
             }
             track.clear();
-            source.requireFiniteStart();
             boolean continues = memory.holds(client, source.getStartTime(), source.getStartState(), deltaT);
             memory.forget();                            // until this step has ended well
             source.getState(state);
@@ -190,7 +193,9 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
         double done = 0;
         for (int tried = 0; done < length; tried++) {
             double remaining = length - done;
-            checkLimits(source, tried, done, length);
+            double resolution = resolution(source, done);
+            subStep = Math.max(subStep, resolution);    // a guess or a plan may be finer than the clock
+            requireFewSubSteps(source, tried, done);
             double h = subStep >= remaining ? remaining
                     : subStep > remaining / 2 ? remaining / 2 : subStep;    // two halves rather than a long and a tiny one
             if (!slopeKnown) {
@@ -207,6 +212,8 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
                 boolean cut = h < subStep && next >= 2 * h;
                 subStep = cut ? Math.max(subStep, next) : rejected ? Math.min(next, h) : next;
                 rejected = false;
+            } else if (h <= resolution) {
+                throw tooShort(source, h, done, resolution);
             } else {
                 subStep = Math.min(next, h * SAFETY);
                 rejected = true;
@@ -241,15 +248,22 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
         slopeKnown = known;
     }
 
-    /** Smaller sub-steps than the clock or the sum can tell apart do not help; only deltaT itself may be smaller. */
-    private void checkLimits(GuardedStep source, int tried, double done, double length) {
-        double resolution = 4 * Math.max(Math.ulp(source.getStartTime()), Math.ulp(done));
-        if (subStep < resolution && subStep < length - done) {
-            int entry = tolerance.worstEntry();
-            throw source.failure(entry, "the sub-step fell to " + subStep + " s after " + done + " s, and entry " + entry
-                    + " of the state is still not within its tolerance; the solution or its derivative grows without bound"
-                    + " or jumps there, or the tolerance is below rounding");
-        }
+    /** The shortest sub-step that clock and sum can tell from none (s); only deltaT itself may be shorter. */
+    private static double resolution(GuardedStep source, double done) {
+        return 4 * Math.max(Math.ulp(source.getStartTime()), Math.ulp(done));
+    }
+
+    /** For a sub-step that was rejected and cannot become shorter. */
+    private DESolverException tooShort(GuardedStep source, double h, double done, double resolution) {
+        int entry = tolerance.worstEntry();
+        String failure = entry < 0 ? "cannot be made even so"
+                : "leaves entry " + entry + " of the state outside its tolerance";
+        return source.failure(entry, "the sub-step fell to " + h + " s after " + done + " s, where the resolution of the"
+                + " clock is " + resolution + " s, and still " + failure + "; the solution or its derivative grows without"
+                + " bound or jumps there, or it changes too fast for so late a clock, or the tolerance is below rounding");
+    }
+
+    private void requireFewSubSteps(GuardedStep source, int tried, double done) {
         if (tried >= MOST_SUB_STEPS) {
             int entry = tolerance.worstEntry();
             throw source.failure(entry, "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"

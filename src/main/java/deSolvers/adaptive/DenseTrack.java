@@ -21,6 +21,18 @@ final class DenseTrack {
         available = false;
     }
 
+    /** Tells nothing of the last step until {@link #resume}. */
+    boolean suspend() {
+        boolean wasAvailable = available;
+        available = false;
+        return wasAvailable;
+    }
+
+    /** After a step of no length the last one's states are still there, if they were. */
+    void resume(boolean wasAvailable) {
+        available = wasAvailable;
+    }
+
     /** Room for one more piece: an array of n coefficients for each power of u, in [-centre, 1 - centre]. */
     double[][] add(double offset, double h, int n, int degree, double centre) {
         if (pieces == offsets.length) {

@@ -54,19 +54,22 @@ final class MiddleDerivatives {
      */
     void taylor(int last, double h, int degree, double[][] c) {
         for (int i = 0; i < n; i++) {
-            double factor = 1;                          // h^k / k!
+            double factorial = 1;
             for (int k = 0; k <= degree; k++) {
                 int first = (k + 1) / 2 - (k == 0 ? 0 : 1);     // column j has differences up to order 2 j + 1
                 for (int j = first; j <= last; j++) {
                     table[j] = k == 0 ? columns[j].middle[i] : difference(columns[j].slopes, i, k - 1, h);
                 }
-                c[k][i] = factor * extrapolated(first, last);
-                factor *= h / (k + 1);
+                c[k][i] = extrapolated(first, last) / factorial;
+                factorial *= k + 1;
             }
         }
     }
 
-    /** The m-th derivative of f at the middle, by m central differences over two substeps each. */
+    /**
+     * h<sup>m+1</sup> times the m-th derivative of f at the middle, by m central differences over two substeps each. These
+     * are parts of h, so that no power of h is needed, which may overflow or vanish.
+     */
     private static double difference(double[][] slopes, int i, int m, double h) {
         int substeps = slopes.length - 1;
         int middle = substeps / 2;
@@ -76,7 +79,8 @@ final class MiddleDerivatives {
             sum += (q % 2 == 0 ? binomial : -binomial) * slopes[middle + m - 2 * q][i];
             binomial = binomial * (m - q) / (q + 1);
         }
-        double twoSubsteps = 2 * h / substeps;
+        sum *= h;
+        double twoSubsteps = 2.0 / substeps;        // in h
         for (int q = 0; q < m; q++) {
             sum /= twoSubsteps;
         }

@@ -7,6 +7,7 @@ import deSolvers.GuardedStep;
  * <pre>
  *   y_0 = s,   y_1 = s + h f_0,   y_{i+1} = y_{i-1} + 2 h f_i,   result = (y_{n-1} + y_n + h f_n) / 2
  * </pre>
+ * The result is a mean of y_n and what f_n leads to, which smooths the zigzag between even and odd y.
  * It can keep y at the middle and all f, from which the states in between are found.
  */
 final class ModifiedMidpoint {
@@ -21,15 +22,16 @@ final class ModifiedMidpoint {
     }
 
     /**
-     * @param slope  f_0
-     * @param offset where the stretch begins, from the beginning of the step (s)
-     * @param length H (s)
-     * @param n      substeps; even
-     * @param record receives y_{n/2} and f_0 ... f_n, or does not
-     * @param result receives s(H), with an error in even powers of 1/n
+     * @param slope     f_0
+     * @param offset    where the stretch begins, from the beginning of the step (s)
+     * @param length    H (s)
+     * @param n         substeps; even
+     * @param record    receives y_{n/2} and f_0 ... f_n, or does not
+     * @param result    receives s(H), with an error in even powers of 1/n
+     * @param smoothing receives result - y_n, in even powers of 1/n too
      */
     void cover(GuardedStep source, double[] state, double[] slope, double offset, double length, int n, Record record,
-               double[] result) {
+               double[] result, double[] smoothing) {
         double h = length / n;
         System.arraycopy(state, 0, last, 0, state.length);
         for (int i = 0; i < state.length; i++) {
@@ -53,7 +55,9 @@ final class ModifiedMidpoint {
             }
         }
         for (int i = 0; i < result.length; i++) {
-            result[i] = (last[i] + present[i] + h * dSdt[i]) / 2;
+            double ahead = last[i] + h * dSdt[i];
+            result[i] = (ahead + present[i]) / 2;
+            smoothing[i] = (ahead - present[i]) / 2;
         }
     }
 

@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.sun.management.ThreadMXBean;
 import deSolvers.DESolver;
 import deSolvers.DESolverContract;
+import deSolvers.DESolverException;
 import deSolvers.DenseOutput;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.GrowthInSeason;
 import deSolvers.problems.Oscillator;
+import deSolvers.problems.ReferenceProblem;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 
@@ -85,6 +87,59 @@ public abstract class DenseOutputContract extends DESolverContract {
         assertThrows(IllegalArgumentException.class, () -> dense.getStateAt(1.5, new double[2]));
         solver.reset();
         assertThrows(IllegalStateException.class, () -> dense.getStateAt(1.5, state));
+    }
+
+    /** A step that fails, or cannot even begin, leaves nothing; one of no length changes nothing, here either. */
+    @Test
+    void aStepThatFailsLeavesNoStatesInBetween() {
+        DESolver solver = createSolver(1e-6, 1e-6);
+        DenseOutput dense = (DenseOutput) solver;
+        dense.setDenseOutput(true);
+        double[] state = new double[1];
+        GrowthInSeason problem = new GrowthInSeason();
+        for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY}) {
+            solver.stepState(problem, 0.5);
+            double middle = problem.getTime() - 0.25;
+            dense.getStateAt(middle, state);
+            double[] again = new double[1];
+            solver.stepState(problem, 0);
+            dense.getStateAt(middle, again);
+            assertArrayEquals(state, again);
+            assertThrows(DESolverException.class, () -> solver.stepState(problem, bad));
+            assertThrows(IllegalStateException.class, () -> dense.getStateAt(middle, state));
+            solver.stepState(problem, 0);
+            assertThrows(IllegalStateException.class, () -> dense.getStateAt(middle, state));
+        }
+    }
+
+    /** One radian of an oscillation, however short or long in time. */
+    @Test
+    void theStatesInBetweenAreNumbersAtEveryScaleOfTime() {
+        for (double h : new double[] {1e-300, 1e-120, 1e-60, 1, 1e60, 1e100}) {
+            ReferenceProblem problem = new ReferenceProblem(2) {
+                @Override
+                public double[] exactState(double t) {
+                    return new double[] {StrictMath.cos(t / h), StrictMath.sin(t / h)};
+                }
+
+                @Override
+                protected void rates(double t, double[] s, double[] dSdt) {
+                    dSdt[0] = -s[1] / h;
+                    dSdt[1] = s[0] / h;
+                }
+            };
+            problem.startAt(0);
+            DESolver solver = createSolver(1e-9, 1e-9);
+            ((DenseOutput) solver).setDenseOutput(true);
+            solver.stepState(problem, h);
+            double[] state = new double[2];
+            for (int i = 0; i <= 16; i++) {
+                ((DenseOutput) solver).getStateAt(h * i / 16, state);
+                // Measured up to 1.0e-8 (step-doubling), 7.6e-10 and less of the others; no NaN.
+                assertEquals(StrictMath.cos(i / 16.0), state[0], 2e-8, h + ", " + i);
+                assertEquals(StrictMath.sin(i / 16.0), state[1], 2e-8, h + ", " + i);
+            }
+        }
     }
 
     @Test

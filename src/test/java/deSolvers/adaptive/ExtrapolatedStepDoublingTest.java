@@ -18,4 +18,10 @@ class ExtrapolatedStepDoublingTest extends AdaptiveContract {
     protected double toleranceExponent() {
         return 1;
     }
+
+    /** It is not stable on the imaginary axis: measured 493, 362 and 358 times. */
+    @Override
+    protected double vibrationGrowth() {
+        return 1000;
+    }
 }

@@ -141,10 +141,10 @@ class SubStepControlTest {
         Scripted never = new Scripted(false, (offset, h) -> offset > 0.15 ? 2 : 0.81);
         Ramp source = constant();
         DESolverException e = assertThrows(DESolverException.class, () -> never.stepState(source, 1));
-        assertTrue(e.getMessage().matches(".*the sub-step fell to \\S+E-17 s after 0.2\\d* s.*"), e.getMessage());
-        // 4 ulp of what was done: the last that is tried is no shorter, and the next would have been.
-        double last = never.tried.get(never.tried.size() - 1);
-        assertTrue(last >= 4 * Math.ulp(0.2) && last * 0.9 / Math.sqrt(2) < 4 * Math.ulp(0.2), "last " + last);
+        assertTrue(e.getMessage().matches(".*the sub-step fell to 1\\.11\\S+E-16 s after 0.2\\d* s, where the resolution of the"
+                + " clock is 1\\.11\\S+E-16 s, and still cannot be made.*"), e.getMessage());
+        // 4 ulp of what was done: a sub-step of exactly that was tried last.
+        assertEquals(4 * Math.ulp(0.2), never.tried.get(never.tried.size() - 1));
         assertEquals(0, source.time);
 
         Scripted slow = new Scripted(false, (offset, h) -> 0.81);
@@ -155,12 +155,35 @@ class SubStepControlTest {
         Scripted late = new Scripted(false, (offset, h) -> 2);
         Ramp far = constant();
         far.time = 1e6;
-        assertThrows(DESolverException.class, () -> late.stepState(far, 1));
-        assertTrue(late.tried.get(late.tried.size() - 1) >= 4 * Math.ulp(1e6));
+        e = assertThrows(DESolverException.class, () -> late.stepState(far, 1));
+        assertTrue(e.getMessage().contains("the resolution of the clock is " + 4 * Math.ulp(1e6) + " s"), e.getMessage());
+        assertEquals(4 * Math.ulp(1e6), late.tried.get(late.tried.size() - 1));
         // But deltaT itself may be as short as it likes.
         Scripted tiny = new Scripted(false, (offset, h) -> 0.5);
         tiny.stepState(far, 1e-300);
         assertEquals(List.of(1e-300), tiny.tried);
+    }
+
+    /** A guess or a plan below the clock's resolution is raised to it: only a sub-step of that size can be found too long. */
+    @Test
+    void noSubStepIsFinerThanTheClock() {
+        double resolution = 4 * Math.ulp(1e9);
+        Ramp far = new Ramp(2, t -> 1e12);              // the guess is 2e-12
+        far.time = 1e9;
+        Scripted good = new Scripted(false, (offset, h) -> 0.0081);
+        good.stepState(far, 1);
+        assertEquals(resolution, good.tried.get(0));
+        for (double deltaT : new double[] {1, 1e-7}) {  // below the resolution deltaT is all that can be tried
+            Scripted bad = new Scripted(false, (offset, h) -> 2);
+            far.time = 1e9;
+            far.state = 2;
+            assertThrows(DESolverException.class, () -> bad.stepState(far, deltaT));
+            assertEquals(List.of(Math.min(deltaT, resolution)), bad.tried);
+        }
+        // Of two halves each may be shorter than the resolution, and is the last to be tried.
+        Scripted halves = new Scripted(false, (offset, h) -> 2);
+        assertThrows(DESolverException.class, () -> halves.stepState(far, 1.5 * resolution));
+        assertEquals(List.of(0.75 * resolution), halves.tried);
     }
 
     /** Euler's pieces: straight from state to state, at any time of the step, in either direction. */

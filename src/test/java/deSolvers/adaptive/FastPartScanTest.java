@@ -1,0 +1,178 @@
+package deSolvers.adaptive;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.extrapolation.BulirschStoerSolver;
+import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.StiffPair;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Parts of a solution that are too fast for an explicit method and have decayed, over many rates and lengths of a step: the
+ * sub-steps grow until something grows again, and only the estimate of the error can tell. It must not be blind at any rate.
+ */
+class FastPartScanTest {
+    private static final double[][] TOLERANCES = {{1e-6, 1e-9}, {1e-3, 1e-6}};
+
+    /** Makes a solver for two tolerances. */
+    private interface Maker {
+        DESolver create(double relative, double absolute);
+    }
+
+    private static Arguments solver(String name, double decay, double spring, double pair, Maker maker) {
+        return Arguments.of(name, decay, spring, pair, maker);
+    }
+
+    /**
+     * The bounds in units of the tolerance, for decay, damped spring and stiff pair. Measured, with the tolerances 1e-6/1e-9
+     * and 1e-3/1e-6: step-doubling 46, 150, 48, extrapolated 49, 14, 52; bulirsch-stoer 14, 25, 2.5; dormand-prince 2.4, 19,
+     * 1.3. Without their second estimates step-doubling reached 2.7e252 and
+     * bulirsch-stoer infinity, over a finer scan.
+     */
+    static Stream<Arguments> solvers() {
+        return Stream.of(
+                solver("step-doubling", 150, 450, 150, StepDoublingSolver::new),
+                solver("step-doubling, extrapolated", 150, 60, 150, (r, a) -> new StepDoublingSolver(r, a, true)),
+                solver("bulirsch-stoer", 50, 75, 10, BulirschStoerSolver::new),
+                solver("dormand-prince", 8, 60, 4, DormandPrinceSolver::new));
+    }
+
+    /** s' = -lambda s: in units of the tolerance, worst of all steps of 3 s. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("solvers")
+    void whatHasDecayedStaysAway(String name, double bound, double spring, double pair, Maker maker) {
+        for (double[] tolerance : TOLERANCES) {
+            Scan scan = new Scan(maker, tolerance);
+            for (double lambda = 20; lambda < 400; lambda *= 1.06) {
+                for (double deltaT : new double[] {0.1, 0.25, 1}) {
+                    scan.run(decay(lambda), deltaT, largestError(tolerance), "lambda " + lambda);
+                }
+            }
+            scan.assertBelow(bound, name);
+        }
+    }
+
+    /** x'' = -omega^2 x - 0.1 omega x' beside a slow oscillator: the velocity, from omega/2 to begin with. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("solvers")
+    void aVibrationThatHasDiedStaysDead(String name, double decay, double bound, double pair, Maker maker) {
+        for (double[] tolerance : TOLERANCES) {
+            Scan scan = new Scan(maker, tolerance);
+            for (double omega = 30; omega < 500; omega *= 1.1) {
+                for (double deltaT : new double[] {1.0 / 60, 0.1, 0.5}) {
+                    scan.run(spring(omega), deltaT, overEnvelope(omega, tolerance), "omega " + omega);
+                }
+            }
+            scan.assertBelow(bound, name);
+        }
+    }
+
+    /** Slow and fast in every entry. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("solvers")
+    void aFastPartBesideASlowOneStaysAway(String name, double decay, double spring, double bound, Maker maker) {
+        for (double[] tolerance : TOLERANCES) {
+            Scan scan = new Scan(maker, tolerance);
+            for (double deltaT = 0.004; deltaT < 0.05; deltaT *= 1.04) {
+                scan.run(new StiffPair(), deltaT, largestError(tolerance), "the pair");
+            }
+            scan.assertBelow(bound, name);
+        }
+    }
+
+    /** Runs with the same tolerances, and the worst of them. */
+    private static final class Scan {
+        private final Maker maker;
+        private final double[] tolerance;
+        private double worst;
+        private String where = "";
+
+        Scan(Maker maker, double[] tolerance) {
+            this.maker = maker;
+            this.tolerance = tolerance;
+        }
+
+        /** A run of 3 s, looked at after each step. */
+        void run(ReferenceProblem problem, double deltaT, ToDoubleFunction<ReferenceProblem> unitsOff, String what) {
+            DESolver solver = maker.create(tolerance[0], tolerance[1]);
+            problem.startAt(0);
+            while (problem.getTime() < 3) {
+                solver.stepState(problem, deltaT);
+                double units = unitsOff.applyAsDouble(problem);
+                if (!(units <= worst)) {
+                    worst = Double.isNaN(units) ? Double.POSITIVE_INFINITY : units;         // stays the worst
+                    where = what + ", deltaT " + deltaT;
+                }
+            }
+        }
+
+        void assertBelow(double bound, String solver) {
+            assertTrue(worst < bound, solver + ", tolerances " + tolerance[0] + " and " + tolerance[1] + ": " + worst
+                    + " times as far off at " + where);
+        }
+    }
+
+    /** The largest error of an entry in units of what is allowed for the exact one. */
+    private static ToDoubleFunction<ReferenceProblem> largestError(double[] tolerance) {
+        return problem -> {
+            double[] exact = problem.exactState(problem.getTime());
+            double[] state = problem.state();
+            double units = 0;
+            for (int i = 0; i < exact.length; i++) {
+                units = Math.max(units, Math.abs(state[i] - exact[i]) / (tolerance[1] + tolerance[0] * Math.abs(exact[i])));
+            }
+            return units;
+        };
+    }
+
+    /** By what the fast velocity is over its envelope, and a fifth of that, in units of the absolute tolerance. */
+    private static ToDoubleFunction<ReferenceProblem> overEnvelope(double omega, double[] tolerance) {
+        return problem -> {
+            double envelope = 0.5 * omega * StrictMath.exp(-0.05 * omega * problem.getTime());
+            double[] state = problem.state();
+            return Math.max(0, Math.hypot(state[2], state[3]) - 1.2 * envelope) / tolerance[1];
+        };
+    }
+
+    private static ReferenceProblem decay(double lambda) {
+        return new ReferenceProblem(1) {
+            @Override
+            public double[] exactState(double t) {
+                return new double[] {StrictMath.exp(-lambda * t)};
+            }
+
+            @Override
+            protected void rates(double t, double[] s, double[] dSdt) {
+                dSdt[0] = -lambda * s[0];
+            }
+        };
+    }
+
+    /** Damped a twentieth of the critical damping. */
+    private static ReferenceProblem spring(double omega) {
+        double gamma = 0.05 * omega;
+        double damped = Math.sqrt(omega * omega - gamma * gamma);
+        return new ReferenceProblem(4) {
+            @Override
+            public double[] exactState(double t) {
+                double c = 0.5 * StrictMath.exp(-gamma * t) * StrictMath.cos(damped * t);
+                double s = 0.5 * StrictMath.exp(-gamma * t) * StrictMath.sin(damped * t);
+                return new double[] {StrictMath.cos(t), -StrictMath.sin(t), c + gamma / damped * s,
+                    -omega * omega / damped * s};
+            }
+
+            @Override
+            protected void rates(double t, double[] s, double[] dSdt) {
+                dSdt[0] = s[1];
+                dSdt[1] = -s[0];
+                dSdt[2] = s[3];
+                dSdt[3] = -omega * omega * s[2] - 2 * gamma * s[3];
+            }
+        };
+    }
+}
