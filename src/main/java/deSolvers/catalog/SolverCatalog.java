@@ -55,13 +55,13 @@ public final class SolverCatalog {
                     "Predicts from the last derivatives and corrects: two evaluations for order 4, if nothing interrupts."),
             entry(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class,
                     1, "symplectic", "1", true, NONE, 2,
-                    "The slides' simple algorithm: new velocity first, so that energy errors stay bounded."),
+                    "The slides' simple algorithm: new velocity first, so that in small steps the energy swings and does not drift."),
             entry(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class,
                     2, "symplectic", "1, more with damping", true, NONE, 2,
-                    "Kick, drift, kick: reversible, and the energy error stays bounded for ever."),
+                    "Kick, drift, kick: reversible, and in small steps the energy swings and does not drift."),
             entry(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class,
                     4, "symplectic", "3, more with damping", true, NONE, 1.5734,
-                    "Three leapfrogs whose errors cancel: order 4, and the energy error stays bounded for ever."),
+                    "Three leapfrogs whose errors cancel: order 4, and in small steps the energy swings and does not drift."),
             entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
                     1, "implicit", "Newton", false, UNLIMITED, UNLIMITED,
                     "Stable for any step on stiff springs and strong damping, and damps what it cannot follow."),
@@ -195,6 +195,9 @@ public final class SolverCatalog {
         } catch (ClassNotFoundException e) {
             throw new NoSuchElementException("no class is called '" + name + "', and no solver; known solvers: "
                     + String.join(", ", names()), e);
+        } catch (LinkageError e) {                      // a static field fails; at the second time there is no cause
+            throw new IllegalArgumentException("class " + name + " cannot be loaded: "
+                    + (e.getCause() == null ? e : e.getCause()), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
             throw new IllegalArgumentException("class " + name + " cannot be made: it has to be public, not abstract, and"
                     + " have a public constructor " + (tolerances.length == 0 ? "without parameters" : "of two doubles"), e);

@@ -12,8 +12,10 @@ import deSolvers.GuardedStep;
  *   ---+---
  *      | 1
  * </pre>
- * The equation is solved by Newton's method to 1e-10 of the state (in practice to rounding), or an exception says that it
- * was not. {@link #linearised()} makes a solver that takes the first of Newton's corrections and asks no more.
+ * The equation is solved by Newton's method to 1e-10 of each entry of the state, however small beside others, or to the
+ * rounding of its terms (in practice to rounding), or an exception says that it was not; the
+ * package's description tells the limits of that.
+ * {@link #linearised()} makes a solver that takes the first of Newton's corrections and asks no more.
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> a few a step for Newton's method, and n more for each Jacobian where the source does not know its own

@@ -12,7 +12,7 @@ import org.ejml.data.DMatrixRMaj;
 final class DenseJacobian {
     /** Half the digits: the best balance of rounding against curvature in a forward difference. */
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
-    /** An entry that is 0 and does not move is varied as if it were this part of the largest entry. */
+    /** An entry that is small and does not move is varied as if it were this part of the largest entry. */
     private static final double SMALL_ENTRY = 1e-5;
 
     /** Smaller differences would lose their digits to underflow. */
@@ -21,9 +21,19 @@ final class DenseJacobian {
     private final ImplicitWork.Counter work;
     private double[] varied = {};
     private double[] column = {};
+    private boolean fine;
 
     DenseJacobian(ImplicitWork.Counter work) {
         this.work = work;
+    }
+
+    /**
+     * How small entries beside large ones are varied. As a rule by no less than a part of the largest, since they may be sums
+     * of large ones that cancel, where less would be lost to rounding. But where the derivative bends within that, finely: by
+     * a part of what they are themselves, unless they are 0.
+     */
+    void setFine(boolean fine) {
+        this.fine = fine;
     }
 
     /**
@@ -61,7 +71,10 @@ final class DenseJacobian {
         }
         System.arraycopy(state, 0, varied, 0, n);
         for (int j = 0; j < n; j++) {
-            double scale = Math.max(Math.abs(state[j]), Math.max(Math.abs(h * dSdt[j]), SMALL_ENTRY * largest));
+            double scale = Math.abs(state[j]);
+            if (!fine || scale == 0) {
+                scale = Math.max(scale, Math.max(Math.abs(h * dSdt[j]), SMALL_ENTRY * largest));
+            }
             if (scale == 0) {
                 scale = 1;
             }

@@ -37,6 +37,7 @@ final class DenseProblem implements NewtonProblem {
         this.client = client;
         this.start = start;
         this.gamma = gamma;
+        differences.setFine(false);
         int n = start.length;
         if (dSdt.length != n) {
             dSdt = new double[n];
@@ -99,5 +100,11 @@ final class DenseProblem implements NewtonProblem {
             }
             floor[i] = Double.MIN_NORMAL + ROUNDING * (Math.abs(start[i]) + Math.abs(m[i]) + Math.abs(gamma) * sum);
         }
+    }
+
+    /** Small unknowns are varied by as little as they are: their differences are not those of a place far off. */
+    @Override
+    public void refine(double[] m) {
+        differences.setFine(true);
     }
 }

@@ -17,6 +17,7 @@ final class DirectionalDerivative {
     private double[] baseRate = {};
     private double[] varied = {};
     private double scale;
+    private boolean fine;
 
     DirectionalDerivative(ImplicitWork.Counter work) {
         this.work = work;
@@ -44,6 +45,14 @@ final class DirectionalDerivative {
         }
     }
 
+    /**
+     * How far a difference goes: as a rule by a part of the whole state; finely, of those entries that the direction has
+     * (P. N. Brown, Y. Saad 1990, SIAM J. Sci. Stat. Comput. 11, 450), so that among small ones it stays near.
+     */
+    void setFine(boolean fine) {
+        this.fine = fine;
+    }
+
     /** Computes J w; product is another array than w. */
     void multiply(double[] w, double[] product) {
         if (client instanceof JacobianStateSource) {
@@ -57,7 +66,7 @@ final class DirectionalDerivative {
             Arrays.fill(product, 0);
             return;
         }
-        double delta = ROOT_EPSILON * scale / length;
+        double delta = ROOT_EPSILON * (fine ? sizeAlong(w, length) : scale) / length;
         for (int i = 0; i < w.length; i++) {
             varied[i] = base[i] + delta * w[i];
         }
@@ -66,5 +75,14 @@ final class DirectionalDerivative {
         for (int i = 0; i < w.length; i++) {
             product[i] = (product[i] - baseRate[i]) / delta;
         }
+    }
+
+    /** The mean size of the entries, each weighed by its part in the direction; that of the whole state if all are 0. */
+    private double sizeAlong(double[] w, double length) {
+        double sum = 0;
+        for (int i = 0; i < w.length; i++) {
+            sum += Math.abs(w[i]) * Math.abs(base[i]);
+        }
+        return sum > 0 ? sum / length : scale;
     }
 }

@@ -13,8 +13,9 @@ import deSolvers.GuardedStep;
  *       |  1
  * </pre>
  * Its middle m solves the backward Euler equation of half a step, m = s + h/2 f(m, t + h/2); the other half goes on along
- * the same line, s(t + h) = 2 m - s. Newton's method solves to 1e-10 of the state (in practice to rounding), or an
- * exception says that it did not.
+ * the same line, s(t + h) = 2 m - s. Newton's method solves to 1e-10 of each entry of the state, however small
+ * beside others, or to the rounding of its terms (in practice to rounding), or an exception says that it did not;
+ * the package's description tells the limits of that.
  *
  * <p><b>Order</b> 2.<br>
  * <b>Evaluations</b> as for {@code backward-euler}.<br>

@@ -1,6 +1,5 @@
 package deSolvers.implicit;
 
-import deSolvers.FiniteCheck;
 import java.util.Locale;
 
 /**
@@ -18,24 +17,27 @@ final class Newton {
     private static final double GOOD_CONTRACTION = 0.01;
     private static final int MOST_ITERATIONS = 50;
     private static final double SMALLEST_DAMPING = 1.0 / 256;
+    /** A residual is rounding up to so many times what rounding of its own terms makes: those within f are not all known. */
+    private static final double NEAR = 100;
     private static final int MOST_DESCENTS = 200;
     private static final int MOST_HALVINGS = 40;
-    /** Entries smaller than this part of the largest are judged as if they were as large as that. */
-    private static final double SMALL_ENTRY = 1e-3;
-
-    private static final double SMALLEST_UNSCALED = 1e-100;
-    private static final double LARGEST_UNSCALED = 1e100;
 
     private final ImplicitWork.Counter work;
     private double[] residual = {};
     private double[] correction = {};
     private double[] nextCorrection = {};
     private double[] trial = {};
-    private double[] first = {};
+    private double[] scale = {};                        // how large the unknowns were when the step began; the caller's
+    private double[] first = {};                        // what corrections are judged by, besides the unknowns now
     private double[] floor = {};
     private double[] reached = {};
-    private double lastSize;
+    private double size;                                // of the last correction, relative to the unknowns
+    private double nextSize;
+    private double damping;                             // the part of it that was taken
     private int iterations;
+    private double left;                                // the last correction, relative to the unknowns one by one
+    private boolean noCorrection;                       // whether the last failure was the linear solver's
+    private boolean fine;                               // whether only what is not rounding counts, each unknown by itself
 
     Newton(ImplicitWork.Counter work) {
         this.work = work;
@@ -50,61 +52,40 @@ final class Newton {
     boolean solve(NewtonProblem problem, double[] u, double[] scale) {
         fit(problem.size());
         int n = u.length;
+        this.scale = scale;
         System.arraycopy(scale, 0, first, 0, n);
         iterations = 0;
-        lastSize = Double.POSITIVE_INFINITY;
+        size = Double.POSITIVE_INFINITY;
+        fine = false;
+        noCorrection = false;
         problem.evaluate(u, residual);
-        if (isZero(residual)) {
+        if (Residuals.areZero(residual)) {
             return true;
         }
-        if (FiniteCheck.firstNonFinite(residual) >= 0) {
+        if (!Residuals.areFinite(residual)) {
             return false;
         }
+        return iterate(problem, u) && (left <= TOLERANCE || refine(problem, u));
+    }
+
+    /** Iterates from u, whose residual is at hand; leaves how large the last correction was for each unknown by itself. */
+    private boolean iterate(NewtonProblem problem, double[] u) {
         boolean haveCorrection = false;
-        double size = 0;
-        while (iterations < MOST_ITERATIONS) {
+        for (int most = iterations + MOST_ITERATIONS; iterations < most;) {
             iterations++;
             work.newtonIterations++;
-            if (!haveCorrection) {
-                problem.linearise(u);
-                if (!correct(problem, correction)) {
-                    return false;
-                }
-                size = size(correction, u);
-                lastSize = size;
-                if (size == Double.POSITIVE_INFINITY) {
-                    return false;
-                }
+            if (!haveCorrection && !linearise(problem, u)) {
+                return false;
             }
-            double damping = 1;
-            double next;
-            while (true) {
-                for (int i = 0; i < n; i++) {
-                    trial[i] = u[i] + damping * correction[i];
-                }
-                problem.evaluate(trial, residual);
-                problem.rounding(trial, floor);
-                if (damping == 1 && isBelow(residual, floor)) {
-                    System.arraycopy(trial, 0, u, 0, n);
-                    return true;
-                }
-                next = FiniteCheck.firstNonFinite(residual) < 0 && correct(problem, nextCorrection)
-                        ? size(nextCorrection, trial) : Double.POSITIVE_INFINITY;
-                if (next <= (1 - damping / 4) * size) {
-                    break;
-                }
-                if (size <= TOLERANCE) {
-                    return true;                        // no correction improves it any more: rounding
-                }
-                damping /= 2;
-                if (damping < SMALLEST_DAMPING) {
-                    return false;
-                }
+            Outcome outcome = take(problem, u);
+            if (outcome != Outcome.TAKEN) {
+                return outcome == Outcome.SOLVED;
             }
-            System.arraycopy(trial, 0, u, 0, n);
-            haveCorrection = damping == 1 && next <= GOOD_CONTRACTION * size;
-            if (damping == 1 && (next <= POLISHED || next <= TOLERANCE && !haveCorrection)) {
-                for (int i = 0; i < n; i++) {
+            haveCorrection = damping == 1 && nextSize <= GOOD_CONTRACTION * size;
+            // A linear solver that goes by all residuals together may leave small corrections out until large ones are done.
+            if (damping == 1 && (nextSize <= POLISHED || !fine && nextSize <= TOLERANCE && !haveCorrection)) {
+                left = Residuals.areBelow(residual, floor, NEAR) ? 0 : Corrections.ownSize(nextCorrection, u, scale);
+                for (int i = 0; i < u.length; i++) {
                     u[i] += nextCorrection[i];
                 }
                 return true;
@@ -113,11 +94,97 @@ final class Newton {
                 double[] swap = correction;
                 correction = nextCorrection;
                 nextCorrection = swap;
-                size = next;
-                lastSize = size;
+                size = nextSize;
             }
         }
         return false;
+    }
+
+    /**
+     * Goes on for small unknowns beside large ones, where rounding of the large ones hides them: residuals that are rounding
+     * count as 0, and every correction beside how large the unknown is that it is for, however small. Where that leaves one
+     * much smaller than it was, it is done once more; no more, since what should be 0 becomes ever smaller.
+     */
+    private boolean refine(NewtonProblem problem, double[] u) {
+        fine = true;
+        for (int round = 0; round < 2 && left > TOLERANCE; round++) {
+            for (int i = 0; i < u.length; i++) {
+                first[i] = Math.max(Math.abs(scale[i]), Math.abs(u[i]));
+            }
+            problem.evaluate(u, residual);
+            if (round == 0) {
+                problem.refine(u);
+            }
+            dropRounding(problem, u);
+            if (Residuals.areZero(residual)) {
+                return true;
+            }
+            if (!Residuals.areFinite(residual) || !iterate(problem, u)) {
+                evaluate(problem, u);                   // it may be that no correction improves what is good enough
+                return Residuals.areZero(residual);
+            }
+        }
+        return true;
+    }
+
+    private void evaluate(NewtonProblem problem, double[] at) {
+        problem.evaluate(at, residual);
+        dropRounding(problem, at);
+    }
+
+    private void dropRounding(NewtonProblem problem, double[] at) {
+        problem.rounding(at, floor);
+        if (fine) {
+            Residuals.drop(residual, floor, NEAR);
+        }
+    }
+
+    private double measure(double[] values, double[] at) {
+        return fine ? Corrections.ownSize(values, at, first) : Corrections.size(values, at, first);
+    }
+
+    /** Sets the matrix up anew and computes the correction that it asks for; false if there is none. */
+    private boolean linearise(NewtonProblem problem, double[] u) {
+        problem.linearise(u);
+        noCorrection = !Corrections.compute(problem, residual, correction);
+        if (noCorrection) {
+            return false;
+        }
+        size = measure(correction, u);
+        return size != Double.POSITIVE_INFINITY;
+    }
+
+    private enum Outcome { TAKEN, SOLVED, NO_WAY }
+
+    /**
+     * Takes the correction, or so much of it that the next one is smaller. Leaves the next one and its size, and how much
+     * was taken.
+     */
+    private Outcome take(NewtonProblem problem, double[] u) {
+        int n = u.length;
+        for (damping = 1; damping >= SMALLEST_DAMPING; damping /= 2) {
+            for (int i = 0; i < n; i++) {
+                trial[i] = u[i] + damping * correction[i];
+            }
+            evaluate(problem, trial);
+            if (damping == 1 && Residuals.areBelow(residual, floor, 1)) {
+                System.arraycopy(trial, 0, u, 0, n);
+                left = 0;
+                return Outcome.SOLVED;
+            }
+            nextSize = Residuals.areFinite(residual) && Corrections.compute(problem, residual, nextCorrection)
+                    ? measure(nextCorrection, trial) : Double.POSITIVE_INFINITY;
+            if (nextSize <= (1 - damping / 4) * size) {
+                System.arraycopy(trial, 0, u, 0, n);
+                return Outcome.TAKEN;
+            }
+            if (size <= TOLERANCE) {
+                boolean trusted = fine || Residuals.areBelow(residual, floor, NEAR);
+                left = trusted ? Corrections.ownSize(correction, u, scale) : Double.MAX_VALUE;
+                return Outcome.SOLVED;                  // no correction improves it any more: rounding
+            }
+        }
+        return Outcome.NO_WAY;
     }
 
     /**
@@ -135,11 +202,11 @@ final class Newton {
         for (int i = 0; i < MOST_DESCENTS; i++) {
             all++;
             work.newtonIterations++;
-            if (!problem.lineariseDefinite(u) || !correct(problem, correction)) {
+            if (!problem.lineariseDefinite(u) || !Corrections.compute(problem, residual, correction)) {
                 return false;
             }
-            double size = size(correction, u);
-            if (size < goal) {
+            double length = Corrections.size(correction, u, first);
+            if (length < goal) {
                 System.arraycopy(u, 0, reached, 0, u.length);
                 if (solve(problem, u, scale)) {
                     return true;
@@ -147,10 +214,10 @@ final class Newton {
                 System.arraycopy(reached, 0, u, 0, u.length);
                 problem.evaluate(u, residual);
                 problem.lineariseDefinite(u);
-                if (!correct(problem, correction)) {
+                if (!Corrections.compute(problem, residual, correction)) {
                     return false;
                 }
-                goal = size / 10;
+                goal = length / 10;
             }
             if (!goDown(problem, u)) {
                 iterations = all;
@@ -186,16 +253,18 @@ final class Newton {
         fit(problem.size());
         iterations = 1;
         work.newtonIterations++;
-        lastSize = Double.POSITIVE_INFINITY;
+        size = Double.POSITIVE_INFINITY;
+        noCorrection = false;
         problem.evaluate(u, residual);
-        if (isZero(residual)) {
+        if (Residuals.areZero(residual)) {
             return true;
         }
-        if (FiniteCheck.firstNonFinite(residual) >= 0) {
+        if (!Residuals.areFinite(residual)) {
             return false;
         }
         problem.linearise(u);
-        if (!correct(problem, correction)) {
+        noCorrection = !Corrections.compute(problem, residual, correction);
+        if (noCorrection) {
             return false;
         }
         for (int i = 0; i < u.length; i++) {
@@ -204,73 +273,16 @@ final class Newton {
         return true;
     }
 
-    /** A residual whose square would under- or overflow is scaled for the linear solver. */
-    private boolean correct(NewtonProblem problem, double[] result) {
-        double largest = 0;
-        for (double r : residual) {
-            largest = Math.max(largest, Math.abs(r));
-        }
-        if (largest > SMALLEST_UNSCALED && largest < LARGEST_UNSCALED || largest == 0) {
-            return problem.correct(residual, result);
-        }
-        for (int i = 0; i < residual.length; i++) {
-            residual[i] /= largest;
-        }
-        boolean solved = problem.correct(residual, result);
-        for (int i = 0; i < residual.length; i++) {
-            residual[i] *= largest;
-            result[i] *= largest;
-        }
-        return solved;
-    }
-
     /** What the last failure looked like, for a message. */
     String describeFailure() {
-        double largest = 0;
-        for (double r : residual) {
-            largest = Math.max(largest, Math.abs(r));
+        if (noCorrection) {
+            return String.format(Locale.ROOT, "the linear solver failed at Newton's iteration %d, with a largest residual of"
+                    + " %.2g: the matrix is singular or not finite, or GMRES did not converge", iterations,
+                    Corrections.largest(residual));
         }
         return String.format(Locale.ROOT, "Newton's iteration did not converge: after %d iterations the correction is %.2g"
-                + " of the unknowns (limit %.0e) and the largest residual %.2g", iterations, lastSize, TOLERANCE, largest);
-    }
-
-    /** The largest entry of a correction relative to the unknown that it corrects; infinite where that leaves the numbers. */
-    private double size(double[] correction, double[] u) {
-        double largest = 0;
-        for (int i = 0; i < u.length; i++) {
-            double magnitude = Math.max(Math.abs(u[i]), Math.abs(u[i] + correction[i]));
-            largest = Math.max(largest, Math.max(magnitude, Math.abs(first[i])));
-        }
-        if (!(largest <= Double.MAX_VALUE)) {
-            return Double.POSITIVE_INFINITY;            // nothing is small beside a number that is none
-        }
-        double size = 0;
-        for (int i = 0; i < u.length; i++) {
-            if (correction[i] != 0) {
-                double magnitude = Math.max(Math.abs(u[i]), Math.abs(u[i] + correction[i]));
-                magnitude = Math.max(Math.max(magnitude, Math.abs(first[i])), SMALL_ENTRY * largest);
-                size = Math.max(size, Math.abs(correction[i]) / magnitude);
-            }
-        }
-        return size;
-    }
-
-    private static boolean isZero(double[] values) {
-        for (double value : values) {
-            if (value != 0) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private static boolean isBelow(double[] values, double[] limits) {
-        for (int i = 0; i < values.length; i++) {
-            if (!(Math.abs(values[i]) <= limits[i])) {
-                return false;
-            }
-        }
-        return true;
+                + " of the unknowns (limit %.0e) and the largest residual %.2g", iterations, size, TOLERANCE,
+                Corrections.largest(residual));
     }
 
     private void fit(int n) {

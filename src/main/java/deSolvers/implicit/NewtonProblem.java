@@ -33,4 +33,11 @@ interface NewtonProblem {
 
     /** How large rounding errors make a residual at u, entry by entry, by the last linearisation. */
     void rounding(double[] u, double[] floor);
+
+    /**
+     * Prepares for what is left of small unknowns at u, the place of the last {@link #evaluate}, when the large ones are
+     * solved. It may move the source.
+     */
+    default void refine(double[] u) {
+    }
 }

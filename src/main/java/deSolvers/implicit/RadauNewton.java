@@ -28,7 +28,9 @@ final class RadauNewton {
     private final double[] correction;
     private final double[] complexRight;
     private final double[] complexCorrection;
-    private final double[] change;
+    private double[][] change;                          // of w: the last correction
+    private double[][] changeBefore;
+    private final double[] magnitude;                   // how large each entry is within the sub-step
     private int iterations;
     private double rate;
 
@@ -43,7 +45,9 @@ final class RadauNewton {
         correction = new double[n];
         complexRight = new double[2 * n];
         complexCorrection = new double[2 * n];
-        change = new double[n];
+        change = new double[3][n];
+        changeBefore = new double[3][n];
+        magnitude = new double[n];
     }
 
     /**
@@ -53,34 +57,26 @@ final class RadauNewton {
      * @return whether it converged
      */
     boolean solve(GuardedStep source, RadauSystems systems, double[] state, double offset, double h, double[][] z) {
-        int n = state.length;
-        double enough = Math.max(Math.min(MOST_LEFT, Math.sqrt(tolerance.relative())),
-                10 * Math.ulp(1.0) * tolerance.size(state, state));     // no less than rounding
         RadauTableau.transform(true, z, w);
-        double sizeBefore = 0;
         rate = 0;
         for (iterations = 1; iterations <= MOST_ITERATIONS; iterations++) {
             work.newtonIterations++;
             if (!evaluate(source, state, offset, h, z) || !correct(systems, h)) {
                 return false;
             }
-            double size = 0;
-            for (int k = 0; k < 3; k++) {
-                for (int i = 0; i < n; i++) {
-                    change[i] = k == 0 ? correction[i] : complexCorrection[2 * i + k - 1];
-                    w[k][i] += change[i];
-                }
-                size = Math.max(size, tolerance.size(change, state));
-            }
+            take();
+            RadauTableau.transform(false, w, z);
+            measure(state, z);
+            double size = size(change);
             if (!(size <= Double.MAX_VALUE)) {
                 return false;
             }
-            RadauTableau.transform(false, w, z);
             if (size == 0) {
                 return true;
             }
             if (iterations > 1) {
-                rate = size / sizeBefore;
+                double enough = enough();
+                rate = size / size(changeBefore);       // both by the same measure, which has grown with what diverges
                 if (rate < 1 && rate / (1 - rate) * size < enough) {
                     return true;
                 }
@@ -89,9 +85,49 @@ final class RadauNewton {
                     return false;
                 }
             }
-            sizeBefore = size;
         }
         return false;
+    }
+
+    /** Adds the correction to w. */
+    private void take() {
+        double[][] swap = changeBefore;
+        changeBefore = change;
+        change = swap;
+        for (int i = 0; i < correction.length; i++) {
+            change[0][i] = correction[i];
+            change[1][i] = complexCorrection[2 * i];
+            change[2][i] = complexCorrection[2 * i + 1];
+            for (int k = 0; k < 3; k++) {
+                w[k][i] += change[k][i];
+            }
+        }
+    }
+
+    /**
+     * How large the entries are within the sub-step: what a correction is measured by, as the error is, so that an entry
+     * that begins at 0 does not have to be exact where there is no absolute tolerance.
+     */
+    private void measure(double[] state, double[][] z) {
+        for (int i = 0; i < state.length; i++) {
+            double moved = Math.max(Math.abs(state[i] + z[0][i]), Math.abs(state[i] + z[1][i]));
+            magnitude[i] = Math.max(Math.max(Math.abs(state[i]), Math.abs(state[i] + z[2][i])), moved);
+        }
+    }
+
+    /** The largest of the corrections of the three variables, in units of the tolerance. */
+    private double size(double[][] corrections) {
+        double size = 0;
+        for (double[] values : corrections) {
+            size = Math.max(size, tolerance.size(values, magnitude));
+        }
+        return size;
+    }
+
+    /** How much may be left, by the entry whose tolerance is strictest beside its size; no less than rounding. */
+    private double enough() {
+        double strictest = tolerance.size(magnitude, magnitude);
+        return Math.max(Math.min(MOST_LEFT, Math.sqrt(1 / strictest)), 10 * Math.ulp(1.0) * strictest);
     }
 
     private static double power(double base, int exponent) {

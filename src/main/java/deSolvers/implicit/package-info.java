@@ -7,7 +7,8 @@
  * it by Newton's method, and the size and kind of the source decide what the linear systems are:
  * <ul>
  * <li>small sources of any kind: the dense matrix I - g J, factorised (EJML); J from the source or by differences;</li>
- * <li>large ones: products J w only, from the source or by one difference each, and GMRES;</li>
+ * <li>large ones: products J w only, from the source or by one difference each, and GMRES; where that fails, the full matrix
+ *     after all, up to 2000 rows;</li>
  * <li>particles in space that offer the 3 x 3 blocks of their force derivatives: the velocities are the only unknowns,
  *     their matrix M - g dF/dv - g<sup>2</sup> dF/dx is sparse, and symmetric where the forces have a potential. Conjugate
  *     gradients solve it while it is positive definite and not too ill-conditioned; otherwise GMRES, or a sparse
@@ -24,6 +25,13 @@
  * gradients to GMRES. Where Newton's iteration, damped by Deuflhard's monotonicity test, finds no way, a matrix without
  * the outward pushing parts leads down in energy until it does; and where even that fails, the solution is followed from
  * g = 0 to its full value. All three end with the exact matrix, at a solution of the nonlinear equation.
+ *
+ * <p>Convergence is judged for each unknown by its own size, where what is left of its equation is more than 100 times the
+ * rounding of the equation's own terms: an entry of 1e-3 beside one of 1e12 is right to 4e-14. Limits remain. Conjugate
+ * gradients and GMRES reduce all residuals together and may leave small corrections out: by GMRES, entries 12 powers of ten
+ * below others were right to 1e-12, but of some 14 powers below one was accepted that was 6e-5 off. An entry
+ * that should be 0 is followed down twice by ten digits and then left. And rounding inside f that its derivative does not show, as of (x + 1e8) - 1e8, counts as an error
+ * where it is more than 1e-10 of a small entry: such a step ends in an exception.
  *
  * <p>Reference: E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996;
  * P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004; D. Baraff, A. Witkin, <i>Large Steps in Cloth

@@ -46,6 +46,16 @@ class SolverCatalogTest {
         }
     }
 
+    /** A solver whose class fails already. */
+    public static final class Unloadable extends DESolver {
+        static final int[] WEIGHTS = {1, 2};
+        static final int SUM = WEIGHTS[0] + WEIGHTS[1] + WEIGHTS[2];
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+        }
+    }
+
     @Test
     void everyEntryIsMadeAndSaysWhatItIs() {
         assertEquals("euler", SolverCatalog.names().get(0));
@@ -120,6 +130,13 @@ class SolverCatalogTest {
         assertRefused(Unmakeable.class.getName(), "constructor without parameters");
         assertRefused("deSolvers.DESolver", "not abstract");
         assertRefused(Failing.class.getName(), "no luck");
+    }
+
+    @Test
+    void aClassThatCannotBeLoadedIsRefusedTheSecondTimeToo() {
+        String name = Unloadable.class.getName();
+        assertRefused(name, "cannot be loaded: java.lang.ArrayIndexOutOfBoundsException: Index 2 out of bounds for length 2");
+        assertRefused(name, "cannot be loaded: ");
     }
 
     private static void assertRefused(String name, String reason) {

@@ -136,17 +136,44 @@ class NewtonTest {
         assertEquals(solved, solve(known, new double[] {1}));
     }
 
-    /** Relative to the unknown, or to what it was, or to a thousandth of the largest. */
+    /** Relative to the unknown, or to what it was. */
     @ParameterizedTest
     @CsvSource({"1, 0, 0.99e-10, true", "1, 0, 1.01e-10, false", "0, 1, 0.99e-10, true", "0, 1, 1.01e-10, false",
-        "1e-6, 1e3, 0.99e-7, true", "1e-6, 1e3, 1.01e-7, false", "-4, 1, 3.99e-10, true", "-4, 1, 4.01e-10, false"})
+        "-4, 1, 3.99e-10, true", "-4, 1, 4.01e-10, false", "1e-6, 1e-9, 0.99e-16, true", "1e-6, 1e-9, 1.01e-16, false"})
     void correctionsAreJudgedBesideTheUnknowns(double value, double scale, double noise, boolean solved) {
         EquationsOfOne one = new EquationsOfOne(1, u -> noise, u -> 1);
         assertEquals(solved, newton.solve(one, new double[] {value}, new double[] {scale}));
-        // Two unknowns, the second a million times smaller: a thousandth of the first is what it is judged by.
-        double large = Math.max(Math.abs(value), scale);
-        EquationsOfOne two = new EquationsOfOne(2, u -> Math.abs(u) > 0.5 * large ? 0 : noise * 1e-3, u -> 1);
-        assertEquals(solved, newton.solve(two, new double[] {large, 0}, new double[] {0, 0}));
+        // A second unknown, larger by any factor, makes no difference.
+        for (double large : new double[] {10, 1e6, 1e15}) {
+            EquationsOfOne two = new EquationsOfOne(2, u -> Math.abs(u) == large ? 0 : noise, u -> 1);
+            assertEquals(solved, newton.solve(two, new double[] {large, value}, new double[] {large, scale}));
+        }
+    }
+
+    /** 2 y^2 = 2e-12 beside an unknown up to 1e18 times larger: y = 1e-6 as if alone, unless its residual is rounding. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-6, 1, 1e3, 1e6, 1e12})
+    void aSmallUnknownBesideALargeOneIsRight(double large) {
+        EquationsOfOne two = new EquationsOfOne(2, u -> Math.abs(u) < 1e-5 ? 2e-12 - 2 * u * u : 0, u -> 4 * u);
+        double[] u = {large, 3e-6};
+        assertTrue(newton.solve(two, u, u.clone()));
+        assertEquals(1e-6, u[1], 1e-17);                // measured at most 1.1e-18
+        EquationsOfOne rounded = new EquationsOfOne(2, v -> Math.abs(v) < 1e-5 ? 2e-12 - 2 * v * v : 0, v -> 4 * v);
+        rounded.floor = 1e-11;
+        double[] start = {1e12, 3e-6};
+        assertTrue(newton.solve(rounded, start, start.clone()));
+        assertTrue(Math.abs(start[1]) < 4e-6, "anywhere");
+    }
+
+    /** An entry that should be 0 becomes smaller with each correction and never relatively exact: two rounds are enough. */
+    @Test
+    void whatShouldBeZeroDoesNotHaveToBe() {
+        EquationsOfOne two = new EquationsOfOne(2, u -> u > 0.5 ? 1 - u : -u, u -> u > 0.5 ? 1 : 1 + 1e-12);
+        double[] u = {2, 1e-3};
+        assertTrue(newton.solve(two, u, new double[] {1, 0}));
+        assertEquals(1, u[0]);
+        assertTrue(Math.abs(u[1]) < 1e-26 && u[1] != 0, "left " + u[1]);        // 1e-12 of it is left each time
+        assertTrue(work.newtonIterations < 8, "iterations " + work.newtonIterations);
     }
 
     /** Beside where the largest unknown goes, too: one goes from 1 to 2, and one of 0.0015 is judged by a thousandth of 2. */

@@ -157,4 +157,24 @@ class RadauNewtonTest {
         assertFalse(solve(s -> -s, 2, new Scalar(Double.NaN, true, true), new Tolerance(1e-6, 0)));
         assertEquals(1, work.newtonIterations);
     }
+
+    /**
+     * An entry at 0 is judged by how far it moves, and by 0 only where it stays there: s' = 2 - s from 0. Without a relative
+     * tolerance what may be left is a hundredth of the absolute one, or less by its ratio to where the entry gets.
+     */
+    @Test
+    void anEntryAtZeroIsJudgedByWhereItGoes() {
+        for (double[] pair : new double[][] {{1e-6, 0}, {0, 1e-6}, {0, 1e-3}}) {
+            for (double jacobian : new double[] {-1, -1.02, -0.98, -0.95}) {
+                assertTrue(solve(s -> 2 - s, 0, new Scalar(jacobian, true, true), new Tolerance(pair[0], pair[1])));
+                double end = 2 - 2 * factor(-H);
+                double allowed = pair[1] + pair[0] * end;
+                double left = Math.abs(z[2][0] - end);
+                double part = Math.min(0.01, Math.sqrt(allowed / end));
+                // Measured 0.07, 0.05 and 1.14 of it: it is a bound for w, and z = T w.
+                assertTrue(left < 2 * part * allowed, jacobian + ": " + left + " of " + allowed);
+                assertTrue(jacobian != -1 || newton.iterations() == 2, "the right one ends at once");
+            }
+        }
+    }
 }

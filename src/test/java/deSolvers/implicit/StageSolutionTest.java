@@ -133,7 +133,7 @@ class StageSolutionTest {
     void theCauseIsTold() {
         Scalar wall = new Scalar(1, s -> s > 1 ? Double.NaN : 1);
         DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(wall, 0.5));
-        assertTrue(e.getMessage().contains("Newton's iteration did not converge"), e.getMessage());
+        assertTrue(e.getMessage().contains("the linear solver failed at Newton's iteration 1"), e.getMessage());
         Scalar none = new Scalar(1, s -> Double.NaN);
         e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(none, 0.5));
         assertTrue(e.getMessage().contains("entry 0 of the derivative is NaN at t = 0.0"), e.getMessage());
@@ -206,7 +206,7 @@ class StageSolutionTest {
         problem.evaluate(new double[] {-5}, new double[1]);
         double[] floor = new double[1];
         problem.rounding(new double[] {-5}, floor);
-        assertEquals(2 * Math.ulp(1.0) * (2 + 5 + 0.5 * 15), floor[0], 1e-30);
+        assertEquals(2 * Math.ulp(1.0) * (2 + 5 + 0.5 * 15), floor[0], 1e-27);
         problem.linearise(new double[] {-5});
         assertEquals(1, work.jacobians);
     }

@@ -1,0 +1,195 @@
+package deSolvers.implicit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.JacobianStateSource;
+import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Robertson;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Small unknowns beside large ones: each is as right as if it were alone, or an exception says that it is not. */
+class SmallUnknownsTest {
+
+    /** A law that is told. */
+    private static class Law extends ReferenceProblem {
+        private final double[] start;
+        private final Rates rates;
+
+        interface Rates {
+            void of(double[] s, double[] dSdt);
+        }
+
+        Law(Rates rates, double... start) {
+            super(start.length);
+            this.rates = rates;
+            this.start = start;
+            startAt(0);
+        }
+
+        @Override
+        public double[] exactState(double t) {
+            return start.clone();
+        }
+
+        @Override
+        protected void rates(double t, double[] s, double[] dSdt) {
+            rates.of(s, dSdt);
+        }
+    }
+
+    /** m = s + g f(m) for a falling f, by bisection. */
+    private static double root(double s, double g, DoubleUnaryOperator f, double low, double high) {
+        for (int i = 0; i < 200; i++) {
+            double middle = (low + high) / 2;
+            if (s + g * f.applyAsDouble(middle) > middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return (low + high) / 2;
+    }
+
+    /** y' = -1e6 y^3/y0^2 beside a constant: judged by a part of the constant, 80 % off at 1e8, and unmoved at 1e12. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1, 1e3, 1e5, 1e7, 1e8, 1e10, 1e12})
+    void aDecayBesideAConstant(double constant) {
+        for (double start : new double[] {1, 1e-3}) {
+            DoubleUnaryOperator f = y -> -1e6 / (start * start) * y * y * y;
+            Law law = new Law((s, dSdt) -> {
+                dSdt[0] = f.applyAsDouble(s[0]);
+                dSdt[1] = 0;
+            }, start, constant);
+            new BackwardEulerSolver().stepState(law, 0.1);
+            double exact = root(start, 0.1, f, 0, start);
+            assertEquals(1, law.state()[0] / exact, 4e-13);         // measured at most 3.8e-14
+            assertEquals(constant, law.state()[1]);
+            assertTrue(law.evaluations() <= 50, law.evaluations() + " evaluations");       // measured 40 to 47, alone 42
+        }
+    }
+
+    /** Drag of the square of the velocity, 150 million kilometres from the origin. */
+    @ParameterizedTest
+    @CsvSource({"0, false", "6.4e6, false", "1.5e11, false", "0, true", "6.4e6, true", "1.5e11, true"})
+    void dragFarFromTheOrigin(double x, boolean midpoint) {
+        double c = 1e4;
+        Law law = new Law((s, dSdt) -> {
+            dSdt[0] = s[1];
+            dSdt[1] = -c * s[1] * Math.abs(s[1]);
+        }, x, 0.1);
+        DESolver solver = midpoint ? new ImplicitMidpointSolver() : new BackwardEulerSolver();
+        solver.stepState(law, 0.1);
+        double g = midpoint ? 0.05 : 0.1;
+        double middle = (Math.sqrt(1 + 4 * g * c * 0.1) - 1) / (2 * g * c);
+        double exact = midpoint ? 2 * middle - 0.1 : middle;
+        assertEquals(1, law.state()[1] / exact, 2e-12);             // measured at most 2.0e-13
+        assertTrue(law.evaluations() <= 25, law.evaluations() + " evaluations");           // measured 20 to 23
+    }
+
+    /** v' = -5 sign v, whose equation has no solution: no distance makes one of it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1, 1e4, 1e6, 1e9, 1e12})
+    void dryFrictionHasNoSolutionAnywhere(double x) {
+        for (DESolver solver : new DESolver[] {new BackwardEulerSolver(), new ImplicitMidpointSolver()}) {
+            Law law = new Law((s, dSdt) -> {
+                dSdt[0] = s[1];
+                dSdt[1] = -5 * Math.signum(s[1]);
+            }, x, 0.1);
+            assertThrows(DESolverException.class, () -> solver.stepState(law, 0.1));
+            assertTrue(law.evaluations() < 2000, law.evaluations() + " evaluations");      // measured 819 to 983
+        }
+    }
+
+    /** A chemical step of thirty years: the middle one of three species is 1e-10 of the others, and is right or refused. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e6, 1e8, 1e9, 1e11})
+    void aReactionIsSolvedForEachSpeciesOrRefused(double h) {
+        Robertson robertson = new Robertson();
+        double[] before = robertson.state();
+        if (h >= 1e9) {
+            assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(robertson, h));
+            return;
+        }
+        new BackwardEulerSolver().stepState(robertson, h);
+        double[] s = robertson.state();
+        double made = 0.04 * s[0];
+        double left = before[1] - s[1] + h * (made - 1e4 * s[1] * s[2] - 3e7 * s[1] * s[1]);
+        assertEquals(0, left / (h * made), 1e-14);                  // measured 1e-16
+    }
+
+    /** 301 pairs of a large and a small entry, 12 powers of ten apart, by GMRES: by differences and by products. */
+    @ParameterizedTest
+    @CsvSource({"1e3, 1e-3, 1", "1e3, 1e-3, 301", "1e6, 1e-6, 301", "1e8, 1e-6, 1"})
+    void smallEntriesOfALargeSystem(double large, double small, int pairs) {
+        DoubleUnaryOperator f = y -> -100 * (y - small) * (1 + (y - small) * (y - small) / (small * small));
+        DoubleUnaryOperator slope = y -> -100 - 300 * (y - small) * (y - small) / (small * small);
+        double[] start = new double[2 * pairs];
+        for (int i = 0; i < start.length; i += 2) {
+            start[i] = large * (1 + i * 1e-3);
+            start[i + 1] = 3 * small;
+        }
+        double exact = root(3 * small, 0.1, f, small, 3 * small);
+        Law.Rates rates = (s, dSdt) -> {
+            for (int i = 0; i < s.length; i += 2) {
+                dSdt[i] = -50 * s[i] * (1 + s[i] * s[i] / (large * large));
+                dSdt[i + 1] = f.applyAsDouble(s[i + 1]);
+            }
+        };
+        final class Known extends Law implements JacobianStateSource {
+            Known() {
+                super(rates, start);
+            }
+
+            @Override
+            public void getJacobianProduct(double[] w, double[] product) {
+                double[] s = state();
+                for (int i = 0; i < s.length; i += 2) {
+                    product[i] = (-50 - 150 * s[i] * s[i] / (large * large)) * w[i];
+                    product[i + 1] = slope.applyAsDouble(s[i + 1]) * w[i + 1];
+                }
+            }
+        }
+        for (Law law : new Law[] {new Law(rates, start), new Known()}) {
+            new BackwardEulerSolver().stepState(law, 0.1);
+            for (int i = 1; i < start.length; i += 2) {
+                assertEquals(1, law.state()[i] / exact, 1e-12, "entry " + i);
+            }
+            // Measured up to 27, and 110 for the large system; where GMRES does not get there by differences, 602 for each full
+            // matrix: 3336.
+            assertTrue(law.evaluations() < (pairs > 1 && large > 1e3 ? 4000 : 200), law.evaluations() + " evaluations");
+        }
+    }
+
+    /** Where GMRES fails, at k = 1e6 and without blocks, a full matrix of some hundred rows serves. */
+    @ParameterizedTest
+    @ValueSource(ints = {100, 101, 120})
+    void whereGmresFailsAFullMatrixServes(int n) {
+        BlockParticles particles = new BlockParticles(n, 1e6, true, JacobianStateSource.Blocks.NONE);
+        BackwardEulerSolver solver = new BackwardEulerSolver();
+        solver.stepState(particles, 0.05);
+        assertTrue(particles.evaluations() < 20, particles.evaluations() + " evaluations");
+        assertEquals(n > 100, solver.getWork().krylovIterations() > 0);
+        assertTrue(solver.getWork().factorisations() > 0);
+    }
+
+    /** Of a large system that GMRES cannot solve the message says so: each entry drives the next, around a circle. */
+    @Test
+    void theLinearSolversFailureIsTold() {
+        int n = ImplicitStage.LARGEST_FULL + 1;
+        Law shift = new Law((s, dSdt) -> {
+            for (int i = 0; i < n; i++) {
+                dSdt[i] = s[i] - s[(i + 1) % n] + (i == 0 ? 1 : 0);
+            }
+        }, new double[n]);
+        DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(shift, 1));
+        assertTrue(e.getMessage().contains("the linear solver failed at Newton's iteration 1"), e.getMessage());
+    }
+}
