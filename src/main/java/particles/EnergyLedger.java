@@ -10,7 +10,8 @@ import particles.Effect.Trait;
 /**
  * The account of a run's energy: kinetic, what effects store, and the work that was done on the system - by drag, damping,
  * wind, friction, moving anchors as it goes, by bounces, births and deaths at once. What the books do not explain is the
- * error of the numbers: {@link #getNumericalError()} answers "is this loss physics or numerics?".
+ * error of the numbers: {@link #getNumericalError()} answers "is this loss physics or numerics?". Rods, wires and surfaces
+ * that stand still do no work, so that what a step's error or its correction changes of the energy there is an error too.
  *
  * <p>Powers are integrated over each smooth piece of motion by Simpson's rule, from both ends and the middle of the cubic
  * between them: an error of O(h<sup>4</sup>), so that the remainder shows the order of any solver up to 4. The ledger
@@ -94,7 +95,9 @@ public final class EnergyLedger implements Observer {
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         double after = system.getEnergy(system.getOwnState(), system.getTime());
-        jumps.merge(rule.getName(), after - energy, Double::sum);
+        if (!rule.isCorrection()) {
+            jumps.merge(rule.getName(), after - energy, Double::sum);
+        }
         energy = after;
         powersKnown = false;
     }

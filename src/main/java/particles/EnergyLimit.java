@@ -14,7 +14,7 @@ record EnergyLimit(double joules) {
         }
     }
 
-    /** @throws SimulationException if the system is beyond it; names the fastest particle */
+    /** @throws BlowUpException if the system is beyond it; names the fastest particle */
     void check(ParticleSystem system) {
         double[] state = system.getOwnState();
         double energy = system.getKineticEnergy(state);
@@ -22,9 +22,9 @@ record EnergyLimit(double joules) {
             return;
         }
         int fastest = fastest(system.getParticles(), state);
-        throw new SimulationException(system.getTime(), fastest, String.format(Locale.ROOT,
+        throw new BlowUpException(system.getTime(), fastest, String.format(Locale.ROOT,
                 "the kinetic energy is %.4g J, beyond the limit of %.4g J; the fastest particle is '%s'", energy, joules,
-                system.getParticles().id(fastest)), null);
+                system.getParticles().id(fastest)));
     }
 
     private static int fastest(Particles particles, double[] state) {

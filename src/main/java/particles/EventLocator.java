@@ -1,6 +1,8 @@
 package particles;
 
 import deSolvers.DESolver;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -15,7 +17,11 @@ import java.util.Optional;
 final class EventLocator {
     private static final int MOST_TRIALS = 200;
 
+    private static final Comparator<Found> EARLIEST = Comparator.comparingDouble(found -> found.event().time());
+
     private final DESolver solver;
+    private final List<Found> candidates = new ArrayList<>();
+    private final List<EventRule.Event> ofRule = new ArrayList<>();
     private double[] begin = {};
     private double beginTime;
 
@@ -44,28 +50,41 @@ final class EventLocator {
         Optional<Found> first = Optional.empty();
         for (double end = Double.POSITIVE_INFINITY; motion.getEndTime() < end;) {
             end = motion.getEndTime();
-            Found earliest = null;
-            for (EventRule rule : rules) {
-                Optional<EventRule.Event> found = rule.findEvent(motion);
-                if (found.isPresent() && (earliest == null || found.get().time() < earliest.event().time())) {
-                    earliest = new Found(found.get(), rule);
-                }
-            }
-            if (earliest != null && locate(system, motion, earliest.event())) {
-                first = Optional.of(earliest);
+            Optional<Found> found = locateOne(system, motion, rules);
+            if (found.isPresent()) {
+                first = found;
                 motion.end();                           // and look again: may something else come before?
             }
         }
         return first;
     }
 
+    /** The earliest that does happen: what the cubic says in vain must not hide what comes after it. */
+    private Optional<Found> locateOne(ParticleSystem system, Motion motion, List<EventRule> rules) {
+        candidates.clear();
+        for (EventRule rule : rules) {
+            ofRule.clear();
+            rule.findEvents(motion, ofRule);
+            for (EventRule.Event event : ofRule) {
+                candidates.add(new Found(event, rule));
+            }
+        }
+        candidates.sort(EARLIEST);
+        for (Found candidate : candidates) {
+            if (locate(system, motion, candidate.event())) {
+                return Optional.of(candidate);
+            }
+        }
+        return Optional.empty();
+    }
+
     /**
-     * Leaves the system at the event: at the last moment before the function becomes negative.
+     * Leaves the system at the event: at the last moment before the function becomes negative, or the first after that.
      *
      * @param system  the system, anywhere
      * @param motion  the step in which an event was found; its beginning is where trials begin
      * @param event   what was found in it
-     * @return whether there is such a moment; if not, the system is back at the end of the motion
+     * @return whether there is such a moment; if not, the system is back at the end of the motion, to the last bit
      */
     private boolean locate(ParticleSystem system, Motion motion, EventRule.Event event) {
         begin = motion.getStartState();
@@ -95,18 +114,27 @@ final class EventLocator {
             highValue = valueAfter(system, event, high);
         }
         if (highValue > 0) {
-            step(system, longest);
+            system.setState(motion.getEndState());
+            system.setTime(motion.getEndTime());
             return false;
         }
         step(system, shrink(system, event, low, lowValue, high, highValue));
         return true;
     }
 
-    /** Shrinks the bracket to neighbouring times; returns the end before the event. */
+    /** Shrinks the bracket to neighbouring times; returns the end where the event happens. */
     private double shrink(ParticleSystem system, EventRule.Event event, double low, double lowValue, double high,
                           double highValue) {
         double resolution = Math.ulp(beginTime + high);
         int side = 0;
+        if (event.happensAfter() && high - resolution > low) {      // when found again, it is at the end already
+            double value = valueAfter(system, event, high - resolution);
+            if (value > 0) {
+                return high;
+            }
+            high -= resolution;
+            highValue = value;
+        }
         for (int trial = 0; trial < MOST_TRIALS && high - low > resolution && highValue < 0; trial++) {
             double h = low + (high - low) * (lowValue / (lowValue - highValue));
             if (trial % 8 == 7 || !(h > low && h < high)) {
@@ -128,7 +156,7 @@ final class EventLocator {
                 side = -1;
             }
         }
-        return highValue == 0 ? high : low;
+        return highValue == 0 || event.happensAfter() ? high : low;
     }
 
     private double valueAfter(ParticleSystem system, EventRule.Event event, double h) {

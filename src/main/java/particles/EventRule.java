@@ -1,6 +1,6 @@
 package particles;
 
-import java.util.Optional;
+import java.util.List;
 
 /**
  * A rule that acts at exact times inside a step, "just on the plane": an impact, the end of sliding, the moment when a
@@ -21,6 +21,16 @@ public interface EventRule extends Rule {
         double value(ParticleSystem system);
 
         /**
+         * On which side of the sign change it happens: one rounding of the clock apart, but what has turned round or lets go
+         * goes on from there, and would do it again at once if it had not quite done it.
+         *
+         * @return false for the last moment before it, true for the first after it
+         */
+        default boolean happensAfter() {
+            return false;
+        }
+
+        /**
          * Lets it happen.
          *
          * @param system the system at the time of the event, to be changed
@@ -29,13 +39,14 @@ public interface EventRule extends Rule {
     }
 
     /**
-     * Looks for the first event in a motion.
+     * Looks for events in a motion. What only the cubic says need not be true: the loop tries by steps of the solver, the
+     * earliest first, and takes the first one whose function does change its sign.
      *
      * @param motion a step as it was made, whose end is the system's present state; its states and the cubic between them
      *               are to be looked at
-     * @return the first event, if there is any
+     * @param found  receives all that may have happened, in any order
      */
-    Optional<Event> findEvent(Motion motion);
+    void findEvents(Motion motion, List<Event> found);
 
     /**
      * Says where a solver may fail although neither the scene nor its step is to blame: where laws are about to change

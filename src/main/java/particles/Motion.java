@@ -19,12 +19,12 @@ public final class Motion {
             endState = new double[n];
         }
         this.system = system;
-        system.getState(startState);
+        System.arraycopy(system.getOwnState(), 0, startState, 0, n);
         startTime = system.getTime();
     }
 
     void end() {
-        system.getState(endState);
+        System.arraycopy(system.getOwnState(), 0, endState, 0, endState.length);
         endTime = system.getTime();
     }
 

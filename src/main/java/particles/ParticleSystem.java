@@ -42,14 +42,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
      * @throws IllegalArgumentException if mass, position or velocity cannot be
      */
     public int addParticle(String id, double mass, Vector3 position, Vector3 velocity, boolean fixed) {
-        if (!position.isFinite() || !velocity.isFinite()) {
-            throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity " + velocity
-                    + "; both have to be finite");
-        }
-        if (fixed && !velocity.isZero()) {
-            throw new IllegalArgumentException("particle '" + id + "' is fixed and has velocity " + velocity
-                    + "; a fixed particle's velocity is zero");
-        }
+        Particles.requirePossible(id, position, velocity, fixed);
         int i = particles.add(id, mass, fixed, time);
         int needed = STRIDE * particles.count();
         if (state.length < needed) {
@@ -96,18 +89,16 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Lets a fixed particle follow a given motion. The solver moves it like the others, by the velocity in its state and the
-     * motion's acceleration, so that every stage finds it where the method says.
+     * Lets a fixed particle follow a given motion, exactly: it is where the motion is at the clock's time, for the forces at
+     * every stage of a step too. It is no unknown: solvers see zeros in its place that stay zeros, and what they set there
+     * is ignored.
      *
      * @param particle the index of a fixed particle
      * @param motion   where it is to be at each time
      * @throws IllegalArgumentException if the particle is not fixed
      */
     public void moveAnchor(int particle, AnchorMotion motion) {
-        if (!particles.isFixed(particle)) {
-            throw new IllegalArgumentException("particle '" + particles.id(particle)
-                    + "' is free; only a fixed one can follow a given motion");
-        }
+        particles.requireFixed(particle);
         anchors.add(particle, motion, state, time);
     }
 
@@ -128,8 +119,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /**
      * @param time          t (s)
-     * @param accelerations receives the accelerations of the moving anchors (m/s&sup2;), where their velocities stand in the
-     *                      state; nothing else is touched
+     * @param accelerations receives those of the moving anchors (m/s&sup2;), where velocities stand in the state; no others
      */
     public void putAnchorAccelerations(double time, double[] accelerations) {
         anchors.accelerate(time, accelerations);
@@ -165,7 +155,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return Collections.unmodifiableList(reactions);
     }
 
-    /** @return the state itself, for rules: 6 doubles a particle, valid for all particles there are, not to be kept */
+    /** @return the state itself, for rules and observers: 6 doubles a particle, for all there are, not to be kept */
     public double[] getOwnState() {
         return state;
     }
@@ -194,11 +184,13 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     @Override
     public void getState(double[] state) {
         System.arraycopy(this.state, 0, state, 0, getStateSize());
+        anchors.hide(state);
     }
 
     @Override
     public void setState(double[] state) {
         System.arraycopy(state, 0, this.state, 0, getStateSize());
+        anchors.put(time, this.state);
     }
 
     @Override
@@ -209,11 +201,12 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /** Sets the clock to exactly this time; going back by a difference may miss it by a rounding. */
     void setTime(double time) {
         this.time = time;
+        anchors.put(time, state);
     }
 
     @Override
     public void incTime(double deltaT) {
-        time += deltaT;
+        setTime(time + deltaT);
     }
 
     @Override
@@ -224,16 +217,20 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     @Override
     public void getStateDerivative(double[] state, double[] dSdt) {
         evaluations++;
-        forces.derivative(state, time, dSdt);
-        anchors.accelerate(time, dSdt);
+        forces.derivative(anchors.shownIn(state, time, getStateSize()), time, dSdt);
+        anchors.hide(dSdt);
     }
 
     @Override
     public double[] getStateArray() {
+        trim();
+        return anchors.hiddenIn(state, state.length);
+    }
+
+    private void trim() {
         if (state.length != getStateSize()) {
             state = Arrays.copyOf(state, getStateSize());
         }
-        return state;
     }
 
     @Override
@@ -241,14 +238,17 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         if (state.length != getStateSize()) {
             throw new IllegalArgumentException("a state of " + state.length + " doubles for a system of " + getStateSize());
         }
-        double[] before = getStateArray();
+        trim();
+        double[] before = this.state;
         this.state = state;
+        anchors.put(time, state);
         return before;
     }
 
     @Override
     public void getJacobianProduct(double[] direction, double[] product) {
-        jacobian.multiply(state, time, direction, product);
+        jacobian.multiply(state, time, anchors.freePartOf(direction, getStateSize()), product);
+        anchors.hide(product);
     }
 
     @Override

@@ -20,6 +20,26 @@ public final class Particles {
     Particles() {
     }
 
+    /** Refuses places and velocities that cannot be. */
+    static void requirePossible(String id, Vector3 position, Vector3 velocity, boolean fixed) {
+        if (!position.isFinite() || !velocity.isFinite()) {
+            throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity " + velocity
+                    + "; both have to be finite");
+        }
+        if (fixed && !velocity.isZero()) {
+            throw new IllegalArgumentException("particle '" + id + "' is fixed and has velocity " + velocity
+                    + "; a fixed particle's velocity is zero");
+        }
+    }
+
+    /** Refuses to let a free particle follow a given motion. */
+    void requireFixed(int particle) {
+        if (!isFixed(particle)) {
+            throw new IllegalArgumentException("particle '" + id(particle)
+                    + "' is free; only a fixed one can follow a given motion");
+        }
+    }
+
     int add(String id, double mass, boolean fixed, double birthTime) {
         if (!(mass > 0) || !(mass <= Double.MAX_VALUE) || !(1 / mass <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("particle '" + id + "' has mass " + mass

@@ -45,7 +45,8 @@ public interface Reaction extends Remembering {
      * @param state the particles' state
      * @param time  t (s)
      * @param force the total force of all effects (N), without reactions
-     * @return the power of the reaction's forces (W): negative where friction turns it into heat, 0 for an ideal constraint
+     * @return the power that physics gives (W): negative where friction turns it into heat, that of moving anchors through
+     *         rods, 0 for rods, wires and surfaces that stand still, whatever a state that is not quite on them would give
      */
     double getPower(double[] state, double time, double[] force);
 

@@ -9,6 +9,11 @@ public interface Rule extends Remembering {
     /** @return the name in scenes and messages, such as {@code impacts} */
     String getName();
 
+    /** @return whether all it changes mends errors of the steps, so that energy that it gives or takes is an error as well */
+    default boolean isCorrection() {
+        return false;
+    }
+
     /**
      * Looks at the system before the first step and puts in order what the scene left open, such as which particles rest
      * on a plane from the start.

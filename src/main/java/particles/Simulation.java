@@ -5,7 +5,6 @@ import deSolvers.DESolverException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends at
@@ -14,10 +13,6 @@ import java.util.Optional;
 public final class Simulation {
     /** A last step longer than deltaT by no more than this part of it is rounding of the clock, not a step too many. */
     private static final double ROUNDING = 1e-6;
-    /** Far more than any sequence of ever smaller bounces has before it ends in rest. */
-    private static final int MOST_EVENTS = 100_000;
-    /** Of a step: less than any turn needs that is not a stop. */
-    private static final double SHORTEST_PIECE = 0x1p-40;
     /** Few enough to lose little, so many that a solver which begins anew after each costs nothing to speak of. */
     public static final int CHECKPOINT_STEPS = 500;
 
@@ -27,16 +22,13 @@ public final class Simulation {
     private final double duration;
     private final EnergyLimit energyLimit;
     private final List<Rule> rules = new ArrayList<>();
-    private final List<EventRule> eventRules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
     private final Audience audience = new Audience(observers);
+    private final EventSteps eventSteps;
     private double startTime;
     private long checkpointSteps = CHECKPOINT_STEPS;
     private Runnable checkpoint = () -> { };
-    private final Motion motion = new Motion();
-    private EventLocator locator;
     private long steps;
-    private long events;
 
     /**
      * @param system      what moves
@@ -58,6 +50,7 @@ public final class Simulation {
         this.deltaT = deltaT;
         this.duration = duration;
         this.energyLimit = new EnergyLimit(energyLimit);
+        this.eventSteps = new EventSteps(system, solver, audience);
     }
 
     /** @param rule to act after every step, after those added before */
@@ -73,10 +66,7 @@ public final class Simulation {
      */
     public void addEventRule(EventRule rule, DESolver searchSolver) {
         rules.add(rule);
-        eventRules.add(rule);
-        if (locator == null) {
-            locator = new EventLocator(searchSolver);
-        }
+        eventSteps.addRule(rule, searchSolver);
     }
 
     /** @return the rules, in the order in which they act; to be read only */
@@ -156,7 +146,7 @@ public final class Simulation {
     /** @param memory where all goes to that the rest of the run depends on, its observers' files included */
     public void remember(Memory memory) {
         steps = memory.keep(steps);
-        events = memory.keep(events);
+        eventSteps.remember(memory);
         system.remember(memory);
         rules.forEach(rule -> rule.remember(memory));
         observers.forEach(observer -> observer.remember(memory));
@@ -167,16 +157,16 @@ public final class Simulation {
             rule.beforeStep(system);
         }
         double end = system.getTime() + h;
-        boolean observed = !eventRules.isEmpty() || audience.isInterested(end + ROUNDING * deltaT);
+        boolean observed = eventSteps.areLookedFor() || audience.isInterested(end + ROUNDING * deltaT);
         try {
-            observed = move(h, end, observed);
+            observed = eventSteps.move(h, observed);
         } catch (DESolverException e) {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);
         }
         steps++;
         if (observed) {
-            audience.reportMotion(motion);
+            audience.reportMotion(eventSteps.getMotion());
         }
         boolean changed = false;
         for (Rule rule : rules) {
@@ -189,81 +179,6 @@ public final class Simulation {
             solver.reset();
         }
         energyLimit.check(system);
-    }
-
-    /**
-     * Moves to the end of the step, from event to event. Where the solver fails because the way may turn sharply ahead, it
-     * is taken in shorter pieces; where it may not, the failure is the solver's or the step's, and is said.
-     *
-     * @return whether the last motion was noted down
-     */
-    private boolean move(double h, double end, boolean observed) {
-        boolean noted = observed;
-        double left = h;
-        double length = h;
-        for (int inStep = 0; inStep <= MOST_EVENTS; inStep++) {
-            boolean stopped;
-            try {
-                stopped = moveOn(length, noted);
-            } catch (DESolverException e) {             // the system is back where the motion began
-                if (length < SHORTEST_PIECE * h || !mayTurnWithin(length)) {
-                    throw e;
-                }
-                solver.reset();
-                length /= 2;
-                continue;
-            }
-            if (!stopped && length == left) {
-                return noted;
-            }
-            if (!stopped) {
-                audience.reportMotion(motion);
-                solver.reset();
-                eventRules.forEach(rule -> rule.beforeStep(system));
-            }
-            noted = true;
-            left = end - system.getTime();
-            length = left;
-        }
-        throw new SimulationException(system.getTime(), -1, MOST_EVENTS + " impacts or changes of contact within one"
-                + " step of " + h + " s, and no end", null);
-    }
-
-    private boolean mayTurnWithin(double time) {
-        for (EventRule rule : eventRules) {
-            if (rule.mayTurnWithin(system, time)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Moves by h, or to the first event before that, and tells which. */
-    private boolean moveOn(double h, boolean observed) {
-        if (observed) {
-            motion.begin(system);
-        }
-        solver.stepState(system, h);
-        if (observed) {
-            motion.end();
-        }
-        return !eventRules.isEmpty() && stopAtEvent();
-    }
-
-    /** Takes the present motion back to its first event, if it has any, and lets the event happen there. */
-    private boolean stopAtEvent() {
-        Optional<EventLocator.Found> first = locator.locateFirst(system, motion, eventRules);
-        if (first.isEmpty()) {
-            return false;
-        }
-        events++;
-        if (motion.getEndTime() > motion.getStartTime()) {
-            audience.reportMotion(motion);
-        }
-        first.get().event().act(system);
-        solver.reset();
-        audience.reportChange(system, first.get().rule());
-        return true;
     }
 
     /** @return the system */
@@ -288,7 +203,7 @@ public final class Simulation {
 
     /** @return how many events were located so far */
     public long getEvents() {
-        return events;
+        return eventSteps.getEvents();
     }
 
     /** @return how many steps were made so far */

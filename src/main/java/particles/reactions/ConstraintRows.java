@@ -180,13 +180,13 @@ final class ConstraintRows {
         return sum;
     }
 
-    /** The rate of a row as far as free particles have a part in it: that of moving anchors is left out. */
-    double rateOfFree(int row, double[] state, double[] inverseMasses) {
+    /** The part that moving anchors have in the rate of a row: gradients times velocities of what forces do not move. */
+    double rateOfAnchors(int row, double[] state, double[] inverseMasses) {
         double sum = 0;
         for (int k = 0, g = 6 * row; k < (row < rods ? 2 : 1); k++, g += 3) {
             int i = k == 0 ? first(row) : second(row);
             int v = STRIDE * i + 3;
-            if (inverseMasses[i] != 0) {
+            if (inverseMasses[i] == 0) {
                 sum += gradient[g] * state[v] + gradient[g + 1] * state[v + 1] + gradient[g + 2] * state[v + 2];
             }
         }

@@ -57,18 +57,13 @@ final class ContactResponse {
         force[f + 2] += friction[2];
     }
 
-    /** The power of the answer for particle i (W), added to a sum. */
+    /** The power of the answer for particle i (W), added to a sum: friction's, as surfaces that stand still do no work. */
     double addPower(double sum, int i, double[] state, double[] force) {
-        double power = sum;
-        int count = respond(i, state, force);
+        if (respond(i, state, force) == 0) {
+            return sum;
+        }
         int v = STRIDE * i + 3;
-        for (int p = 0; p < count; p++) {
-            power += push[p] * (normals[p].x() * state[v] + normals[p].y() * state[v + 1] + normals[p].z() * state[v + 2]);
-        }
-        if (count > 0) {
-            power += friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
-        }
-        return power;
+        return sum + friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
     }
 
     void addDerivatives(int i, double[] state, double[] force, ForceDerivatives derivatives) {

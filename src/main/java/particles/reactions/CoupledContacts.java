@@ -1,6 +1,7 @@
 package particles.reactions;
 
 import java.util.Arrays;
+import java.util.Optional;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.SimulationException;
@@ -41,45 +42,56 @@ final class CoupledContacts {
     /**
      * Solves a linkage if it touches anything. The rows have to be evaluated.
      *
-     * @param held   a particle to be held still although it does not stick, or -1
      * @param force  the forces of all effects (N)
      * @param lambda receives what rods and wires carry, by row
      * @return false if nothing is touched, and nothing was done
      * @throws SimulationException if there are no forces that keep all conditions
      */
-    boolean solve(Linkage linkage, double[] state, double time, double[] force, int held, double[] lambda) {
+    boolean solve(Linkage linkage, double[] state, double time, double[] force, double[] lambda) {
         queryMembers = new int[0];
-        if (!joint.take(linkage, state, held)) {
+        if (!joint.take(linkage, state, -1)) {           // none is held but what sticks
             return false;
         }
+        Optional<String> failure = find(linkage, state, time, force, lambda);
+        if (failure.isPresent()) {
+            throw failure(linkage, time, failure.get());
+        }
+        return true;
+    }
+
+    /** Finds all forces for the linkage taken up last; returns why there are none, if there are none. */
+    private Optional<String> find(Linkage linkage, double[] state, double time, double[] force, double[] lambda) {
         boolean aboutToMove = joint.touching.isAnyAboutToMove(state);
         if (aboutToMove) {                              // which way shows without friction
-            solveOnce(linkage, time, force, lambda);
+            Optional<String> failure = solveOnce(linkage, time, force, lambda);
+            if (failure.isPresent()) {
+                return failure;
+            }
             addUp(linkage, force, lambda);
         }
         for (int k = 0; k < joint.touching.count; k++) {
             joint.touching.findSlip(k, aboutToMove ? push(k) : 1, aboutToMove ? total : force, state);
         }
-        solveOnce(linkage, time, force, lambda);
-        return true;
+        return solveOnce(linkage, time, force, lambda);
     }
 
     private double push(int k) {
         return joint.solution[joint.constraintRows() + k];
     }
 
-    private void solveOnce(Linkage linkage, double time, double[] force, double[] lambda) {
+    private Optional<String> solveOnce(Linkage linkage, double time, double[] force, double[] lambda) {
         joint.assemble();
         double scale = putRight(linkage, time, force);
         if (!joint.solve(!contacts.response().holdsOn(), 0)) {
-            throw failure(linkage, time, "there are no pushes that keep everything out: friction jams");
+            return Optional.of("there are no pushes that keep everything out: friction jams");
         }
         if (joint.left() > RigidConstraints.CONTRADICTION * scale) {
-            throw failure(linkage, time, "they contradict each other: no forces can keep them all");
+            return Optional.of("they contradict each other: no forces can keep them all");
         }
         for (int r = 0; r < joint.constraintRows(); r++) {
             lambda[joint.member(r)] = joint.solution[r];
         }
+        return Optional.empty();
     }
 
     private SimulationException failure(Linkage linkage, double time, String reason) {
@@ -165,7 +177,7 @@ final class CoupledContacts {
     double pressure(Linkage linkage, int surface, int particle, double[] state, double[] force, double[] lambda) {
         if (!isSameQuery(linkage, state, force)) {
             rows.evaluate(state);
-            if (!solve(linkage, state, system.getTime(), force, -1, lambda)) {
+            if (!solve(linkage, state, system.getTime(), force, lambda)) {
                 return 0;
             }
             queryMembers = linkage.members();
@@ -192,8 +204,12 @@ final class CoupledContacts {
 
     /** As {@link RestingContacts#holdMargin}. */
     double holdMargin(Linkage linkage, int particle, double[] state, double[] force, double[] lambda) {
+        queryMembers = new int[0];
         rows.evaluate(state);
-        solve(linkage, state, system.getTime(), force, particle, lambda);
+        joint.take(linkage, state, particle);
+        if (find(linkage, state, system.getTime(), force, lambda).isPresent()) {
+            return -1;                                  // what moves on its rods does not let it stand still: no failure
+        }
         return contacts.response().holdMargin(particle, state, forcesAtRest(linkage, state, force, lambda));
     }
 

@@ -124,4 +124,25 @@ final class Linkage {
         }
         return left;
     }
+
+    /**
+     * What is large here, for what is left over to be compared with. In free fall nothing but the rounding of forces stands
+     * on the right, and the accelerations say how large that may be.
+     *
+     * @param right         b, by row of all there are
+     * @param accelerations of the particles without these forces (m/s&sup2;), where velocities stand in the state
+     * @return the largest entry of either
+     */
+    double scale(double[] right, double[] accelerations) {
+        double largest = 0;
+        for (int row : members) {
+            largest = Math.max(largest, Math.abs(right[row]));
+        }
+        for (int i : particles) {
+            for (int a = Particles.STRIDE * i + 3; a < Particles.STRIDE * (i + 1); a++) {
+                largest = Math.max(largest, Math.abs(accelerations[a]));
+            }
+        }
+        return largest;
+    }
 }

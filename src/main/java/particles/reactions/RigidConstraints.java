@@ -31,15 +31,15 @@ import particles.SpringView;
  * Below, errors stay longer than they take to come; above, the feedback itself makes them. So it is 5 /s where nothing else
  * is asked for.
  *
- * <p>The forces do no work but that of moving anchors and, of the order of C, that of the feedback. There are no derivatives
- * of the forces for implicit solvers; those take differences.
+ * <p>The forces do no work but that of moving anchors; what they change of the energy beside that, of the order of C and C',
+ * is an error. There are no derivatives of the forces for implicit solvers; those take differences.
  */
 public final class RigidConstraints implements Reaction, SpringView {
     /** The feedback rate alpha where none is asked for (1/s). */
     public static final double USUAL_FEEDBACK = 5;
 
     private static final int STRIDE = Particles.STRIDE;
-    /** What may be left of the largest right-hand side; drift of rods too many leaves less. */
+    /** What may be left of the largest acceleration; drift of rods too many leaves less. */
     static final double CONTRADICTION = 1e-4;
 
     private final ParticleSystem system;
@@ -137,8 +137,8 @@ public final class RigidConstraints implements Reaction, SpringView {
         prepare(state, time, force);
         for (int l = 0; l < linkages.count(); l++) {
             Linkage linkage = linkages.get(l);
-            if (coupled.isPresent() && coupled.get().solve(linkage, state, time, force, -1, lambda)) {
-                coupled.get().addForces(linkage, force, lambda);
+            if (isSolvedWithContacts(linkage, state, time, force)) {
+                coupled.orElseThrow().addForces(linkage, force, lambda);
             } else {
                 solve(linkage, time);
                 for (int row : linkage.members()) {
@@ -148,31 +148,35 @@ public final class RigidConstraints implements Reaction, SpringView {
         }
     }
 
+    /** {@inheritDoc} Only what moves the anchors works; what errors of the lengths give or take is an error as they are. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
-        return power(state, time, force, true);
-    }
-
-    /** The power of what the particles touch that hang on rods or wires (W). */
-    double contactPower(double[] state, double time, double[] force) {
-        return power(state, time, force, false);
-    }
-
-    private double power(double[] state, double time, double[] force, boolean ofConstraints) {
         prepare(state, time, force);
         double power = 0;
         for (int l = 0; l < linkages.count(); l++) {
             Linkage linkage = linkages.get(l);
-            if (coupled.isPresent() && coupled.get().solve(linkage, state, time, force, -1, lambda)) {
-                power += ofConstraints ? 0 : coupled.get().power(state);
-            } else {
+            if (!isSolvedWithContacts(linkage, state, time, force)) {
                 solve(linkage, time);
             }
             for (int row : linkage.members()) {
-                power += ofConstraints ? lambda[row] * rows.rateOfFree(row, state, particles.inverseMasses()) : 0;
+                power -= lambda[row] * rows.rateOfAnchors(row, state, particles.inverseMasses());
             }
         }
         return power;
+    }
+
+    /** The power of what the particles touch that hang on rods or wires (W). */
+    double contactPower(double[] state, double time, double[] force) {
+        prepare(state, time, force);
+        double power = 0;
+        for (int l = 0; l < linkages.count(); l++) {
+            power += isSolvedWithContacts(linkages.get(l), state, time, force) ? coupled.orElseThrow().power(state) : 0;
+        }
+        return power;
+    }
+
+    private boolean isSolvedWithContacts(Linkage linkage, double[] state, double time, double[] force) {
+        return coupled.isPresent() && coupled.get().solve(linkage, state, time, force, lambda);
     }
 
     /** The right-hand sides for the given forces, where nothing is touched. */
@@ -180,10 +184,10 @@ public final class RigidConstraints implements Reaction, SpringView {
         arrange();
         rows.evaluate(state);
         double[] inverseMasses = particles.inverseMasses();
-        for (int i = 0, f = 3; f < accelerations.length; i++, f += STRIDE) {
-            accelerations[f] = inverseMasses[i] * force[f];
-            accelerations[f + 1] = inverseMasses[i] * force[f + 1];
-            accelerations[f + 2] = inverseMasses[i] * force[f + 2];
+        for (int i = 0; i < particles.count(); i++) {
+            for (int f = STRIDE * i + 3; f < STRIDE * (i + 1); f++) {
+                accelerations[f] = inverseMasses[i] * force[f];
+            }
         }
         system.putAnchorAccelerations(time, accelerations);
         for (int r = 0; r < right.length; r++) {
@@ -195,15 +199,10 @@ public final class RigidConstraints implements Reaction, SpringView {
     private void solve(Linkage linkage, double time) {
         linkage.factorise(particles.inverseMasses());
         double left = linkage.solve(right, lambda);
-        double largest = 0;
-        for (int row : linkage.members()) {
-            largest = Math.max(largest, Math.abs(right[row]));
-        }
-        if (left > CONTRADICTION * largest) {
+        if (left > CONTRADICTION * linkage.scale(right, accelerations)) {
             int particle = rows.first(linkage.members()[0]);
-            String id = particles.id(particle);
-            throw new SimulationException(time, particle, "the rods and wires that hang together with particle '" + id
-                    + "' contradict each other at t = " + time + " s: no forces can keep them all", null);
+            throw new SimulationException(time, particle, "the rods and wires that hang together with particle '"
+                    + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can keep them all", null);
         }
     }
 

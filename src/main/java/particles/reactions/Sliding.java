@@ -20,7 +20,7 @@ final class Sliding {
         if (stepBegin.length != system.getStateSize()) {
             stepBegin = new double[system.getStateSize()];
         }
-        system.getState(stepBegin);
+        System.arraycopy(system.getOwnState(), 0, stepBegin, 0, stepBegin.length);
     }
 
     void forget() {

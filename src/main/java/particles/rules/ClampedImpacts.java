@@ -23,7 +23,12 @@ import particles.reactions.RestingContacts;
 /**
  * Particles bounce off planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and
  * v_t' = v_t. "Should back-off simulation until it's just on the plane. But usually don't bother!" - this rule does not
- * bother: a particle found below a surface after a step is put onto it.
+ * bother: a particle found below a surface after a step is put onto it, at the end of the step.
+ *
+ * <p>It is put there with the speed that it had there. With the acceleration a across the surface as constant within the
+ * step, a = delta v/deltaT, its square is v_n&sup2; + 2 a depth: whoever is lifted against gravity pays with speed. So a
+ * bounce multiplies the energy across the surface by r&sup2;, and adds none; what the solver's own steps add or lose it
+ * leaves. Each bounce comes late, by less than deltaT; {@link ExactImpacts} is in time.
  *
  * <p>It also decides what happens where bounces get smaller and smaller. A particle that would leave slower than the
  * surface's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step cannot
@@ -35,7 +40,8 @@ public final class ClampedImpacts implements Rule {
 
     private final RestingContacts contacts;
     private final ContactModes modes;
-    private double[] before = {};
+    private double[] before = {};                       // the state where the step began,
+    private double[] arrived = {};                      // and where it ended, before anything was clamped
     private double[] force = {};
     private boolean forceKnown;
     private final FirstCrossing crossing = new FirstCrossing();
@@ -87,24 +93,38 @@ public final class ClampedImpacts implements Rule {
 
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
-        double[] state = system.getOwnState();
+        if (arrived.length != system.getStateSize()) {
+            arrived = new double[system.getStateSize()];
+        }
+        system.getState(arrived);
         boolean changed = false;
         boolean coupledChanged = false;
         for (int i = 0; i < system.getParticles().count(); i++) {
-            if (system.getParticles().isFixed(i)) {
-                continue;
-            }
             boolean thisOne = false;
-            for (int p = 0; p < contacts.getSurfaces().size(); p++) {
+            for (int p = 0; p < contacts.getSurfaces().size() && !system.getParticles().isFixed(i); p++) {
                 thisOne |= modes.get(p, i) == Mode.FREE ? collide(system, p, i, deltaT)
-                        : keepInContact(system, p, i, state);
+                        : keepInContact(system, p, i, system.getOwnState());
             }
-            thisOne |= slideOrStick(system, i, state);
             changed |= thisOne;
             coupledChanged |= thisOne && contacts.isCoupled(i);
         }
         if (coupledChanged) {
-            contacts.putBack(state, system.getTime());
+            contacts.putBack(system.getOwnState(), system.getTime());
+            forceKnown = false;
+        }
+        return slideOrStickAll(system) || changed;
+    }
+
+    /** After all have been put back: what sticks moves no more, and a rod between two that stick could not be put right. */
+    private boolean slideOrStickAll(ParticleSystem system) {
+        double[] state = system.getOwnState();
+        boolean changed = false;
+        for (int i = 0; i < system.getParticles().count(); i++) {
+            if (!system.getParticles().isFixed(i) && slideOrStick(system, i, state)) {
+                contacts.settle(i, state);
+                forceKnown &= !contacts.isCoupled(i);
+                changed = true;
+            }
         }
         return changed;
     }
@@ -125,27 +145,38 @@ public final class ClampedImpacts implements Rule {
         if (!surface.obstacle().isFlat()) {
             stopFlight(surface, i, state, deltaT);
         }
-        double depth = distance(surface, state, i);
-        if (depth >= 0) {
+        double depth = -distance(surface, state, i);
+        if (depth <= 0) {
             return false;
         }
         Vector3 normal = normal(surface, state, i);
-        moveAlong(normal, state, STRIDE * i, -depth);
-        double approach = normalSpeed(surface, state, i);
-        if (approach < 0) {
-            double leaving = -surface.restitution() * approach;
-            double gained = Math.abs(approach - normal.dot(velocity(before, i)));
-            if (leaving <= Math.max(surface.restSpeed(), gained)) {
-                stop(normal, p, i, state);
-                touch(p, i);
-                keepOnOthers(system, p, i, deltaT);
-            } else if (contacts.isCoupled(i)) {
-                contacts.strike(p, i, leaving, state);
-            } else {
-                moveAlong(normal, state, STRIDE * i + 3, leaving - approach);
-            }
+        moveAlong(normal, state, STRIDE * i, depth);
+        double speed = normalSpeed(surface, state, i);
+        double gained = normal.dot(velocity(arrived, i).minus(velocity(before, i)));
+        double atSurface = Math.sqrt(Math.max(0, speed * speed + 2 * gained / deltaT * depth));
+        if (speed < 0) {
+            double most = Math.max(Math.abs(gained), Math.abs(speed - normal.dot(velocity(before, i))));
+            bounce(system, p, i, surface.restitution() * atSurface, most, deltaT);
+        } else if (!contacts.isCoupled(i)) {
+            moveAlong(normal, state, STRIDE * i + 3, atSurface - speed);
         }
         return true;
+    }
+
+    /** Lets a particle leave a surface, or stay on it if it would leave slower than a step can show. */
+    private void bounce(ParticleSystem system, int p, int i, double leaving, double gained, double deltaT) {
+        double[] state = system.getOwnState();
+        ContactSurface surface = contacts.getSurfaces().get(p);
+        Vector3 normal = normal(surface, state, i);
+        if (leaving <= Math.max(surface.restSpeed(), gained)) {
+            stop(normal, p, i, state);
+            touch(p, i);
+            keepOnOthers(system, p, i, deltaT);
+        } else if (contacts.isCoupled(i)) {
+            contacts.strike(p, i, leaving, state);
+        } else {
+            moveAlong(normal, state, STRIDE * i + 3, leaving - normalSpeed(surface, state, i));
+        }
     }
 
     /**
@@ -232,7 +263,10 @@ public final class ClampedImpacts implements Rule {
         return contacts.holdMargin(i, state, force) >= 0;
     }
 
-    /** Takes a particle that flew through a ball within the step back to where it went in, so that it is found there. */
+    /**
+     * Takes a particle that flew through a ball within the step back to where it went in, so that it is found there with the
+     * velocity that it had there.
+     */
     private void stopFlight(ContactSurface surface, int i, double[] state, double deltaT) {
         bezier(before, state, deltaT, i, points);
         int count = surface.obstacle().separation(points, coefficients);
@@ -244,6 +278,7 @@ public final class ClampedImpacts implements Rule {
             for (int c = 0; c < 3; c++) {
                 state[STRIDE * i + c] = (1 - u) * (1 - u) * ((1 - u) * points[c] + 3 * u * points[3 + c])
                         + u * u * (3 * (1 - u) * points[6 + c] + u * points[9 + c]);
+                state[STRIDE * i + 3 + c] = (1 - u) * before[STRIDE * i + 3 + c] + u * state[STRIDE * i + 3 + c];
             }
             moveAlong(normal(surface, state, i), state, STRIDE * i, -distance(surface, state, i) - slack(state, i));
         }

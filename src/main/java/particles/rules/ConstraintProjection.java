@@ -27,6 +27,11 @@ public final class ConstraintProjection implements Rule {
     }
 
     @Override
+    public boolean isCorrection() {
+        return true;
+    }
+
+    @Override
     public void start(ParticleSystem system) {
         constraints.project(system.getOwnState(), system.getTime());
     }

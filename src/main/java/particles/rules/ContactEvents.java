@@ -47,6 +47,11 @@ final class ContactEvents {
         }
 
         @Override
+        public boolean happensAfter() {
+            return true;
+        }
+
+        @Override
         public void act(ParticleSystem system) {
             deed.accept(system);
         }
@@ -139,9 +144,8 @@ final class ContactEvents {
             modes.setWhereTouching(i, Mode.STICKING);
             contacts.settle(i, state);
             stickOthers(system);
-        } else if (now <= rounding) {
+        } else if (now <= rounding && !contacts.isCoupled(i)) {     // rods would give it a speed again, either way
             moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
-            contacts.settle(i, state);
         }
         contacts.beginStep(system);
     }

@@ -11,7 +11,7 @@ import static particles.rules.ContactGeometry.slack;
 import static particles.rules.ContactGeometry.stopAlong;
 import static particles.rules.ContactGeometry.velocity;
 
-import java.util.Optional;
+import java.util.List;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
@@ -32,6 +32,8 @@ public final class ExactImpacts implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
     /** Relative to what is compared: what is less is the rounding of a few operations. */
     private static final double ROUNDING = 1e-13;
+    /** Relative to the size of what moves: 32 roundings, those of a solver's stages, a spring's force and a distance. */
+    private static final double DEEP = 0x1p-48;
 
     private final RestingContacts contacts;
     private final ContactModes modes;
@@ -105,53 +107,85 @@ public final class ExactImpacts implements EventRule {
     }
 
     @Override
-    public Optional<Event> findEvent(Motion motion) {
+    public void findEvents(Motion motion, List<Event> found) {
+        contactEvents.find(motion).ifPresent(found::add);
         Particles particles = motion.getSystem().getParticles();
-        Optional<Event> first = contactEvents.find(motion);
-        double earliest = first.isPresent() ? first.get().time() : Double.POSITIVE_INFINITY;
+        double size = -1;
         for (int i = 0; i < particles.count(); i++) {
             for (int p = 0; p < contacts.getSurfaces().size() && !particles.isFixed(i); p++) {
                 if (modes.get(p, i) == Mode.FREE) {
-                    double time = meeting(contacts.getSurfaces().get(p), i, motion);
-                    if (time < earliest) {
-                        earliest = time;
-                        first = Optional.of(new Impact(time, p, i));
-                    }
+                    boolean begins = Math.abs(distance(contacts.getSurfaces().get(p), motion.getStartState(), i))
+                            <= slack(motion.getStartState(), i);
+                    size = begins && size < 0 ? size(motion) : size;
+                    lookForMeeting(p, i, motion, begins, size, found);
                 }
             }
         }
-        return first;
     }
 
-    /** When particle i first goes below the surface, by the cubic between the motion's ends; infinite if it does not. */
-    private double meeting(ContactSurface surface, int i, Motion motion) {
-        double h = motion.getEndTime() - motion.getStartTime();
+    /**
+     * Looks when particle i first goes below a surface, by the cubic between the motion's ends. Where it begins on the
+     * surface, because it bounced or was let go or was born there, its place and the sign of its first small motion are
+     * rounding: it meets the surface again only where it goes deeper than that, or than it was. How deep decides the
+     * solver's step, not the cubic. That may well dip: of what is let go at 0 speed and 0 acceleration, rising as t&sup3;,
+     * its error of the order of t&sup2; h&sup2; is the larger part at first.
+     *
+     * @param begins whether it begins on the surface
+     * @param size   what positions are rounded to the last bits of (m); of use where it begins on the surface
+     */
+    private void lookForMeeting(int p, int i, Motion motion, boolean begins, double size, List<Event> found) {
+        ContactSurface surface = contacts.getSurfaces().get(p);
         double[] begin = motion.getStartState();
+        double start = motion.getStartTime();
+        double h = motion.getEndTime() - start;
         bezier(begin, motion.getEndState(), h, i, points);
         int count = surface.obstacle().separation(points, coefficients);
-        if (Math.abs(distance(surface, begin, i)) <= slack(begin, i)) {
-            if (normalSpeed(surface, begin, i) < -ROUNDING * velocity(begin, i).length()) {
-                return motion.getStartTime();
-            }
-            double least = -ROUNDING * (1 + points[0] * points[0] + points[1] * points[1] + points[2] * points[2]);
-            coefficients[0] = 0;                        // it just left: rounding is no second impact
-            for (int k = 1; k < count; k++) {
-                coefficients[k] = coefficients[k] >= least ? Math.max(0, coefficients[k]) : coefficients[k];
-            }
+        double radius = radius(surface, begin, i);
+        double below = begins ? Math.max(0, DEEP * (size + radius) - distance(surface, begin, i)) : 0;
+        for (int k = 0; k < count; k++) {
+            coefficients[k] += surface.obstacle().isFlat() ? below : 2 * radius * below;    // r^2 - R^2 = (r - R) (r + R)
         }
         double u = crossing.of(coefficients, count);
-        return Double.isNaN(u) ? Double.POSITIVE_INFINITY : motion.getStartTime() + u * h;
+        if (!Double.isNaN(u)) {
+            found.add(new Impact(begins ? Math.max(start + u * h, Math.nextUp(start)) : start + u * h, p, i, below));
+        }
+    }
+
+    /** The radius of a curved surface, which its distances are rounded with; 0 for a plane. */
+    private static double radius(ContactSurface surface, double[] state, int i) {
+        int x = STRIDE * i;
+        return surface.obstacle().isFlat() ? 0
+                : 1 / Math.abs(surface.obstacle().curvature(state[x], state[x + 1], state[x + 2]));
+    }
+
+    /**
+     * The largest coordinate of any particle, or the way that its speed takes it, if that is more (m). What a spring pulls
+     * is rounded with its length, and in a stable step that moves its ends no further than some roundings of the length.
+     */
+    private static double size(Motion motion) {
+        double h = motion.getEndTime() - motion.getStartTime();
+        double size = 0;
+        for (double[] state : List.of(motion.getStartState(), motion.getEndState())) {
+            for (int x = 0; x < state.length; x += STRIDE) {
+                for (int c = x; c < x + 3; c++) {
+                    size = Math.max(size, Math.max(Math.abs(state[c]), h * Math.abs(state[c + 3])));
+                }
+            }
+        }
+        return size;
     }
 
     private final class Impact implements Event {
         private final double time;
         private final int p;
         private final int i;
+        private final double below;
 
-        Impact(double time, int p, int i) {
+        Impact(double time, int p, int i, double below) {
             this.time = time;
             this.p = p;
             this.i = i;
+            this.below = below;
         }
 
         @Override
@@ -161,7 +195,7 @@ public final class ExactImpacts implements EventRule {
 
         @Override
         public double value(ParticleSystem system) {
-            return distance(contacts.getSurfaces().get(p), system.getOwnState(), i);
+            return distance(contacts.getSurfaces().get(p), system.getOwnState(), i) + below;
         }
 
         @Override
@@ -172,12 +206,12 @@ public final class ExactImpacts implements EventRule {
             moveAlong(normal, state, STRIDE * i, -distance(surface, state, i));
             double speed = velocity(state, i).length();
             double approach = normalSpeed(surface, state, i);
-            double leaving = -surface.restitution() * approach;
+            double leaving = approach < 0 ? -surface.restitution() * approach : approach;   // born inside, it may leave
             if (contacts.isCoupled(i)) {
-                strike(system, Math.max(0, leaving), leaving <= surface.restSpeed(), speed);
+                strike(system, leaving, leaving <= surface.restSpeed(), speed);
                 return;
             }
-            moveAlong(normal, state, STRIDE * i + 3, Math.max(0, leaving) - approach);
+            moveAlong(normal, state, STRIDE * i + 3, leaving - approach);
             if (leaving <= surface.restSpeed()) {
                 rest(system, p, i);
             }

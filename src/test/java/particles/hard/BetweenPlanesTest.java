@@ -78,7 +78,11 @@ class BetweenPlanesTest {
         return SolverCatalog.names();
     }
 
-    /** 20 s, about 140 impacts; sideways nothing acts. Measured: no place beyond the planes by more than rounding. */
+    /**
+     * 20 s, about 140 impacts; sideways nothing acts. Measured: no place beyond the planes by more than rounding. The
+     * impacts keep the energy of 29.45 J. A method of order 1 is off by (g deltaT)&sup2;/2 at each of 600 steps, as it is
+     * without impacts: euler gains 32.08 J, and the other two lose, until the ball slides along the floor with 0.3 m/s.
+     */
     @ParameterizedTest
     @MethodSource("solvers")
     void clampedItStaysBetweenFloorAndCeiling(String solver) {
@@ -88,8 +92,13 @@ class BetweenPlanesTest {
         assertFalse(run(scene.simulation()).failed());
         assertTrue(range.low >= -1e-15 && range.high <= 1 + 1e-15, range.low + " ... " + range.high);
         assertEquals(6, scene.system().getOwnState()[0], 1e-12);
-        double energy = scene.system().getEnergy(scene.system().getOwnState(), 20);
-        assertEquals(29.405, energy, 0.25, "as many times lifted as lowered, measured to 0.22 J");
+        double error = 600 * Math.pow(9.81 / 30, 2) / 2;
+        double expected = switch (solver) {
+            case "euler" -> 29.45 + error;
+            case "symplectic-euler", "backward-euler" -> 0.045;
+            default -> 29.45;
+        };
+        assertEquals(expected, scene.system().getEnergy(scene.system().getOwnState(), 20), 4e-12, "measured: 4.3e-13 at most");
     }
 
     /** A millimetre of room: at 7 m/s a step of 1/30 s would cross it 230 times. */

@@ -62,7 +62,7 @@ class AnchorMotionsTest {
         return system;
     }
 
-    /** In resonance x = a/2 (sin w t - w t cos w t): the amplitude grows for ever. Measured with rk4 at w h = 0.03: 4e-9. */
+    /** In resonance x = a/2 (sin w t - w t cos w t): the amplitude grows for ever. Measured with rk4 at w h = 0.03: 1.5e-8. */
     @Test
     void resonanceGrows() {
         double w = 3;
@@ -74,7 +74,7 @@ class AnchorMotionsTest {
         assertTrue(Math.abs(exact) < a / 2 * 31 && a / 2 * 30 > 10 * a);
     }
 
-    /** Off resonance x = a w/(w&sup2; - W&sup2;) (w sin W t - W sin w t), which stays below a w/|w - W|. Measured: 3e-10. */
+    /** Off resonance x = a w/(w&sup2; - W&sup2;) (w sin W t - W sin w t), which stays below a w/|w - W|. Measured: 4.6e-10. */
     @Test
     void offResonanceItBeats() {
         double w = 3;
@@ -83,16 +83,7 @@ class AnchorMotionsTest {
         ParticleSystem system = shaken(w, a, shake);
         run(system, new RK4Solver(), 0.01, 10);
         double exact = a * w / (w * w - shake * shake) * (w * Math.sin(10 * shake) - shake * Math.sin(10 * w));
-        assertEquals(2 + exact, entry(system, 6), 1e-8);
+        assertEquals(2 + exact, entry(system, 6), 4e-9);
         assertTrue(Math.abs(entry(system, 6) - 2) < a * w / (shake - w));
-    }
-
-    /** The hand itself is moved by the solver, from stage to stage: it is where it should be but for the method's error. */
-    @Test
-    void theHandIsWhereItShouldBe() {
-        ParticleSystem system = shaken(3, 0.5, 4);
-        run(system, new RK4Solver(), 0.01, 10);
-        assertEquals(0.5 * Math.sin(40), entry(system, 0), 1e-7);
-        assertEquals(2 * Math.cos(40), entry(system, 3), 1e-7);
     }
 }

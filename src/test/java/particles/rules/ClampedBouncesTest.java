@@ -1,0 +1,136 @@
+package particles.rules;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.Systems.GRAVITY;
+import static particles.Systems.entry;
+import static particles.Systems.oneParticle;
+
+import deSolvers.RK4Solver;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.EnergyLedger;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Plane;
+import particles.Rule;
+import particles.Simulation;
+import particles.Sphere;
+import particles.Vector3;
+import particles.effects.Gravity;
+import particles.reactions.ContactSurface;
+import particles.reactions.Friction;
+import particles.reactions.RestingContacts;
+
+/**
+ * A clamped bounce has the speed of the surface, not of the depth where the step ended: the energy after n bounces is that
+ * of the formula, r<sup>2n</sup> m g h, whatever the step; only the times are late.
+ */
+class ClampedBouncesTest {
+    private static final double G = 9.81;
+
+    /** A particle of 1 kg under gravity that hits surfaces; notes the energy after every change. */
+    private static final class Bounces implements Observer {
+        private final ParticleSystem system;
+        private final EnergyLedger ledger = new EnergyLedger();
+        private final List<Double> energies = new ArrayList<>();
+        private final List<Double> times = new ArrayList<>();
+
+        Bounces(Vector3 from, Vector3 velocity, double deltaT, double duration, ContactSurface... surfaces) {
+            system = oneParticle(from, velocity);
+            RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(surfaces));
+            system.addEffect(new Gravity(system.getParticles(), GRAVITY));
+            system.addReaction(contacts);
+            Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+            simulation.addRule(new ClampedImpacts(contacts));
+            simulation.addObserver(ledger);
+            simulation.addObserver(this);
+            simulation.run();
+        }
+
+        @Override
+        public void changed(ParticleSystem bounced, Rule by) {
+            energies.add(bounced.getEnergy(bounced.getOwnState(), bounced.getTime()));
+            times.add(bounced.getTime());
+        }
+
+        /** The largest departure from the energy at the beginning, over that. */
+        double worst() {
+            double worst = 0;
+            for (double energy : energies) {
+                worst = Math.max(worst, Math.abs(energy / ledger.getStartEnergy() - 1));
+            }
+            return worst;
+        }
+    }
+
+    private static ContactSurface ground(double restitution, double restSpeed) {
+        return new ContactSurface("ground", Plane.ground(0), restitution, Friction.NONE, restSpeed);
+    }
+
+    private static ContactSurface slope(double nx, double ny) {
+        return new ContactSurface("slope", new Plane(Vector3.ZERO, new Vector3(nx, ny, 0)), 1, Friction.NONE, 0);
+    }
+
+    /**
+     * Dropped from 1 m, it rises to r<sup>2n</sup> m after n bounces. Each comes late, by less than a step: between the
+     * closed form's time and n steps after it. They end where a step does not resolve them, r<sup>n</sup> v &lt;= g deltaT.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.9, 0.01", "0.9, 0.02", "0.9, 0.0333", "0.8, 0.01", "0.95, 0.005"})
+    void heightsAreThoseOfTheFormulaAndEndInRest(double r, double deltaT) {
+        double fall = Math.sqrt(2 / G);
+        Bounces ball = new Bounces(new Vector3(0, 1, 0), Vector3.ZERO, deltaT, 30, ground(r, 0));
+        int last = ball.energies.size() - 1;
+        for (int n = 0; n < last; n++) {
+            assertEquals(1, ball.energies.get(n) / (G * Math.pow(r, 2 * n + 2)), 1e-12, "bounce " + n);
+            double time = fall + 2 * fall * r * (1 - Math.pow(r, n)) / (1 - r);
+            assertEquals(time + (n + 1) * deltaT / 2, ball.times.get(n), (n + 1) * deltaT / 2, "bounce " + n);
+        }
+        assertEquals(Math.ceil(Math.log(deltaT / fall) / Math.log(r)), last + 1, 1, "bounces that a step resolves");
+        assertEquals(0, entry(ball.system, 1));
+        assertEquals(0, entry(ball.system, 4));
+    }
+
+    /** After 1000 bounces it has the energy of the beginning. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.005, 0.01, 0.02, 0.0333})
+    void anElasticBallKeepsItsEnergy(double deltaT) {
+        Bounces ball = new Bounces(new Vector3(0, 1, 0), new Vector3(0.1, 0, 0), deltaT, 960, ground(1, 1e-3));
+        assertTrue(ball.energies.size() > 1000, "bounces: " + ball.energies.size());
+        assertEquals(0, ball.worst(), 4e-14, "measured: 5e-15 at most");
+    }
+
+    /** What an impact takes is (1 - r&sup2;) m g h, and the books say so, with a step as long as a frame. */
+    @Test
+    void theBooksSayWhatAnImpactTakes() {
+        Bounces ball = new Bounces(new Vector3(0, 1, 0), Vector3.ZERO, 1.0 / 30, 0.6, ground(0.5, 0));
+        assertEquals(-0.75 * G, ball.ledger.getWork().get("impacts"), 1e-13, "measured: 2e-15");
+        assertEquals(0, ball.ledger.getNumericalError(), 1e-13, "measured: 1e-15");
+    }
+
+    /** Two slopes that meet, and a ball hit off its top, inside which a step ends: as much energy as before. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.002, 0.01, 0.02})
+    void slopesAndBallsAddNoEnergy(double deltaT) {
+        Bounces groove = new Bounces(new Vector3(-0.3, 1, 0), Vector3.ZERO, deltaT, 60, slope(1, 1), slope(-0.8, 1));
+        assertTrue(groove.energies.size() > 100, "bounces: " + groove.energies.size());
+        assertEquals(0, groove.worst(), 5e-13, "measured: 6e-14 at most");
+        ContactSurface ball = new ContactSurface("ball", new Sphere(Vector3.ZERO, 0.5, false), 1, Friction.NONE, 0);
+        Bounces off = new Bounces(new Vector3(0.2, 1.5, 0.1), Vector3.ZERO, deltaT, 1, ball);
+        assertEquals(1, off.energies.size(), "bounces");
+        assertEquals(0, off.worst(), 5e-9, "it is taken to 1e-9 m below the surface; measured: 1.04e-9");
+    }
+
+    /** Who begins below the surface and comes out pays for the way there: v&sup2; = v0&sup2; - 2 g depth. */
+    @Test
+    void whoComesOutHasTheSpeedOfTheSurface() {
+        Bounces born = new Bounces(new Vector3(0, -0.02, 0), new Vector3(0, 5, 0), 0.001, 0.001, ground(0.5, 0));
+        assertEquals(0, entry(born.system, 1), 1e-16);
+        assertEquals(Math.sqrt(25 - 2 * G * 0.02), entry(born.system, 4), 1e-13);
+    }
+}
