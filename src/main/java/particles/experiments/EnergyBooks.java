@@ -122,7 +122,8 @@ public final class EnergyBooks implements Observer {
         });
         if (!lines.isEmpty()) {
             charts.add(new ChartData("what physics put in (+) and took out (\u2212)", "time (s)",
-                    lines.size() == 1 ? lines.get(0).name() + " (J)" : "work (J)", false, false, lines));
+                    lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") + " (J)" : "work (J)", false, false,
+                    lines));                            // short enough for a low panel; the sign says the rest
         }
         double[][] points = error.points();
         for (int k = 0; k < points[1].length; k++) {

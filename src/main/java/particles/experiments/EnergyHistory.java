@@ -152,13 +152,13 @@ public final class EnergyHistory implements Observer {
             boolean internal = effects.get(e).getTraits().contains(Effect.Trait.INTERNAL);
             double lowest = internal ? 0 : energy.smallest();
             zero += lowest;
-            String from = lowest == 0 ? "" : ", from its lowest";
-            parts.add(line("potential: " + effects.get(e).getName() + from, energy, lowest));
+            parts.add(line("potential: " + effects.get(e).getName() + (lowest == 0 ? "" : ", from its lowest"), energy, lowest));
         }
-        series.add(line("total", total, zero));
+        String from = zero == 0 ? "" : ", from the lowest";
+        series.add(line("total" + from, total, zero));
         series.add(line("kinetic", kinetic, 0));
         if (parts.size() > 1) {
-            series.add(line("potential", potential, zero));
+            series.add(line("potential" + from, potential, zero));
         }
         series.addAll(parts);
         return new ChartData(title, "time (s)", "energy (J)", false, false, List.copyOf(series));

@@ -2,10 +2,16 @@ package particles.experiments;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import particles.ChartData;
 import particles.ChartData.Mark;
 import particles.ChartData.Series;
@@ -159,6 +165,46 @@ public final class LectureFigures {
         double x = Arrays.stream(result.x()).map(Math::abs).max().orElse(1);
         double v = Arrays.stream(result.v()).map(Math::abs).max().orElse(1);
         return 1.1 * Math.max(1, Math.max(x, v));
+    }
+
+    /**
+     * @param results runs
+     * @return who spirals which way, and how much the step has to say in that: the longest and the shortest one of a solver
+     *         that spirals outwards with several
+     */
+    public static String finding(List<Result> results) {
+        String ways = Stream.of(way(results, "outwards", result -> result.amplitude() > 1),
+                way(results, "inwards", result -> result.amplitude() < 1)).flatMap(Optional::stream)
+                .collect(Collectors.joining(", "));
+        for (String solver : solvers(results, result -> result.amplitude() > 1)) {
+            List<Result> steps = results.stream().filter(result -> result.figure().solver().equals(solver))
+                    .sorted(Comparator.comparingDouble(result -> -result.figure().deltaT())).toList();
+            if (steps.size() > 1) {
+                return ways + "; how fast depends on the step: " + solver + " " + growth(steps.get(0)) + ", "
+                        + growth(steps.get(steps.size() - 1));
+            }
+        }
+        return ways;
+    }
+
+    private static Optional<String> way(List<Result> results, String way, Predicate<Result> goes) {
+        List<String> solvers = solvers(results, goes);
+        return solvers.isEmpty() ? Optional.empty()
+                : Optional.of(String.join(" and ", solvers) + (solvers.size() == 1 ? " spirals " : " spiral ") + way);
+    }
+
+    private static List<String> solvers(List<Result> results, Predicate<Result> which) {
+        return results.stream().filter(which).map(result -> result.figure().solver()).distinct().toList();
+    }
+
+    private static String growth(Result result) {
+        double deltaT = result.figure().deltaT();
+        return "\u00d7\u00a0" + few(result.amplitude()) + " in " + few(result.figure().steps() * deltaT)
+                + " s with " + few(deltaT) + " s";
+    }
+
+    private static String few(double number) {
+        return new BigDecimal(number).round(new MathContext(3)).stripTrailingZeros().toPlainString();
     }
 
     /**

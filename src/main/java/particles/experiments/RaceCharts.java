@@ -19,6 +19,8 @@ public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
     /** Times of the same run differ by some percent; who takes this many times the work has not been given equal work. */
     private static final double TOO_MUCH = 1.2;
+    /** Who is farther off than the nearest by no more than this shares the first place: which of them it is, is chance. */
+    private static final double AS_NEAR = 1.1;
 
     private RaceCharts() {
     }
@@ -91,10 +93,10 @@ public final class RaceCharts {
      */
     public static String finding(Result race) {
         List<String> parts = new ArrayList<>();
-        // whoever needed more than its share wins nothing
-        race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0 && share(race, lane) <= TOO_MUCH)
-                .min(Comparator.comparingDouble(RaceCharts::mean))
-                .ifPresent(best -> parts.add(label(best) + " stays nearest to the reference"));
+        List<String> nearest = nearest(race);
+        if (!nearest.isEmpty()) {
+            parts.add(together(nearest) + (nearest.size() == 1 ? " stays" : " stay") + " nearest to the reference");
+        }
         List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
         if (left.size() > 3) {
             parts.add(left.size() + " solvers leave");
@@ -110,6 +112,19 @@ public final class RaceCharts {
             }
         }
         return String.join("; ", parts);
+    }
+
+    /** Who stays nearest, on average, and who is as good as that; whoever needed more than its share wins nothing. */
+    private static List<String> nearest(Result race) {
+        List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
+                && share(race, lane) <= TOO_MUCH).sorted(Comparator.comparingDouble(RaceCharts::mean)).toList();
+        return compared.stream().filter(lane -> mean(lane) <= AS_NEAR * mean(compared.get(0)))
+                .map(RaceCharts::label).toList();
+    }
+
+    private static String together(List<String> names) {
+        int last = names.size() - 1;
+        return last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
     }
 
     /** What a lane took, over what each was to have. */
@@ -133,7 +148,7 @@ public final class RaceCharts {
             double[] distance = lane.distance();
             rows.add(List.of(label(lane), lane.match().setting().deltaT(),
                     lane.match().setting().tolerance().orElse(Double.NaN),
-                    lane.match().evaluations(), 1000 * lane.match().seconds().orElse(Double.NaN), mean(lane),
+                    lane.drift().outcome().evaluations(), 1000 * lane.match().seconds().orElse(Double.NaN), mean(lane),
                     lane.left().isPresent() ? Double.NaN : distance[distance.length - 1], lane.drift().largest(),
                     lane.left().orElse(Double.NaN), lane.drift().outcome().failure().orElse("")));
         }

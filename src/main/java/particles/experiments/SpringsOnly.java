@@ -36,8 +36,7 @@ final class SpringsOnly implements ArrayStateSource {
             restLength[s] = springs.restLength(s);
             damping[s] = springs.damping(s);
         }
-        state = new double[like.getStateSize()];
-        like.getState(state);
+        state = Arrays.copyOf(like.getOwnState(), like.getStateSize());
         inverseMass = Arrays.copyOf(like.getParticles().inverseMasses(), like.getParticles().count());
     }
 

@@ -15,6 +15,11 @@ public final class StiffGallery {
     private static final double PRECISION = 0.01;
     /** The seed may grow by this in energy before the run counts as unstable: far above what a stable run borrows. */
     private static final double UNSTABLE = 1e4;
+    /**
+     * Few steps are too few to grow so much in: a short run goes on until it has made so many. What grows by 0.5 % a step is
+     * found out; rk4 does so when its step is 0.03 % too long.
+     */
+    private static final int STEPS_TO_GROW = 2000;
     private static final int MOST_STEPS = 1 << 20;
     private static final double NEAR = 1.01;
     /**
@@ -51,14 +56,10 @@ public final class StiffGallery {
             double preciseExponent) {
     }
 
-    /** A run: its centre's error, the vibration that is left, its evaluations. */
-    private record Run(double error, double vibration, long evaluations) {
-        boolean stable() {
-            return vibration < UNSTABLE;
-        }
-
+    /** A run: its centre's error, the vibration that is left, whether that does not grow, its evaluations. */
+    private record Run(double error, double vibration, boolean stable, long evaluations) {
         boolean precise() {
-            return stable() && error <= PRECISION;
+            return stable && error <= PRECISION;
         }
     }
 
@@ -81,24 +82,25 @@ public final class StiffGallery {
 
     private static Cost cost(SolverChoice solver, double k, boolean never) {
         if (solver.adaptive()) {
-            Run run = run(solver, k, 1, PRECISION);
+            Run run = run(solver, k, 1, PRECISION, 0);
             for (double t = PRECISION; !run.precise() && t > 1e-9; t /= 3) {
-                run = run(solver, k, 1, t);
+                run = run(solver, k, 1, t, 0);
             }
             return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN, run.vibration());
         }
-        int stable = never ? 0 : fewest(solver, k, false);
-        int precise = fewest(solver, k, true);
-        Run best = run(solver, k, Math.max(1, precise), 0);
-        return new Cost(k, stable == 0 ? Double.NaN : run(solver, k, stable, 0).evaluations(),
+        int toGrow = never ? 0 : STEPS_TO_GROW;         // who grows at any step is in a race with the end
+        int stable = never ? 0 : fewest(solver, k, false, toGrow);
+        int precise = fewest(solver, k, true, toGrow);
+        Run best = run(solver, k, Math.max(1, precise), 0, 0);
+        return new Cost(k, stable == 0 ? Double.NaN : run(solver, k, stable, 0, 0).evaluations(),
                 precise == 0 ? Double.NaN : best.evaluations(), precise == 0 ? Double.NaN : best.vibration());
     }
 
     /** The fewest steps, to 1 %; 0 where even the most are not enough. */
-    private static int fewest(SolverChoice solver, double k, boolean precise) {
+    private static int fewest(SolverChoice solver, double k, boolean precise, int toGrow) {
         int few = 1;
         int enough = 2;
-        while (!holds(run(solver, k, enough, 0), precise)) {
+        while (!holds(run(solver, k, enough, 0, toGrow), precise)) {
             few = enough;
             enough *= 2;
             if (enough > MOST_STEPS / (solver.implicit() ? 16 : 1)) {
@@ -107,7 +109,7 @@ public final class StiffGallery {
         }
         while (enough > NEAR * few + 1) {
             int middle = (few + enough) / 2;
-            if (holds(run(solver, k, middle, 0), precise)) {
+            if (holds(run(solver, k, middle, 0, toGrow), precise)) {
                 enough = middle;
             } else {
                 few = middle;
@@ -117,10 +119,10 @@ public final class StiffGallery {
     }
 
     private static boolean holds(Run run, boolean precise) {
-        return precise ? run.precise() : run.stable();
+        return precise ? run.precise() : run.stable;
     }
 
-    private static Run run(SolverChoice choice, double k, int steps, double tolerance) {
+    private static Run run(SolverChoice choice, double k, int steps, double tolerance, int toGrow) {
         StiffPair pair = new StiffPair(k);
         DESolver solver = choice.create(tolerance);
         double left = 0;
@@ -133,9 +135,26 @@ public final class StiffGallery {
                 }
             }
         } catch (DESolverException e) {
-            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, pair.getEvaluations());
+            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, pair.getEvaluations());
         }
-        return new Run(Math.abs(pair.centre() - StrictMath.cos(DURATION)), left, pair.getEvaluations());
+        double error = Math.abs(pair.centre() - StrictMath.cos(DURATION));
+        long evaluations = pair.getEvaluations();
+        boolean stable = left < UNSTABLE && staysBounded(solver, pair, DURATION / steps, toGrow - steps);
+        return new Run(error, left, stable, evaluations);
+    }
+
+    private static boolean staysBounded(DESolver solver, StiffPair pair, double deltaT, int steps) {
+        try {
+            for (int n = 0; n < steps; n++) {
+                solver.stepState(pair, deltaT);
+                if (!(pair.vibration() < UNSTABLE)) {
+                    return false;
+                }
+            }
+            return true;
+        } catch (DESolverException e) {
+            return false;                               // it overflows
+        }
     }
 
     private static boolean grows(SolverChoice choice) {

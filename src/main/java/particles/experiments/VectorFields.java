@@ -47,7 +47,7 @@ public final class VectorFields {
             return Optional.empty();
         }
         double[] state = new double[system.getStateSize()];
-        system.getState(state);
+        System.arraycopy(system.getOwnState(), 0, state, 0, state.length);
         double[] force = new double[state.length];
         int first = Particles.STRIDE * free;
         int along = first + axis.ordinal();

@@ -88,8 +88,10 @@ public final class WorkPrecision {
             warmUp(problem, solver, byStep);
         }
         List<Point> points = byStep ? overSteps(problem, solver, timed) : overTolerances(problem, solver, timed);
-        SlopeFit fit = byStep ? SlopeFit.byStep(points, problem, inStiff) : SlopeFit.byWork(points, problem);
-        return new Curve(solver, byStep, points, fit, expected(problem, solver));
+        double expected = expected(problem, solver);
+        SlopeFit fit = byStep ? SlopeFit.byStep(points, problem, inStiff, expected)
+                : SlopeFit.byWork(points, problem, expected);
+        return new Curve(solver, byStep, points, fit, expected);
     }
 
     /** An extrapolation method chooses its order as it goes. */

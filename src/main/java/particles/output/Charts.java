@@ -207,7 +207,8 @@ final class Charts {
         return renderer;
     }
 
-    private static boolean isDense(double[] y) {
+    /** Whether a line goes to and fro so often that it covers what lies below, unless it lets that shine through. */
+    static boolean isDense(double[] y) {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
         double way = 0;

@@ -25,8 +25,6 @@ import particles.VectorField;
 final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
     private static final double PATH_HEAD = 11;
-    /** A path of more states than this covers what lies below it, unless it lets that shine through. */
-    private static final int DENSE = 1000;
     private static final Stroke PATH = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final AffineTransform LARGE = AffineTransform.getScaleInstance(1.6, 1.6);
     /** Where along the path's states the heads stand: early ones show the first turn. */
@@ -39,7 +37,7 @@ final class PhasePlot {
         JFreeChart chart = Charts.of(data);
         XYPlot plot = chart.getXYPlot();
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
-        boolean dense = data.series().get(0).x().length > DENSE;
+        boolean dense = Charts.isDense(data.series().get(0).x()) || Charts.isDense(data.series().get(0).y());
         Color colour = SolverLook.of(data.series().get(0).name()).map(SolverLook::colour).orElse(ChartStyle.colour(1));
         renderer.setSeriesPaint(0, dense ? ChartStyle.pale(colour) : colour);
         renderer.setSeriesFillPaint(0, colour);

@@ -31,6 +31,25 @@ class StiffGalleryTest {
         assertEquals(1, sweep.costs().get(8).toBeStable() / (steps * evaluations), 0.03);
     }
 
+    /**
+     * Also where a run has few steps, the step of a run that counts as stable is within the limit, 1 % and a step at most
+     * from it. What is left of rk4's vibration there is less than at the start; a symplectic solver's energy oscillates by
+     * up to (1 + h omega / 2) / (1 - h omega / 2), which is 400 for symplectic Euler 1 % from its limit.
+     */
+    @ParameterizedTest
+    @CsvSource({"rk4, 4, 1", "symplectic-euler, 1, 1000", "verlet, 1, 1000", "yoshida4, 3, 1000"})
+    void whatCountsAsStableIsWithinTheLimit(String solver, int evaluations, double most) {
+        double limit = SolverChoice.of(solver).info().orElseThrow().imaginaryLimit();
+        for (StiffGallery.Cost cost : sweep(solver, 5).costs()) {
+            double fewest = 10 * new StiffPair(cost.stiffness()).omega() / limit;
+            double steps = Math.floor(cost.toBeStable() / evaluations);
+            assertTrue(steps > fewest * (1 - 5e-4) && steps < 1.01 * fewest + 2,
+                    cost + ": " + fewest + " steps at the limit");
+            assertTrue(cost.toOnePercent() > evaluations * fewest * (1 - 5e-4), cost + ": 1 % needs stability");
+            assertTrue(cost.vibrationLeft() <= most, cost.toString());
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"backward-euler", "implicit-midpoint", "radau"})
     void implicitCostIsFlatOverEightDecades(String solver) {

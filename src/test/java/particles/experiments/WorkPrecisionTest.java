@@ -163,14 +163,27 @@ class WorkPrecisionTest {
     @Test
     void slopesAreOfStraightPiecesOrNone() {
         WorkProblem problem = WorkProblems.of("oscillator");
-        SlopeFit bent = SlopeFit.byStep(points(0.5, 0.3, 1e-2, 2.5e-3, 6.25e-4, 1.5625e-4, 1.4e-4), problem, false);
+        SlopeFit bent = SlopeFit.byStep(points(0.5, 0.3, 1e-2, 2.5e-3, 6.25e-4, 1.5625e-4, 1.4e-4), problem, false, 2);
         assertEquals(2, bent.slope(), 1e-12);
         assertEquals(2, bent.first());
         assertEquals(5, bent.last());
-        SlopeFit none = SlopeFit.byStep(points(1e-2, 5e-3, 1e-3, 4e-4, 0.2e-4), problem, false);
+        SlopeFit none = SlopeFit.byStep(points(1e-2, 5e-3, 1e-3, 4e-4, 0.2e-4), problem, false, 2);
         assertTrue(Double.isNaN(none.slope()) && !none.contains(0) && none.whyNot().contains("straight"), none.whyNot());
-        SlopeFit few = SlopeFit.byStep(points(1e-2, 2.5e-3, 1e-14), problem, false);
+        SlopeFit other = SlopeFit.byStep(points(1e-2, 2.5e-3, 6.25e-4, 1.5625e-4), problem, false, 4);
+        assertTrue(Double.isNaN(other.slope()) && !other.contains(1), other.toString());
+        assertEquals("a straight piece of slope 2.00, which is not the method's", other.whyNot());
+        assertEquals(2, SlopeFit.byStep(points(1e-2, 2.5e-3, 6.25e-4), problem, false, Double.NaN).slope(), 1e-12);
+        SlopeFit few = SlopeFit.byStep(points(1e-2, 2.5e-3, 1e-14), problem, false, 2);
         assertTrue(Double.isNaN(few.slope()) && few.whyNot().startsWith("2 errors"), few.whyNot());
+    }
+
+    /** On the stiff chain the error falls with the 8.39th power of the work where sub-steps become stable: no order. */
+    @Test
+    void whatFallsAtTheEdgeOfStabilityIsNoOrder() {
+        Curve curve = curve("stiff-chain", "dormand-prince");
+        assertTrue(curve.fit().whyNot().startsWith("a straight piece of slope 8.39"), curve.fit().toString());
+        assertEquals(", no slope", WorkCharts.slope(curve));
+        assertEquals(List.of(), IntStream.range(0, curve.points().size()).filter(curve.fit()::contains).boxed().toList());
     }
 
     private static List<Point> points(double... errors) {

@@ -158,6 +158,23 @@ class ChartsTest {
         }
     }
 
+    /** A turn goes there and back, so that 60 of them cross 120 times; how many states they have does not matter. */
+    @Test
+    void onlyPathsThatCrossThePlotOftenLetShineThrough() {
+        Color strong = SolverLook.of("rk4").orElseThrow().colour();
+        for (int states : new int[] {100, 5000}) {
+            for (int turns : new int[] {1, 55, 65}) {
+                double[] y = new double[states * turns / (states < 1000 ? 1 : turns) + 1];
+                for (int k = 0; k < y.length; k++) {
+                    y[k] = StrictMath.cos(2 * Math.PI * turns * k / (y.length - 1));
+                }
+                XYPlot plot = PhasePlot.of(chart(false, series("rk4", y)), Optional.empty()).getXYPlot();
+                assertEquals(turns == 65 ? ChartStyle.pale(strong) : strong, plot.getRenderer().getSeriesPaint(0),
+                        turns + " turns of " + y.length + " states");
+            }
+        }
+    }
+
     @Test
     void pathAndFieldAreDrawnAndWritten() throws IOException {
         VectorField field = new VectorField(new double[] {0, 1, 0, 1}, new double[] {0, 0, 1, 1}, new double[] {0, 0, 1, 1},
