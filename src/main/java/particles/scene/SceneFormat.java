@@ -48,8 +48,8 @@ public final class SceneFormat {
             "What happens between steps; what is not named does not happen.");
     static final Key<String> IMPACT = Key.withDefault("impact", NameType.of("kind of impact", List.of("clamp", "exact")),
             "clamp",
-            "clamp: who is below a plane after a step is put onto it, and in a groove goes on to jump by about"
-                    + " g deltaT^2; exact: the step is divided at the impact.");
+            "clamp: who is below a surface after a step is put onto it with the speed it had there, up to deltaT late,"
+                    + " and in a groove may go on to jump by about g deltaT^2; exact: the step is divided at the impact.");
     static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
             "From where the scene is seen; where it is not given, so that everything fits into the picture.");
     static final Key<Values> LOOK = Key.optional("look", LookFormat.TYPE, "How things are drawn.");

@@ -180,6 +180,13 @@ class BrokenScenesTest {
                                 + "put quotes around a text that begins with & or *",
                         "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
                                 + "put quotes around a text that begins with & or *"),
+                added("camera: {position: 1, 0, 0}\n",
+                        "x.yaml:8:9: the camera needs 'target': three numbers [x, y, z] (m)",
+                        "x.yaml:8:20: 'position' is 1; it has to be three numbers [x, y, z] (m)",
+                        "x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal point, not a comma, "
+                                + "and several of them stand in [ ]",
+                        "x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal point, not a comma, "
+                                + "and several of them stand in [ ]"),
                 added("? [a]\n: 1\n",
                         "x.yaml:8:3: a key of the scene is [a]; it has to be one of '" + KEYS.replace(", ", "', '") + "'"),
                 added("---\ntitle: second\n",

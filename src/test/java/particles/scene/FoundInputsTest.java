@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What {@link SceneFuzzer} found, each in its smallest form, and a short hunt, which is the same each time. */
 class FoundInputsTest {
@@ -44,6 +45,14 @@ class FoundInputsTest {
         String line = assertThrows(SceneException.class, () -> SceneBuilder.build(
                 SceneReader.read("x.yaml", scene.getBytes(StandardCharsets.UTF_8)), new Overrides())).getLines().get(0);
         assertTrue(line.contains("MiB of memory for up to 10002000001 particles"), line);
+    }
+
+    /** A text that ends within an escape, and one with a number beyond all: both ended in a NumberFormatException. */
+    @ParameterizedTest
+    @ValueSource(strings = {"\\u", "\\U", "\\x", "\\UFFFFFFFF", "\\U80000000\"\n# \\Ufffffffe\n"})
+    void escapesThatAreNoCharactersAreRefused(String escape) {
+        assertEquals(List.of("x.yaml:6:13: not valid YAML: an escape has to give a character's number in hexadecimal digits,"
+                + " such as \\xe9, \\u00e9 or \\U000000e9"), linesFor("camera: \"abc" + escape));
     }
 
     @Test

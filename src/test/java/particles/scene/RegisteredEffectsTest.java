@@ -13,7 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.Effect;
+import particles.ParticleSystem;
+import particles.teaching.EffectCheck;
 import particles.teaching.EffectClaims;
+import particles.teaching.EffectSample;
 
 /**
  * Every effect that a scene can name keeps what it claims: force and potential, Newton's third law, symmetries, energy and
@@ -79,6 +82,18 @@ class RegisteredEffectsTest {
     void itKeepsItsClaims(String name) {
         assertTrue(NAMED.containsKey(name), "'" + name + "' needs an example here");
         keepTheirClaims(scene("effects:\n  - " + NAMED.get(name) + "\n"));
+    }
+
+    /** What a scene calls an effect, checkEffect calls it too. */
+    @ParameterizedTest
+    @MethodSource("registered")
+    void itCanBeCheckedByItsName(String name) {
+        ParticleSystem system = EffectSample.system();
+        Effect effect = EffectSample.create(name, system.getParticles());
+        assertEquals(Map.of("wind", "drag", "turbulence", "quadraticDrag").getOrDefault(name, name), effect.getName());
+        assertEquals(name.equals("wind") || name.equals("turbulence"), effect.getTraits().contains(Effect.Trait.DRIVING),
+                "only what blows drives");
+        assertEquals(List.of(), EffectCheck.check(system, effect));
     }
 
     @Test

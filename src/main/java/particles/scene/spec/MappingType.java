@@ -98,8 +98,11 @@ public final class MappingType extends Type<Values> {
         String text = ((ScalarNode) keyNode).getValue();
         Optional<Key<?>> key = keys.stream().filter(k -> k.name().equals(text)).findFirst();
         if (key.isEmpty()) {
-            in.problem(keyNode, Wording.unknown("key", text, keys.stream().map(Key::name).toList()).replaceFirst("known:",
-                    "known in " + name + ":"));
+            List<String> known = keys.stream().map(Key::name).toList();
+            in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
+                    ? "a number where a key of " + name + " should be; numbers have a decimal point, not a comma, and several"
+                    + " of them stand in [ ]"
+                    : Wording.unknown("key", text, known).replaceFirst("known:", "known in " + name + ":"));
         } else if (!seen.add(text)) {
             in.problem(keyNode, "'" + text + "' is there twice in " + name);
         } else if (valueNode.getTag().equals(Tag.NULL)) {
@@ -108,6 +111,10 @@ public final class MappingType extends Type<Values> {
         } else {
             readValue(key.get(), valueNode, "'" + text + "'", values, in);
         }
+    }
+
+    private static boolean isWord(String key) {
+        return Character.isLetter(key.charAt(0));
     }
 
     private static <T> boolean readValue(Key<T> key, Node node, String what, Values values, Reading in) {

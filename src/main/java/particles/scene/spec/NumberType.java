@@ -60,11 +60,15 @@ public final class NumberType extends Type<Double> {
             in.problem(node, what + " is " + Wording.describe(node) + "; no number that has to be positive is below 1e-30");
             return Optional.empty();
         }
-        if (Double.isNaN(value) || Math.abs(value) > HUGE) {
+        if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {
             in.problem(node, what + " is " + Wording.describe(node) + "; no number in a scene is beyond 1e30");
             return Optional.empty();
         }
         return wrong(node, what, in);
+    }
+
+    private static boolean isNotANumber(Node node) {
+        return ((ScalarNode) node).getValue().equalsIgnoreCase(".nan");
     }
 
     private double smallest() {

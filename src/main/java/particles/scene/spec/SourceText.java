@@ -100,7 +100,7 @@ public final class SourceText {
     }
 
     /** The place after a text. */
-    private static Place end(String text, Reading in) {
+    static Place end(String text, Reading in) {
         String[] lines = text.split("\r\n|\r|\n", -1);
         String last = lines[lines.length - 1];
         return new Place(in.source(), lines.length, last.codePointCount(0, last.length()) + 1);

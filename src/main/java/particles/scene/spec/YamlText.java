@@ -1,6 +1,8 @@
 package particles.scene.spec;
 
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.api.lowlevel.Compose;
 import org.snakeyaml.engine.v2.api.lowlevel.Parse;
@@ -22,6 +24,8 @@ import org.snakeyaml.engine.v2.schema.CoreSchema;
 public final class YamlText {
     private static final int DEEPEST = 20;
     private static final int MOST_VALUES = 200_000;
+    /** What the parser reads as a number without looking: nothing at the end of the text, or more than an int holds. */
+    private static final Pattern NO_CHARACTER = Pattern.compile("\\\\(?:[xuU]\\z|U[89A-Fa-f][0-9A-Fa-f]{7})");
 
     private YamlText() {
     }
@@ -53,10 +57,14 @@ public final class YamlText {
             in.problems().add(Place.of(in.source(), e.getProblemMark()), "not valid YAML: " + reason(e, text));
         } catch (YamlEngineException e) {
             in.problems().add(Place.of(in.source()), "not valid YAML: " + e.getMessage());
+        } catch (NumberFormatException e) {
+            Matcher escape = NO_CHARACTER.matcher(text);
+            in.problems().add(escape.find() ? SourceText.end(text.substring(0, escape.start()), in) : Place.of(in.source()),
+                    "not valid YAML: an escape has to give a character's number in hexadecimal digits, such as \\xe9, \\u00e9"
+                    + " or \\U000000e9");
         }
         return Optional.empty();
     }
-
 
     private static void lookThrough(Iterable<Event> events, Reading in) {
         int depth = 0;

@@ -1,0 +1,84 @@
+package particles.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Particles;
+
+/** What scenes say of their motion comes true when they are run to the end. */
+class SceneWordsTest {
+    /** Looks at every particle at the end of every step, before the rules act. */
+    private static ParticleSystem run(String name, BiConsumer<ParticleSystem, Integer> look) {
+        Scene scene = SceneBuilder.build(SceneReader.read(Path.of("scenes", name + ".yaml")), new Overrides());
+        scene.simulation().addObserver(new Observer() {
+            @Override
+            public void moved(Motion motion) {
+                for (int i = 0; i < scene.system().getParticles().count(); i++) {
+                    look.accept(scene.system(), i);
+                }
+            }
+        });
+        scene.simulation().run();
+        return scene.system();
+    }
+
+    private static double entry(ParticleSystem system, int i, int k) {
+        return system.getOwnState()[Particles.STRIDE * i + k];
+    }
+
+    private static double speed(ParticleSystem system, int i) {
+        return Math.abs(entry(system, i, 3)) + Math.abs(entry(system, i, 4)) + Math.abs(entry(system, i, 5));
+    }
+
+    /** The last marble moves until 5.046 s; then all lie where the planes meet, but for rounding. */
+    @Test
+    void marblesLieInTheGrooveInTheEnd() {
+        double[] lastMove = {0};
+        ParticleSystem system = run("13-marbles-in-a-groove",
+                (s, i) -> lastMove[0] = speed(s, i) > 0 ? s.getTime() : lastMove[0]);
+        assertEquals(5.046, lastMove[0], 0.02);
+        for (int i = 0; i < 4; i++) {
+            assertEquals(0, speed(system, i));
+            assertEquals(0, Math.abs(entry(system, i, 0)) + Math.abs(entry(system, i, 1)), 1e-15);
+        }
+    }
+
+    /** 9 cm into the ground and 19 cm into the bump; and nobody leaves the picture. */
+    @Test
+    void theSofterGroundIsEnteredDeeper() {
+        Map<String, Double> lowest = new HashMap<>();
+        ParticleSystem system = run("26-trampoline",
+                (s, i) -> lowest.merge(s.getParticles().id(i), entry(s, i, 1), Math::min));
+        assertEquals(0.09, -lowest.get("hard"), 0.005);
+        assertEquals(0.19, 0.4 - lowest.get("soft"), 0.005);
+        assertEquals(0.5, entry(system, 1, 0), "above the top of the bump");
+    }
+
+    /** 69 of the 527 drops that died in 6 s went down the drain: a little more than one in eight. */
+    @Test
+    @Tag("slow")
+    void oneDropInEightGoesDownTheDrain() {
+        Set<String> born = new HashSet<>();
+        Set<String> drained = new HashSet<>();
+        ParticleSystem system = run("27-fountain", (s, i) -> {
+            born.add(s.getParticles().id(i));
+            if (entry(s, i, 0) > 2) {
+                drained.add(s.getParticles().id(i));
+            }
+        });
+        int died = born.size() - system.getParticles().count();
+        assertTrue(died > 500, "died: " + died);
+        assertEquals(1 / 8.0, drained.size() / (double) died, 0.015);
+    }
+}
