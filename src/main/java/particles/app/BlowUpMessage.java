@@ -4,6 +4,7 @@ import deSolvers.DESolverException;
 import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import particles.BlowUpException;
 import particles.Effect;
 import particles.Particles;
 import particles.SimulationException;
@@ -12,7 +13,8 @@ import particles.experiments.SpringRates;
 import particles.scene.Scene;
 
 /**
- * The line that a blow-up ends with: what happened where, how fast the springs are beside the time step, and what to try.
+ * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame, how fast
+ * the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of springs.
  */
 final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
@@ -48,21 +50,18 @@ final class BlowUpMessage {
      * @return the line
      */
     String of(SimulationException e) {
-        return scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e) + ": " + reason(e)
-                + stiffest() + advice();
+        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e) + ": ";
+        if (e.getCause() instanceof DESolverException cause) {
+            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + stiffest() + advice();
+        }
+        return line + (e instanceof BlowUpException ? energy() + stiffest() + advice() : e.getMessage());
     }
 
     private String particle(SimulationException e) {
         return e.getParticle() < 0 ? "" : " at particle '" + scene.system().getParticles().id(e.getParticle()) + "'";
     }
 
-    private String reason(SimulationException e) {
-        if (e.getCause() instanceof DESolverException cause) {
-            return cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "");
-        }
-        if (e.getParticle() < 0) {
-            return e.getMessage();
-        }
+    private String energy() {
         double energy = scene.system().getKineticEnergy(scene.system().getOwnState());
         return "the kinetic energy is " + Digits.few(energy) + " J, more than the limit of "
                 + Digits.few(scene.simulation().getEnergyLimit()) + " J";

@@ -18,7 +18,8 @@ import picocli.CommandLine.Option;
 final class CheckEffectCommand extends CheckCommand {
     static final String NAME = "checkEffect";
 
-    @Option(names = "--effect", paramLabel = "NAME", required = true, description = "An effect's name, or the class of your own.")
+    @Option(names = "--effect", paramLabel = "NAME", required = true, description = "An effect's name, as in scenes;"
+            + " springs or damped-springs; or the class of your own.")
     private String effect;
 
     @Override

@@ -57,8 +57,14 @@ final class GradeCommand extends ProgramCommand {
         this.style = style;
     }
 
-    /** What was looked at, and its mark. */
-    private record Graded(String name, Mark mark) {
+    /** What was looked at, whether there was anything to look at, and its mark. */
+    private record Graded(String name, boolean answered, Mark mark) {
+        void print(PrintWriter out) {
+            out.println((!answered ? "no answer " : mark.right() ? "mark      " : "no mark   ") + name);
+            if (answered) {
+                mark.lines().forEach(line -> out.println("            " + line));
+            }
+        }
     }
 
     @Override
@@ -68,16 +74,13 @@ final class GradeCommand extends ProgramCommand {
         }
         try (OutputFolder files = OutputFolder.open(results, NAME + ".md", "marks.csv", "TEST-" + NAME + ".xml")) {
             AnswersFile read = AnswersFile.read(answers);
+            read.problems().forEach(out::println);
             List<Graded> graded = new ArrayList<>(exercises(read));
             graded.addAll(solvers());
-            graded.forEach(item -> {
-                out.println((item.mark().right() ? "mark      " : "no mark   ") + item.name());
-                item.mark().lines().forEach(line -> out.println("            " + line));
-            });
+            graded.forEach(item -> item.print(out));
             long marks = graded.stream().filter(item -> item.mark().right()).count();
             String title = marks + " of " + graded.size() + " marks for " + student.strip();
             write(files, title, read.problems(), graded);
-            read.problems().forEach(out::println);
             out.println(title + "; report: " + results.resolve(NAME + ".md"));
             if (marks < graded.size()) {
                 throw new Failure(ExitCode.BAD_INPUT, graded.size() - marks == 1 ? "one mark is missing"
@@ -91,9 +94,9 @@ final class GradeCommand extends ProgramCommand {
         for (int number = 1; number <= Exercises.all().size(); number++) {
             Exercise exercise = Exercises.all().get(number - 1);
             String answer = read.answers().get(number);
-            graded.add(new Graded(number + ". " + exercise.title(),
+            graded.add(new Graded(number + ". " + exercise.title(), answer != null,
                     answer == null      // null for a number without an answer
-                    ? new Mark(false, List.of("There is no answer in " + answers + "."))
+                    ? new Mark(false, List.of("There is no answer."))
                     : exercise.mark(new Draw(student, number), beside(number, answer))));
         }
         return graded;
@@ -117,7 +120,7 @@ final class GradeCommand extends ProgramCommand {
         }
         List<Graded> graded = new ArrayList<>();
         for (String name : names) {
-            graded.add(new Graded("solver " + name, check(name)));
+            graded.add(new Graded("solver " + name, true, check(name)));
         }
         return graded;
     }

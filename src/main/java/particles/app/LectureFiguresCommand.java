@@ -25,17 +25,18 @@ final class LectureFiguresCommand extends ExperimentCommand {
 
     private static final int MOST_STEPS = 200_000;
     private static final int COLUMNS = 3;
+    private static final double DELTA_T = 0.4;
+    private static final int STEPS = 100;
 
     @Option(names = "--solver", paramLabel = "NAME", description = "One figure more, with this solver.")
     private String solver;
 
-    @Option(names = "--deltaT", paramLabel = "SECONDS", defaultValue = "0.4",
-            description = "Its time step (default: ${DEFAULT-VALUE}; one period is 6.283 s).")
-    private double deltaT;
+    @Option(names = "--deltaT", paramLabel = "SECONDS",
+            description = "Its time step (default: " + DELTA_T + "; one period is 6.283 s).")
+    private Double deltaT;
 
-    @Option(names = "--steps", paramLabel = "NUMBER", defaultValue = "100",
-            description = "Its steps (default: ${DEFAULT-VALUE}).")
-    private int steps;
+    @Option(names = "--steps", paramLabel = "NUMBER", description = "Its steps (default: " + STEPS + ").")
+    private Integer steps;
 
     LectureFiguresCommand(OptionStyle style) {
         super(style);
@@ -48,9 +49,15 @@ final class LectureFiguresCommand extends ExperimentCommand {
 
     @Override
     void check() {
-        positive("deltaT", deltaT);
-        requireWithin("steps", steps, 1, MOST_STEPS);
-        if (solver != null) {                           // picocli leaves an option null that was not given
+        if (deltaT != null) {                           // picocli leaves an option null that was not given
+            positive("deltaT", deltaT);
+            requireSolver("deltaT");
+        }
+        if (steps != null) {
+            requireWithin("steps", steps, 1, MOST_STEPS);
+            requireSolver("steps");
+        }
+        if (solver != null) {
             try {
                 SolverCatalog.create(solver);
             } catch (NoSuchElementException | IllegalArgumentException e) {
@@ -59,11 +66,18 @@ final class LectureFiguresCommand extends ExperimentCommand {
         }
     }
 
+    private void requireSolver(String option) {
+        if (solver == null) {
+            throw wrong(option, "needs " + style().option("solver") + ", whose figure it is for; the slides' figures have"
+                    + " their own");
+        }
+    }
+
     @Override
     ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<Figure> figures = new ArrayList<>(LectureFigures.onSlides());
         if (solver != null) {
-            figures.add(new Figure(solver, deltaT, steps));
+            figures.add(new Figure(solver, deltaT == null ? DELTA_T : deltaT, steps == null ? STEPS : steps));
         }
         List<Result> results = new ArrayList<>();
         List<Picture> pictures = new ArrayList<>();
@@ -83,7 +97,7 @@ final class LectureFiguresCommand extends ExperimentCommand {
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", COLUMNS, panels));
         return new ResultPage(NAME,
-                "Euler triples the velocity in three oscillations, midpoint grows slowly, RK4 decays slowly",
+                LectureFigures.finding(results.subList(0, LectureFigures.onSlides().size())),
                 List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed"
                         + " ellipse, a circle if both axes had one scale; it takes 2 pi"
                         + " seconds to go round, clockwise. The arrows are the vector field that a solver sees.",

@@ -100,7 +100,7 @@ final class RunJob {
             earlier.ifPresentOrElse(from -> scene.simulation().resume(from.getMemory()), scene.simulation()::run);
             return Optional.empty();
         } catch (SimulationException e) {
-            return Optional.of(new BlowUpMessage(scene, style).of(e));
+            return FrictionMessage.of(scene, style, e).or(() -> Optional.of(new BlowUpMessage(scene, style).of(e)));
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(scene.simulation().getDuration()) + " s"

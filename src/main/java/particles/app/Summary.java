@@ -10,6 +10,9 @@ import particles.scene.Scene;
 
 /** What a run was and how it went, for people and for run.json. */
 final class Summary {
+    /** Of the energy scale: a tenth is seen in the motion. */
+    private static final double LARGE_ERROR = 0.1;
+
     private final Scene scene;
     private final RunSummary record;
 
@@ -41,11 +44,17 @@ final class Summary {
                 ? " of " + Digits.few(record.duration()) + " s" : "") + " in " + counted(record.steps(), "step") + " with "
                 + counted(record.evaluations(), "evaluation") + " of the derivative; it took "
                 + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
+        if (record.deltaT() > record.duration() && record.steps() == 1) {
+            lines.add("the run is shorter than deltaT: its only step was " + Digits.few(record.endTime()) + " s long");
+        }
         lines.add("energy " + Digits.few(record.startEnergy()) + " J at the start, " + Digits.few(record.endEnergy())
-                + " J at the end; its largest drift is " + Digits.few(record.largestRelativeDrift()) + " of the energy scale, "
-                + Digits.few(record.energyScale()) + " J");
-        lines.add("of that, physics explains all but " + Digits.few(record.largestRelativeNumericalError())
-                + " of the energy scale at most: the numerical error");
+                + " J at the end, at most " + Digits.few(record.largestEnergyDrift()) + " J from the start");
+        double error = record.largestRelativeNumericalError();
+        lines.add("numerical error, what no physics explains of that: at most " + Digits.few(record.largestNumericalError())
+                + " J, " + Digits.few(error) + " of the energy scale of " + Digits.few(record.energyScale()) + " J");
+        if (error > LARGE_ERROR) {
+            lines.add("that is too much to trust the motion; a smaller deltaT or another solver does better");
+        }
         return lines;
     }
 

@@ -113,8 +113,9 @@ final class WorkPrecisionCommand extends ExperimentCommand {
                         + " before. Its slope is the order: with half the step, the error of rk4 falls to a sixteenth."
                         + " Slopes are fitted only where they are those of the method: over the last three or more errors"
                         + " in a row that are less than 0.1, above the last digits, and on a straight line, which says that"
-                        + " the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. Points that are"
-                        + " fitted are filled.",
+                        + " the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. A slope that is off"
+                        + " theory by more than 1.25 is none of the method: such errors fall for another reason, as where"
+                        + " sub-steps become short enough to be stable. Points that are fitted are filled.",
                 "The stiff chain does nothing but follow its shaken wall. Explicit solvers have no result until their step"
                         + " is short enough for the stiffest spring, and are then more accurate than anybody asked."
                         + " Implicit ones take long steps, but see only the stages of a step: there radau has the order of"

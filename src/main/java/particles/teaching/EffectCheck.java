@@ -18,7 +18,6 @@ import particles.teaching.Finding.Kind;
 public final class EffectCheck {
     private static final double STEP = 1e-5;
     private static final double SAME = 1e-5;
-    private static final String XYZ = "xyz";
 
     private final ParticleSystem system;
     private final Effect effect;
@@ -48,7 +47,7 @@ public final class EffectCheck {
      */
     public static List<Finding> check(ParticleSystem system, Effect effect) {
         EffectCheck check = new EffectCheck(system, effect);
-        check.writing();
+        new EffectWriting(system, effect, check.state).finding().ifPresent(check.findings::add);
         if (check.findings.isEmpty()) {
             check.partners();
             check.potential();
@@ -72,54 +71,7 @@ public final class EffectCheck {
     }
 
     private String entry(int k) {
-        return "component " + XYZ.charAt(k % 3) + " of the force on particle '" + system.getParticles().id(k / 6) + "'";
-    }
-
-    /** Whether forces are added, where they belong, without touching anything else. */
-    private void writing() {
-        double[] force = force(state, 0, effect.size());
-        double[] copy = state.clone();
-        force(copy, 0, effect.size());
-        if (!Arrays.equals(copy, state)) {
-            wrong(Kind.STATE, "addForces changes the state, which is there to be read only");
-            return;
-        }
-        if (!Arrays.equals(force, force(state, 0, effect.size()))) {
-            wrong(Kind.STATE, "two calls at the same state and time give different forces: something is random, or kept from the call before");
-            return;
-        }
-        double[] filled = new double[n];
-        Arrays.fill(filled, 1);
-        effect.addForces(state, 0, filled, 0, effect.size());
-        for (int k = 0; k < n; k++) {
-            if (!Double.isFinite(force[k])) {
-                wrong(Kind.METHOD, entry(k) + " is " + force[k]
-                        + " at a state that is nothing special: look for a division by 0");
-                return;
-            }
-            if (k % 6 < 3 && force[k] != 0) {
-                wrong(Kind.STATE, entry(k) + " is written to entry " + k
-                        + ", where the position stands; it belongs where the velocity stands,"
-                        + " entry " + (k + 3));
-                return;
-            }
-            if (k % 6 >= 3 && Math.abs(filled[k] - 1 - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
-                wrong(Kind.STATE, entry(k) + " is set and not added (= instead of +=): the forces of other effects are lost");
-                return;
-            }
-        }
-        double[] parts = new double[n];
-        int middle = effect.size() / 2;
-        effect.addForces(state, 0, parts, 0, middle);
-        effect.addForces(state, 0, parts, middle, effect.size());
-        for (int k = 0; k < n; k++) {
-            if (Math.abs(parts[k] - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
-                wrong(Kind.STATE, entry(k) + " is " + parts[k] + " when items 0 to " + middle
-                        + " and the rest are asked for one after the other, and "
-                        + force[k] + " at once: the loop has to go from 'from' to 'to', and over nothing else");
-                return;
-            }
-        }
+        return EffectWriting.entry(system, k);
     }
 
     /** Newton's third law, item by item. */
@@ -152,7 +104,7 @@ public final class EffectCheck {
                 int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
                 wrong(Kind.METHOD, "item " + item + " pushes particles " + String.join(" and ", names)
                         + " with forces that add up to "
-                        + Formula.number(rest) + " along " + XYZ.charAt(axis) + " and not to 0"
+                        + Formula.number(rest) + " along " + EffectWriting.axis(axis) + " and not to 0"
                         + (Math.abs(rest / 2) <= size * (1 + 1e-9) && sameForces(force, pushed)
                                 ? ": the partner gets the same force, and has to get the opposite one, F_ji = -F_ij"
                                 : ": F_ji has to be -F_ij"));
@@ -266,9 +218,14 @@ public final class EffectCheck {
         }
     }
 
+    private boolean claimsItsPower() {
+        return effect.getTraits().stream()
+                .anyMatch(trait -> trait == Trait.CONSERVATIVE || trait == Trait.DISSIPATIVE || trait == Trait.DRIVING);
+    }
+
     private String hint(String line) {
-        if (line.startsWith("power") && Set.of().equals(effect.getTraits())) {
-            return "; the forces do work that the effect does not account for. Claim CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with"
+        if (line.startsWith("power") && !claimsItsPower()) {
+            return ". Claim CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with"
                     + " getDissipatedPower or DRIVING with getDrivenPower";
         }
         if (line.startsWith("translation")) {

@@ -135,14 +135,20 @@ public final class EffectClaims {
         double dissipated = effect.getDissipatedPower(state, time);
         double driven = effect.getDrivenPower(state, time);
         if (dissipated < 0 || (dissipated != 0 && !effect.getTraits().contains(Trait.DISSIPATIVE))) {
-            broken.add("dissipated power " + dissipated);
+            broken.add("dissipated power: it is " + Formula.number(dissipated)
+                    + " W, and has to be 0 or more, and 0 without the claim DISSIPATIVE");
         }
         if (driven != 0 && !effect.getTraits().contains(Trait.DRIVING)) {
-            broken.add("driven power " + driven);
+            broken.add("driven power: it is " + Formula.number(driven)
+                    + " W, and has to be 0 without the claim DRIVING");
         }
         double scale = Math.max(size * speed * n, Math.abs(stored));
         if (!(Math.abs(power + stored + dissipated - driven) <= BOUND * scale)) {
-            broken.add("power " + power + " is not -" + stored + " - " + dissipated + " + " + driven);
+            broken.add("power: the force does work at " + Formula.number(power) + " W; " + (stored == 0 && dissipated == 0
+                    && driven == 0 ? "none of getPotentialEnergy, getDissipatedPower and getDrivenPower accounts for it"
+                    : "accounted for are " + Formula.number(driven - stored - dissipated) + " W: getPotentialEnergy gives "
+                            + Formula.number(-stored) + " W, getDissipatedPower takes " + Formula.number(dissipated)
+                            + " W and getDrivenPower adds " + Formula.number(driven) + " W"));
         }
     }
 

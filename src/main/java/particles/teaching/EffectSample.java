@@ -10,25 +10,39 @@ import particles.Effect;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Plane;
+import particles.Sphere;
 import particles.Vector3;
 import particles.effects.Cohesion;
 import particles.effects.Gravity;
+import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.PenaltyPlane;
+import particles.effects.PenaltySphere;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
 import particles.effects.SpringForce;
+import particles.effects.TurbulentWind;
 import particles.effects.Wind;
 
 /** A handful of particles for an effect to act on, and effects by name. */
 public final class EffectSample {
-    private static final Map<String, Function<Particles, Effect>> NAMED = Map.of(
-            "gravity", p -> new Gravity(p, new Vector3(0, -9.81, 0)),
-            "springs", p -> springs(p, 0), "damped-springs", p -> springs(p, 0.8),
-            "linear-drag", p -> new LinearDrag(p, 0.4, Wind.STILL), "quadratic-drag", p -> new QuadraticDrag(p, 0.4, Wind.STILL),
-            "attraction", p -> new PointAttraction(p, new Vector3(0.5, -2, 0.4), 3, 0.1),
-            "cohesion", p -> new Cohesion(p, 1.9, 1.1, 2, 0.5),
-            "penalty-plane", p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30, 0.8));
+    /** By the names that scenes have for them, and springs, which scenes have elsewhere. */
+    private static final Map<String, Function<Particles, Effect>> NAMED = Map.ofEntries(
+            Map.entry("gravity", p -> new Gravity(p, new Vector3(0, -9.81, 0))),
+            Map.entry("wind", p -> new LinearDrag(p, 0.4, new GustyWind(new Vector3(2, 0, 1), new Vector3(1, 0.5, 0), 1.7))),
+            Map.entry("turbulence", p -> new QuadraticDrag(p, 0.4, new TurbulentWind(Vector3.ZERO, 1.5, 2, 42))),
+            Map.entry("drag", p -> new LinearDrag(p, 0.4, Wind.STILL)),
+            Map.entry("quadraticDrag", p -> new QuadraticDrag(p, 0.4, Wind.STILL)),
+            Map.entry("attraction", p -> new PointAttraction(p, new Vector3(0.5, -2, 0.4), 3, 0.1)),
+            Map.entry("cohesion", p -> new Cohesion(p, 1.9, 1.1, 2, 0.5)),
+            Map.entry("penaltyPlane",
+                    p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30, 0.8)),
+            Map.entry("penaltySphere", p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 1.2, false), 30, 0.8)),
+            Map.entry("springs", p -> springs(p, 0)), Map.entry("damped-springs", p -> springs(p, 0.8)));
+
+    /** As they were called before. */
+    private static final Map<String, String> ALSO = Map.of("linear-drag", "drag", "quadratic-drag", "quadraticDrag",
+            "penalty-plane", "penaltyPlane");
 
     private EffectSample() {
     }
@@ -54,15 +68,17 @@ public final class EffectSample {
     /**
      * Makes an effect.
      *
-     * @param name      one of ours, or a class of one's own with a public constructor that takes {@link Particles}
+     * @param name      of ours the one that scenes have; wind and turbulence are drag in them; or a class of one's own with
+     *                  a public constructor that takes {@link Particles}
      * @param particles on whom it acts
      * @return the effect
      * @throws NoSuchElementException   if there is neither
      * @throws IllegalArgumentException if the class is no effect or cannot be made
      */
     public static Effect create(String name, Particles particles) {
-        if (NAMED.containsKey(name)) {
-            return NAMED.get(name).apply(particles);
+        String scenesName = ALSO.getOrDefault(name, name);
+        if (NAMED.containsKey(scenesName)) {
+            return NAMED.get(scenesName).apply(particles);
         }
         String full = name.contains(".") ? name : "exercises." + name;
         try {
@@ -75,6 +91,9 @@ public final class EffectSample {
         } catch (ClassNotFoundException e) {
             throw new NoSuchElementException("no class is called '" + full + "', and no effect; known effects: "
                     + String.join(", ", new TreeSet<>(NAMED.keySet())), e);
+        } catch (LinkageError e) {                      // a static field fails; at the second time there is no cause
+            throw new IllegalArgumentException("class " + full + " cannot be loaded: "
+                    + (e.getCause() == null ? e : e.getCause()), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
             throw new IllegalArgumentException("class " + full
                     + " cannot be made: it has to be public, not abstract, and have a public"

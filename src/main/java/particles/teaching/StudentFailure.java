@@ -2,6 +2,7 @@ package particles.teaching;
 
 import java.security.CodeSource;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /** Says where in a student's class something went wrong. */
@@ -20,9 +21,10 @@ final class StudentFailure {
      *         empty without either
      */
     static String place(StackTraceElement[] stack) {
-        Optional<StackTraceElement> found = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && !isOurs(frame)).findFirst()
-                .or(() -> Arrays.stream(stack).filter(frame -> !isOfJava(frame)
-                        && !frame.getClassName().startsWith("particles.teaching.")).findFirst());
+        List<StackTraceElement> written = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && isWritten(frame)).toList();
+        Optional<StackTraceElement> found = written.stream().filter(frame -> !isOurs(frame)).findFirst()
+                .or(() -> written.stream().filter(frame ->
+                        !frame.getClassName().startsWith("particles.teaching.")).findFirst());
         return found.map(frame -> ", in " + frame.getClassName().replaceAll(".*[.$]", "") + "." + frame.getMethodName()
                 + ", line "
                 + frame.getLineNumber() + " of " + frame.getFileName()).orElse("");
@@ -32,8 +34,16 @@ final class StudentFailure {
         return frame.getClassName().matches("(java|javax|jdk|sun)[.].*");
     }
 
-    /** Students' classes come from another place than the program's, whatever their package is. */
+    /** The JVM puts a class of its own, with no lines and a '/' in its name, between a lambda and who calls it. */
+    private static boolean isWritten(StackTraceElement frame) {
+        return frame.getLineNumber() > 0 && !frame.getClassName().contains("/");
+    }
+
+    /** Students' classes are of their package, or come from another place than the program's, whatever their package is. */
     private static boolean isOurs(StackTraceElement frame) {
+        if (frame.getClassName().startsWith("exercises.")) {
+            return false;
+        }
         try {
             return from(Class.forName(frame.getClassName(), false, Thread.currentThread().getContextClassLoader()))
                     .equals(from(StudentFailure.class));

@@ -103,6 +103,32 @@ class BlowUpMessageTest {
                 + " iterations.*; the stiffest spring, .*, with damping .*; the limit of verlet is 2: try --deltaT=0\\.00\\d+"), line);
     }
 
+    /** A straight pair of rods between a wall and a hand that pulls away: no step is short enough for that. */
+    @Test
+    void whatRodsCannotDoIsSaidWithoutAdvice() {
+        String text = """
+                title: Torn between
+                teaches: What no force can do.
+                solver: rk4
+                deltaT: 0.01
+                duration: 2
+                particles:
+                  - {id: wall, position: [0, 0, 0], fixed: true}
+                  - {id: middle, position: [1, 0, 0]}
+                  - {id: hand, position: [2, 0, 0], fixed: true}
+                rods:
+                  - {from: wall, to: middle}
+                  - {from: middle, to: hand}
+                effects: [gravity]
+                rules:
+                  - shake: {particle: hand, amplitude: [0.1, 0, 0], period: 1}
+                """;
+        String line = blowUp(SceneBuilder.build(SceneReader.read("torn.yaml", text.getBytes(StandardCharsets.UTF_8)),
+                new Overrides()));
+        assertTrue(line.matches("rk4 stopped at t = [\\d.e-]+ s at particle 'wall': the rods and wires that hang together with"
+                + " particle 'wall' contradict each other at t = [\\d.E-]+ s: no forces can keep them all"), line);
+    }
+
     private static Scene stiffCloth(String solver) {
         String text = """
                 title: A stiff cloth

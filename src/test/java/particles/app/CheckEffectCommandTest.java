@@ -156,7 +156,9 @@ class CheckEffectCommandTest {
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertTrue(here(ExitCode.BAD_INPUT, "MyGravity",
-                folder).contains("no class is called 'exercises.MyGravity', and no effect; known effects: "));
+                folder).contains("no class is called 'exercises.MyGravity', and no effect; known effects: attraction,"
+                        + " cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs, turbulence,"
+                        + " wind"));
     }
 
     @Test

@@ -34,6 +34,8 @@ class ExperimentOptionsTest {
         "stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: no solver is called 'rk'",
         "lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0",
         "lectureFigures | -Psteps=0           | option -Psteps: 0 has to be from 1 to 200000",
+        "lectureFigures | -PdeltaT=0.1        | option -PdeltaT: needs -Psolver, whose figure it is for",
+        "lectureFigures | -Psteps=7           | option -Psteps: needs -Psolver, whose figure it is for",
         "lectureFigures | -Psolver=rk5        | option -Psolver: no solver is called 'rk5'",
         "energyDrift    | -Pscene=sprng       | there is no scene 'sprng'",
         "energyDrift    | -PdeltaT=-1         | -PdeltaT: the value is -1; it has to be a number over 0 (s)",

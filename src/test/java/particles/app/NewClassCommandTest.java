@@ -78,12 +78,14 @@ class NewClassCommandTest {
     }
 
     @Test
-    void anEffectCompilesAndClaimsNothingYet() throws ReflectiveOperationException, IOException {
+    void anEffectCompilesAndIsToldThatItAddsNoForce() throws ReflectiveOperationException, IOException {
         run(ExitCode.DONE, "newEffect", "MyGravity");
         ParticleSystem system = EffectSample.system();
         Effect effect = compiled("MyGravity").asSubclass(Effect.class).getConstructor(Particles.class)
                 .newInstance(system.getParticles());
-        assertEquals(List.of(), EffectCheck.check(system, effect));
+        List<Finding> wrong = EffectCheck.check(system, effect);
+        assertEquals(1, wrong.size(), wrong.toString());
+        assertTrue(wrong.get(0).toString().startsWith("method: addForces adds no force to any particle"), wrong.toString());
     }
 
     @Test

@@ -3,12 +3,17 @@ package particles.teaching;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.DESolver;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** A class that does not come back ends its check with a clear line, and with the place where it was. */
 class GuardedRunTest {
@@ -60,6 +65,51 @@ class GuardedRunTest {
         assertStarts("failure: it did not come back within 3/10 s: an endless loop, in PlantedClasses.endlessLoop, line ",
                 failure(() -> PlantedClasses.endlessLoop(steps)));
         assertTrue(steps.get() > 0);
+    }
+
+    /** Where a build compiles students' classes with the program's, the place that they come from does not tell them apart. */
+    @Test
+    void aLoopThatCallsTheProgramIsTheStudentsLoop(@TempDir Path folder) throws Exception {
+        Path source = Files.writeString(folder.resolve("LoopSolver.java"), """
+                package exercises;
+
+                public class LoopSolver extends deSolvers.DESolver {
+                    @Override
+                    public void stepState(deSolvers.DEStateSource source, double deltaT) {
+                        double[] s = new double[source.getStateSize()];
+                        while (!Thread.currentThread().isInterrupted()) {
+                            source.getState(s);
+                        }
+                    }
+                }
+                """);
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", folder.toString(), source.toString()));
+        byte[] bytes = Files.readAllBytes(folder.resolve("exercises/LoopSolver.class"));
+        ClassLoader program = StudentFailure.class.getClassLoader();
+        ClassLoader besideTheProgram = new ClassLoader(program) {
+            @Override
+            protected Class<?> findClass(String name) {
+                return defineClass(name, bytes, 0, bytes.length, StudentFailure.class.getProtectionDomain());
+            }
+        };
+        DESolver solver = (DESolver) besideTheProgram.loadClass("exercises.LoopSolver").getConstructor().newInstance();
+        Thread.currentThread().setContextClassLoader(besideTheProgram);
+        try {
+            String found = failure(() -> SolverCheck.check(() -> solver, "LoopSolver"));
+            assertTrue(found.matches(".*: an endless loop, in LoopSolver.stepState, line [78] of LoopSolver.java"), found);
+        } finally {
+            Thread.currentThread().setContextClassLoader(program);
+        }
+    }
+
+    @Test
+    void whatTheJvmPutsBetweenIsNobodysPlace() {
+        StackTraceElement lambda = new StackTraceElement("particles.app.CheckCommand$$Lambda$22/0x00007f5e08027988", "call",
+                null, -1);
+        StackTraceElement ours = new StackTraceElement("particles.ParticleSystem", "getState", "ParticleSystem.java", 90);
+        assertEquals("", StudentFailure.place(new StackTraceElement[] {lambda}));
+        assertEquals(", in ParticleSystem.getState, line 90 of ParticleSystem.java",
+                StudentFailure.place(new StackTraceElement[] {lambda, ours}));
     }
 
     @Test

@@ -93,6 +93,28 @@ class PlantedClaimsTest {
     }
 
     @Test
+    void noForceAtAll() {
+        assertFound(law(EnumSet.allOf(Trait.class), true, (state, k) -> 0 * state[k], NONE, NONE),
+                "method: addForces adds no force to any particle");
+    }
+
+    /** The wall is far from where the sample's particles are, and pushes what comes to it. */
+    @Test
+    void whatActsFarAwayIsALaw() {
+        assertFound(law(EnumSet.of(Trait.CONSERVATIVE), false, (state, k) -> wall(state, k), state -> {
+            double sum = 0;
+            for (int k = 3; k < state.length; k += 6) {
+                sum += wall(state, k) * wall(state, k) / 2;
+            }
+            return sum;
+        }, NONE));
+    }
+
+    private static double wall(double[] state, int k) {
+        return k % 6 == 3 ? Math.max(0, -10 - state[k - 3]) : 0;
+    }
+
+    @Test
     void heatThatIsNotTold() {
         assertFound(law(EnumSet.of(Trait.DISSIPATIVE), true, DRAG, NONE, NONE),
                 "turns 0 W into heat: getDissipatedPower is missing");
@@ -107,7 +129,25 @@ class PlantedClaimsTest {
     @Test
     void nothingIsClaimedAtAll() {
         assertFound(law(EnumSet.noneOf(Trait.class), true, DRAG, NONE, NONE),
-                "the forces do work that the effect does not account for");
+                "method: a claim does not hold: power: the force does work at -0.1684 W; none of getPotentialEnergy,"
+                        + " getDissipatedPower and getDrivenPower accounts for it. Claim CONSERVATIVE with getPotentialEnergy");
+    }
+
+    /** Symmetries are claims too, and say nothing of the power. */
+    @Test
+    void onlyASymmetryIsClaimed() {
+        Component pull = (state, k) -> state[k % 3] - state[k - 3];
+        assertFound(law(EnumSet.of(Trait.TRANSLATION_INVARIANT), false, pull, NONE, NONE),
+                "power: the force does work at ", " W; none of getPotentialEnergy, getDissipatedPower and getDrivenPower accounts"
+                        + " for it. Claim CONSERVATIVE");
+    }
+
+    /** It takes 0.3 |v|^2, and says that it takes 0.6 |v|^2; the claim to drive leaves that to the sum of all. */
+    @Test
+    void powerThatIsAccountedForInPart() {
+        assertFound(law(EnumSet.of(Trait.DISSIPATIVE, Trait.DRIVING), true, DRAG, NONE, state -> 0.6 * squares(state, 3)),
+                "a claim does not hold: power: the force does work at -", " W; accounted for are -",
+                " W: getPotentialEnergy gives 0 W, getDissipatedPower takes ", " W and getDrivenPower adds 0 W");
     }
 
     @Test
