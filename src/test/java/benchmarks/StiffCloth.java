@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitWork;
+import hunts.TaskOptions;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
@@ -154,8 +155,14 @@ final class StiffCloth {
         return rows.stream().mapToDouble(time).max().orElseThrow() / rows.stream().mapToDouble(time).min().orElseThrow();
     }
 
-    /** @param args none */
+    /** @param args none; the build hands options on, and there are none */
     public static void main(String[] args) {
+        try {
+            new TaskOptions(args, List.of());
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
+        }
         print(System.out, new long[] {1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000});
     }
 }
