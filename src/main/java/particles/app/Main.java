@@ -20,9 +20,7 @@ public final class Main {
         stop.listen();
         Program program = new Program(commands(OptionStyle.current(), stop), OptionStyle.current(),
                 new PrintWriter(System.out, true), new PrintWriter(System.err, true));
-        ExitCode code = program.execute(args);
-        stop.ended();
-        System.exit(code.code());
+        stop.end(program.execute(args), System::exit);
     }
 
     /** Where students' classes are; a check in a process of its own is told. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.function.IntConsumer;
 
 /**
  * The wish that the program ends early, by Ctrl-C or a signal. A run that hears of it completes its files and ends; one
@@ -36,9 +37,19 @@ class StopRequest {
         lastResorts.add(action);
     }
 
-    /** The program has done all that it wanted to do. */
-    void ended() {
+    /**
+     * The program has done all that it wanted to do. Where a signal is ending the process, that goes on, with the signal's
+     * exit code, such as 143 of SIGTERM: Java would take another code that came at the last moment.
+     *
+     * @param code how it ended
+     * @param exit ends the process with a number, as {@link System#exit} does
+     */
+    void end(ExitCode code, IntConsumer exit) {
+        boolean signalled = wanted;
         ended.countDown();
+        if (!signalled) {
+            exit.accept(code.code());
+        }
     }
 
     private void stopAndWait() {

@@ -73,8 +73,9 @@ class KilledRunsTest {
         } else {
             process.destroyForcibly();
         }
-        int code = child.end(process).code();
-        assertTrue(code == 0 || code == (gently ? STOPPED_BY_SIGTERM : STOPPED_BY_SIGKILL), moment + ": exit code " + code);
+        ChildProgram.End end = child.end(process);
+        assertTrue(end.code() == 0 || end.code() == (gently ? STOPPED_BY_SIGTERM : STOPPED_BY_SIGKILL),
+                moment + ": exit code " + end.code() + "\n" + end.lines());
     }
 
     private ChildProgram child() throws IOException {
