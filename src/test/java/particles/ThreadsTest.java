@@ -83,6 +83,31 @@ class ThreadsTest {
         assertEquals(hashAfter(network(2999), 1, STEPS), hashAfter(network(2999), threads, STEPS));
     }
 
+    /** The last particle's springs end the last block and begin what comes after all blocks: taken together by one thread? */
+    @Test
+    void aParticleWithSpringsInABlockAndAfterItHasTheSameBits() {
+        String[] hashes = new String[2];
+        for (int k = 0; k < 2; k++) {
+            ParticleSystem pairs = new ParticleSystem();
+            SpringForce springs = new SpringForce(pairs.getParticles());
+            Random random = new Random(12);
+            for (int i = 0; i < 1000; i++) {
+                pairs.addParticle("p" + i, 1, new Vector3(random.nextDouble(), random.nextDouble(), i), Vector3.ZERO, false);
+            }
+            for (int s = 0; s < 20_000; s++) {
+                springs.addSpring(s / 40 * 2, s / 40 * 2 + 1, random.nextDouble(), random.nextDouble(), 0.1);
+            }
+            for (int s = 0; s < 5; s++) {
+                springs.addSpring(998, s, random.nextDouble(), random.nextDouble(), 0.1);
+            }
+            pairs.addEffect(springs);
+            hashes[k] = hashAfter(pairs, 1 + k, STEPS);
+            assertEquals(4, springs.countBlocks());
+            assertEquals(20_000, springs.getBlockStart(4));
+        }
+        assertEquals(hashes[0], hashes[1]);
+    }
+
     @Test
     void springsThatGoLeaveTheirBlocksAsTheyWere() {
         String[] hashes = new String[2];

@@ -103,7 +103,9 @@ public final class SpringForce implements DivisibleEffect, SpringView {
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
         table.arrange();
-        SpringKernel.addForces(table, state, force, from, to);
+        int between = table.blocks().start(table.blocks().count());     // those come after all blocks, also in one thread
+        SpringKernel.addForces(table, state, force, from, Math.min(to, between));
+        SpringKernel.addForces(table, state, force, Math.max(from, between), to);
     }
 
     @Override
@@ -152,7 +154,7 @@ public final class SpringForce implements DivisibleEffect, SpringView {
         double vy = state[j + 4] - state[i + 4];
         double vz = state[j + 5] - state[i + 5];
         double square = rx * rx + ry * ry + rz * rz;
-        if (square > SpringKernel.SMALLEST_SQUARE && square < SpringKernel.LARGEST_SQUARE) {
+        if (SpringKernel.isOrdinary(square)) {
             return (rx * vx + ry * vy + rz * vz) / Math.sqrt(square);
         }
         double length = new Vector3(rx, ry, rz).length();
@@ -171,8 +173,7 @@ public final class SpringForce implements DivisibleEffect, SpringView {
         double ry = state[j + 1] - state[i + 1];
         double rz = state[j + 2] - state[i + 2];
         double square = rx * rx + ry * ry + rz * rz;
-        return square > SpringKernel.SMALLEST_SQUARE && square < SpringKernel.LARGEST_SQUARE ? Math.sqrt(square)
-                : new Vector3(rx, ry, rz).length();
+        return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : new Vector3(rx, ry, rz).length();
     }
 
     /** {@inheritDoc} Springs go with either of their ends. */

@@ -5,15 +5,18 @@ package particles.effects;
  * {@link SpringForce}; these loops are where a simulation of cloth spends its time.
  */
 final class SpringKernel {
-    /** Between these bounds the square of a length neither overflows nor loses digits. */
-    static final double SMALLEST_SQUARE = 1e-280;
-    static final double LARGEST_SQUARE = 1e280;
+    /** The bits of the square of a length from which on it does not lose digits, and how many follow before it overflows. */
+    private static final long SMALLEST = Double.doubleToRawLongBits(1e-280);
+    private static final long ORDINARY = Double.doubleToRawLongBits(1e280) - SMALLEST;
 
     private SpringKernel() {
     }
 
-    /** Adds the forces of the springs first ... end - 1. */
+    /** Adds the forces of the springs first ... end - 1, if there are any. */
     static void addForces(SpringTable table, double[] state, double[] force, int first, int end) {
+        if (first >= end) {
+            return;
+        }
         if (table.isGrouped()) {
             addGrouped(table, state, force, first, end);
         } else {
@@ -35,7 +38,7 @@ final class SpringKernel {
             double ry = state[j + 1] - state[i + 1];
             double rz = state[j + 2] - state[i + 2];
             double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
-            if (!(square > SMALLEST_SQUARE && square < LARGEST_SQUARE)) {
+            if (!isOrdinary(square)) {
                 addExtremeForce(table, s, state, force);
                 continue;
             }
@@ -44,69 +47,85 @@ final class SpringKernel {
                     Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
             double inverse = 1 / length;
             double perLength = Math.fma(damping[s] * stretching, inverse, stiffness[s] * (length - restLength[s])) * inverse;
-            double fx = perLength * rx;
-            double fy = perLength * ry;
-            double fz = perLength * rz;
-            force[i + 3] += fx;
-            force[i + 4] += fy;
-            force[i + 5] += fz;
-            force[j + 3] -= fx;
-            force[j + 4] -= fy;
-            force[j + 5] -= fz;
+            force[i + 3] = Math.fma(perLength, rx, force[i + 3]);
+            force[i + 4] = Math.fma(perLength, ry, force[i + 4]);
+            force[i + 5] = Math.fma(perLength, rz, force[i + 5]);
+            force[j + 3] = Math.fma(-perLength, rx, force[j + 3]);
+            force[j + 4] = Math.fma(-perLength, ry, force[j + 4]);
+            force[j + 5] = Math.fma(-perLength, rz, force[j + 5]);
         }
     }
 
-    /** Particle by particle, keeping what belongs to the first one in registers for all of its springs: best in cloth. */
+    /**
+     * Particle by particle, keeping what belongs to the first one in registers for all of its springs: best in cloth. One
+     * loop over all springs, since one within it would be over after a handful each time, before it gets fast.
+     */
     private static void addGrouped(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
         double[] stiffness = table.stiffness;
         double[] restLength = table.restLength;
         double[] damping = table.damping;
-        int[] groupEnds = table.groupEnds;
-        int s = first;
-        for (int group = table.groupOf(first); s < end; group++) {
-            int last = Math.min(groupEnds[group], end);
-            int i = from[s];
-            double x = state[i];
-            double y = state[i + 1];
-            double z = state[i + 2];
-            double vx = state[i + 3];
-            double vy = state[i + 4];
-            double vz = state[i + 5];
-            double sumX = 0;
-            double sumY = 0;
-            double sumZ = 0;
-            for (; s < last; s++) {
-                int j = to[s];
-                double rx = state[j] - x;
-                double ry = state[j + 1] - y;
-                double rz = state[j + 2] - z;
-                double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
-                if (square > SMALLEST_SQUARE && square < LARGEST_SQUARE) {
-                    double length = Math.sqrt(square);
-                    double stretching = Math.fma(rx, state[j + 3] - vx,
-                            Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
-                    double inverse = 1 / length;
-                    double perLength = Math.fma(damping[s] * stretching, inverse,
-                            stiffness[s] * (length - restLength[s])) * inverse;
-                    double fx = perLength * rx;
-                    double fy = perLength * ry;
-                    double fz = perLength * rz;
-                    sumX += fx;
-                    sumY += fy;
-                    sumZ += fz;
-                    force[j + 3] -= fx;
-                    force[j + 4] -= fy;
-                    force[j + 5] -= fz;
-                } else {
-                    addExtremeForce(table, s, state, force);
-                }
+        int i = from[first];
+        double x = state[i];
+        double y = state[i + 1];
+        double z = state[i + 2];
+        double vx = state[i + 3];
+        double vy = state[i + 4];
+        double vz = state[i + 5];
+        double sumX = 0;
+        double sumY = 0;
+        double sumZ = 0;
+        for (int s = first; s < end; s++) {
+            int next = from[s];
+            if (next != i) {
+                force[i + 3] += sumX;
+                force[i + 4] += sumY;
+                force[i + 5] += sumZ;
+                i = next;
+                x = state[i];
+                y = state[i + 1];
+                z = state[i + 2];
+                vx = state[i + 3];
+                vy = state[i + 4];
+                vz = state[i + 5];
+                sumX = 0;
+                sumY = 0;
+                sumZ = 0;
             }
-            force[i + 3] += sumX;
-            force[i + 4] += sumY;
-            force[i + 5] += sumZ;
+            int j = to[s];
+            double rx = state[j] - x;
+            double ry = state[j + 1] - y;
+            double rz = state[j + 2] - z;
+            double square = Math.fma(rx, rx, Math.fma(ry, ry, rz * rz));
+            if (isOrdinary(square)) {
+                double length = Math.sqrt(square);
+                double stretching = Math.fma(rx, state[j + 3] - vx,
+                        Math.fma(ry, state[j + 4] - vy, rz * (state[j + 5] - vz)));
+                double inverse = 1 / length;
+                double perLength = Math.fma(damping[s] * stretching, inverse,
+                        stiffness[s] * (length - restLength[s])) * inverse;
+                sumX = Math.fma(perLength, rx, sumX);
+                sumY = Math.fma(perLength, ry, sumY);
+                sumZ = Math.fma(perLength, rz, sumZ);
+                force[j + 3] = Math.fma(-perLength, rx, force[j + 3]);
+                force[j + 4] = Math.fma(-perLength, ry, force[j + 4]);
+                force[j + 5] = Math.fma(-perLength, rz, force[j + 5]);
+            } else {
+                addExtremeForce(table, s, state, force);
+            }
         }
+        force[i + 3] += sumX;
+        force[i + 4] += sumY;
+        force[i + 5] += sumZ;
+    }
+
+    /**
+     * Whether the square of a length neither overflows nor loses digits: by the bits, whose order is that of the numbers and
+     * ends with NaN, in one comparison.
+     */
+    static boolean isOrdinary(double square) {
+        return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;
     }
 
     /** The same law for lengths whose square would overflow or underflow: the direction is found after scaling. */

@@ -9,7 +9,7 @@ import particles.Particles;
  * into the order in which their forces are evaluated fastest.
  */
 final class SpringTable {
-    private static final int[] NOT_GROUPED = {};
+    private static final int NOT_COUNTED = -1;
 
     int count;
     int[] from = new int[8];                            // where the particles' entries begin in the state
@@ -17,7 +17,7 @@ final class SpringTable {
     double[] stiffness = new double[8];
     double[] restLength = new double[8];
     double[] damping = new double[8];
-    int[] groupEnds = NOT_GROUPED;                      // the end of the springs of each particle where springs begin
+    private int owners = NOT_COUNTED;                   // how many particles springs begin at, in the order of the table
     private boolean arranged;
     private boolean sorted = true;
     private final SpringBlocks blocks = new SpringBlocks();
@@ -68,7 +68,7 @@ final class SpringTable {
             }
         }
         count = stay;
-        groupEnds = NOT_GROUPED;
+        owners = NOT_COUNTED;
     }
 
     void remember(Memory memory) {
@@ -81,7 +81,7 @@ final class SpringTable {
         arranged = memory.keep(arranged);
         sorted = memory.keep(sorted);
         blocks.remember(memory);
-        groupEnds = NOT_GROUPED;
+        owners = NOT_COUNTED;
     }
 
     private void move(int s, int stay) {
@@ -98,7 +98,7 @@ final class SpringTable {
      * Then divides them into blocks.
      */
     void arrange() {
-        if (arranged && (groupEnds.length > 0 || count == 0)) {
+        if (arranged && owners != NOT_COUNTED) {
             return;
         }
         if (!arranged) {
@@ -109,24 +109,10 @@ final class SpringTable {
             sorted = blocks.count() == 1;
             arranged = true;
         }
-        group();
-    }
-
-    private void group() {
-        int[] ends = new int[count];
-        int groups = 0;
-        for (int s = 1; s <= count; s++) {
-            if (s == count || from[s] != from[s - 1]) {
-                ends[groups++] = s;
-            }
+        owners = 0;
+        for (int s = 0; s < count; s++) {
+            owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
         }
-        groupEnds = Arrays.copyOf(ends, groups);
-    }
-
-    /** @return the group of spring s, once they are arranged */
-    int groupOf(int s) {
-        int place = Arrays.binarySearch(groupEnds, s);
-        return place < 0 ? -place - 1 : place + 1;
     }
 
     /** @return their blocks, once they are arranged */
@@ -136,7 +122,7 @@ final class SpringTable {
 
     /** @return whether a particle owns enough springs, two or more on average, to take them together */
     boolean isGrouped() {
-        return count >= 2L * groupEnds.length;
+        return count >= 2L * owners;
     }
 
     private void sort() {
