@@ -54,7 +54,7 @@ public interface Effect extends Remembering {
      * Whether the items are the particles themselves and each acts on its own particle only, as gravity and drag do. Such
      * laws are evaluated for a stretch of particles in turn, while its numbers are in the processor's nearest memory.
      *
-     * @return true if item i adds to the force on particle i and on no other
+     * @return true if item i adds to the force on particle i and on no other; the same for the effect's whole life
      */
     default boolean isPerParticle() {
         return false;

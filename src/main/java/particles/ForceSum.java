@@ -1,5 +1,6 @@
 package particles;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -15,7 +16,9 @@ final class ForceSum {
     private final List<Reaction> reactions;
     private Optional<ParallelForces> parallel = Optional.empty();
     private LinearLaw linear = LinearLaw.NONE;          // of all effects that have one
-    private int summedUp;                               // how many effects the law above is the sum of
+    private final List<Effect> perParticle = new ArrayList<>();     // those that have none
+    private final List<Effect> others = new ArrayList<>();
+    private int sorted;                                 // how many effects the three above were made of
 
     ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
         this.particles = particles;
@@ -25,8 +28,8 @@ final class ForceSum {
 
     /** The derivative (v, F/m) of a state. */
     void derivative(double[] state, double time, double[] dSdt) {
-        if (summedUp < effects.size()) {
-            sumUpLinearLaws();
+        if (sorted < effects.size()) {
+            sortEffects();
         }
         if (parallel.isPresent() && parallel.get().pays()) {
             parallel.get().derivative(state, time, dSdt);
@@ -34,7 +37,10 @@ final class ForceSum {
         }
         int n = particles.count();
         begin(state, time, dSdt, 0, n);
-        addOthers(state, time, dSdt);
+        for (int e = 0; e < others.size(); e++) {
+            Effect effect = others.get(e);
+            effect.addForces(state, time, dSdt, 0, effect.size());
+        }
         addReactions(state, time, dSdt);
         divideByMasses(dSdt, 0, n);
     }
@@ -49,12 +55,15 @@ final class ForceSum {
                 : Optional.of(new ParallelForces(this, particles, effects, threads, paysFrom));
     }
 
-    /** Effects are added and never taken out, and their linear laws stay as they are. */
-    private void sumUpLinearLaws() {
-        for (; summedUp < effects.size(); summedUp++) {
-            Optional<LinearLaw> law = effects.get(summedUp).getLinearLaw();
+    /** Effects are added and never taken out, and of what kind they are stays. */
+    private void sortEffects() {
+        for (; sorted < effects.size(); sorted++) {
+            Effect effect = effects.get(sorted);
+            Optional<LinearLaw> law = effect.getLinearLaw();
             if (law.isPresent()) {
                 linear = linear.plus(law.get());
+            } else {
+                (effect.isPerParticle() ? perParticle : others).add(effect);
             }
         }
     }
@@ -68,7 +77,9 @@ final class ForceSum {
             } else {
                 linear.begin(state, particles.masses(), dSdt, from, to);
             }
-            addPerParticle(state, time, dSdt, from, to, false);
+            for (int e = 0; e < perParticle.size(); e++) {
+                perParticle.get(e).addForces(state, time, dSdt, from, to);
+            }
         }
     }
 
@@ -99,27 +110,8 @@ final class ForceSum {
     void effects(double[] state, double time, double[] force) {
         int n = particles.count();
         Arrays.fill(force, 0, STRIDE * n, 0.0);
-        for (int from = 0; from < n; from += STRETCH) {
-            addPerParticle(state, time, force, from, Math.min(n, from + STRETCH), true);
-        }
-        addOthers(state, time, force);
-    }
-
-    private void addPerParticle(double[] state, double time, double[] force, int from, int to, boolean linearToo) {
         for (int e = 0; e < effects.size(); e++) {
-            Effect effect = effects.get(e);
-            if (effect.isPerParticle() && (linearToo || effect.getLinearLaw().isEmpty())) {
-                effect.addForces(state, time, force, from, to);
-            }
-        }
-    }
-
-    private void addOthers(double[] state, double time, double[] force) {
-        for (int e = 0; e < effects.size(); e++) {
-            Effect effect = effects.get(e);
-            if (!effect.isPerParticle()) {
-                effect.addForces(state, time, force, 0, effect.size());
-            }
+            effects.get(e).addForces(state, time, force, 0, effects.get(e).size());
         }
     }
 
