@@ -56,40 +56,44 @@ final class BlockLayout {
      * A kick and then a drift with the new velocities: v' = v + kick a, x' = x + drift v'.
      *
      * @param state  (x, v)
-     * @param dSdt   holds a in its velocity entries; what is not finite in the others makes the result NaN too
+     * @param dSdt   holds a in its velocity entries
+     * @param speeds where v is read: {@code state}, or {@code dSdt} where that is the derivative there, whose position entries
+     *               are v as well; then an entry that is not finite makes the result NaN
      * @param n      how many entries these arrays have; where a source's size is a constant, this one is, and the loop no loop
      * @param d      positions in a block
      * @param kick   how long the acceleration acts (s)
      * @param drift  how long the new velocity acts (s)
      * @param result receives (x', v'); may be {@code state}
      */
-    static void kickDrift(double[] state, double[] dSdt, int n, int d, double kick, double drift, double[] result) {
+    static void kickDrift(double[] state, double[] dSdt, double[] speeds, int n, int d, double kick, double drift,
+            double[] result) {
+        int shift = speeds == dSdt ? 0 : d;             // from a position's place to its velocity's
         if (d == 1) {                                   // written out: the inner loop would cost as much as it does
             for (int x = 0; x < n; x += 2) {
-                move(state, dSdt, x, x + 1, kick, drift, result);
+                move(state, speeds[x + shift], dSdt, x, x + 1, kick, drift, result);
             }
             return;
         }
         if (d == 3) {
             for (int x = 0; x < n; x += 6) {
-                move(state, dSdt, x, x + 3, kick, drift, result);
-                move(state, dSdt, x + 1, x + 4, kick, drift, result);
-                move(state, dSdt, x + 2, x + 5, kick, drift, result);
+                move(state, speeds[x + shift], dSdt, x, x + 3, kick, drift, result);
+                move(state, speeds[x + 1 + shift], dSdt, x + 1, x + 4, kick, drift, result);
+                move(state, speeds[x + 2 + shift], dSdt, x + 2, x + 5, kick, drift, result);
             }
             return;
         }
         for (int block = 0; block < n; block += 2 * d) {
             for (int x = block; x < block + d; x++) {
-                move(state, dSdt, x, x + d, kick, drift, result);
+                move(state, speeds[x + shift], dSdt, x, x + d, kick, drift, result);
             }
         }
     }
 
-    /** One position at x and its velocity at v; returns v'. */
-    static double move(double[] state, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
-        double velocity = Math.fma(kick, dSdt[v], state[v]);
+    /** One position at x and its velocity at v, which is speed before; returns v'. */
+    static double move(double[] state, double speed, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
+        double velocity = Math.fma(kick, dSdt[v], speed);
         result[v] = velocity;
-        result[x] = Math.fma(drift, velocity, Math.fma(dSdt[x], 0, state[x]));
+        result[x] = Math.fma(drift, velocity, state[x]);
         return velocity;
     }
 

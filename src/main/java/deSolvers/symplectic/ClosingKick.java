@@ -8,7 +8,7 @@ import deSolvers.GuardedStep;
  * step, and the order would fall to 1.
  */
 final class ClosingKick {
-    /** Relative to the largest velocity; some hundred roundings, reached where an iteration leaves less than 0.74 of a change. */
+    /** Relative to the velocities; some hundred roundings, reached where an iteration leaves less than 0.74 of a change. */
     private static final double TOLERANCE = 1e-13;
     /** Of the largest position: what a step's end may be moved by where the change of the velocity no longer falls. */
     private static final double ROUNDING = 0x1p-50;
@@ -17,7 +17,7 @@ final class ClosingKick {
     private double[] before = {};                       // the velocities alone, from which the kick starts
     private double largestBefore;                       // of their sizes; NaN if one is
     private double change;                              // the largest one of a velocity in the last iteration
-    private double scale;                               // the largest velocity, before the kick or after; NaN if one is
+    private double scale;                               // about the largest velocity: before, and how far off the guess was
 
     /**
      * The opening kick and the drift, as {@link BlockLayout#kickDrift} does them, and a first guess at the closing kick: the
@@ -55,7 +55,7 @@ final class ClosingKick {
 
     /** One position at x and its velocity at v, which is the j-th. */
     private double open(double[] from, double[] dSdt, int x, int v, double h, double[] state, int j) {
-        double velocity = BlockLayout.move(from, dSdt, x, v, h / 2, h, state);
+        double velocity = BlockLayout.move(from, from[v], dSdt, x, v, h / 2, h, state);
         before[j] = velocity;
         state[v] = Math.fma(h / 2, dSdt[v], velocity);
         return velocity;
@@ -77,9 +77,11 @@ final class ClosingKick {
                 source.requireFinite(dSdt);
             }
             double last = change;
-            scale = largestBefore;
             kickAgain(state, dSdt, d, h);
-            if (!(scale <= Double.MAX_VALUE)) {
+            if (iteration == 0) {
+                scale = largestBefore + change;
+            }
+            if (!(change <= Double.MAX_VALUE)) {
                 break;                                  // diverged so far that the source overflows: not the source's fault
             }
             if (change <= TOLERANCE * scale) {
@@ -94,19 +96,18 @@ final class ClosingKick {
                 + " this deltaT: take a smaller one or an implicit solver");
     }
 
-    /** Kicks the velocities anew from where they were before, and measures. */
+    /** Kicks the velocities anew from where they were before, and measures the largest change. */
     private void kickAgain(double[] state, double[] dSdt, int d, double h) {
-        change = 0;
         if (d == 3) {
             kickVectors(state, dSdt, h);
             return;
         }
+        change = 0;
         int j = 0;
         for (int v = d; v < state.length; v += 2 * d) {
             for (int c = v; c < v + d; c++) {
                 double kicked = Math.fma(h, dSdt[c], before[j++]);
                 change = larger(Math.abs(kicked - state[c]), change);
-                scale = larger(Math.abs(kicked), scale);
                 state[c] = kicked;
             }
         }
@@ -115,8 +116,7 @@ final class ClosingKick {
     /** The same in space, written out. */
     private void kickVectors(double[] state, double[] dSdt, double h) {
         double[] before = this.before;
-        double change = this.change;
-        double scale = this.scale;
+        double change = 0;
         int j = 0;
         for (int v = 3; v < state.length; v += 6) {
             double vx = Math.fma(h, dSdt[v], before[j]);
@@ -126,15 +126,11 @@ final class ClosingKick {
             change = larger(Math.abs(vx - state[v]), change);
             change = larger(Math.abs(vy - state[v + 1]), change);
             change = larger(Math.abs(vz - state[v + 2]), change);
-            scale = larger(Math.abs(vx), scale);
-            scale = larger(Math.abs(vy), scale);
-            scale = larger(Math.abs(vz), scale);
             state[v] = vx;
             state[v + 1] = vy;
             state[v + 2] = vz;
         }
         this.change = change;
-        this.scale = scale;
     }
 
     /** The larger size, NaN if one is: seldom the first one, and Math.max would make each entry wait for the one before. */

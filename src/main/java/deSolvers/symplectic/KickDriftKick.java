@@ -86,7 +86,7 @@ final class KickDriftKick {
             closingKick.open(from, dSdt, n, d, h, state);
             closingKick.solve(source, state, dSdt, d, h / 2);
         } else {
-            kickDrift(from, dSdt, n, d, h / 2, h, state);
+            kickDrift(from, dSdt, from, n, d, h / 2, h, state);
             source.getStateDerivative(state, dSdt);     // at (x(t + h), t + h)
             source.requireFinite(dSdt);
             kick(state, dSdt, n, d, h / 2);

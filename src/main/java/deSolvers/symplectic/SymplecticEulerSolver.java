@@ -43,7 +43,7 @@ public final class SymplecticEulerSolver extends DESolver {
             double[] dSdt = this.dSdt;
             double[] next = this.next;
             source.getStateDerivative(state, dSdt);     // at (x, v, t)
-            kickDrift(state, dSdt, n, d, deltaT, deltaT, next);
+            kickDrift(state, dSdt, dSdt, n, d, deltaT, deltaT, next);
             double[] free = source.handOver(next);
             if (free != next) {                         // storing a reference costs the garbage collector's note
                 this.next = free;

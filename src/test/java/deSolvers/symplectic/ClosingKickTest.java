@@ -114,7 +114,7 @@ class ClosingKickTest {
     void aHundredIterationsAreTheMost() {
         OneMoves source = toAndFro(2, 1, 0, 1);
         DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
-        assertTrue(e.getMessage().contains("100 iterations (last change 0.5 of 0.5)"), e.getMessage());
+        assertTrue(e.getMessage().contains("100 iterations (last change 0.5 of 0.75)"), e.getMessage());
         assertEquals(101, source.evaluations);
         assertEquals(0, source.time);
         assertEquals(0, source.state[OneMoves.MOVING]);
