@@ -41,6 +41,9 @@ final class HoldSearch {
                 size += Math.abs(total[f]) + Math.abs(total[f + 1]) + Math.abs(total[f + 2]);
             }
         }
+        if (leastMargin(state, total) > 0) {
+            return;                                     // they lie there without any load, and need not be asked for one
+        }
         int idle = 0;
         for (int r = 0; r < joint.constraintRows(); r++) {
             idle += joint.isIdle(r) ? 1 : 0;
@@ -84,11 +87,17 @@ final class HoldSearch {
 
     private double leastMargin(int row, double load, double[] state, double[] total) {
         rows.addForce(row, load, total);
+        double least = leastMargin(state, total);
+        rows.addForce(row, -load, total);
+        return least;
+    }
+
+    /** Of the end that holds worst. */
+    private double leastMargin(double[] state, double[] total) {
         double least = Double.POSITIVE_INFINITY;
         for (int i : ends) {
             least = Math.min(least, contacts.response().holdSlack(i, state, total));
         }
-        rows.addForce(row, -load, total);
         return least;
     }
 }
