@@ -152,6 +152,26 @@ class ClosingKickTest {
         assertEquals(9, source.evaluations, "the step's first one, seven, and one that sees it");
     }
 
+    /**
+     * Where nothing moved before and a force sets in within the step, what it gives in the first round is the measure:
+     * v = (1 - v/16)/4 from 0, by 1/4 in the first round and 2^-6 of the last change in each later one, down to 1e-13 of 1/4
+     * in the ninth.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void whatBeginsToMoveIsMeasuredByItsFirstRound(int d) {
+        OneMoves source = new OneMoves(d, v -> 1 - v / 16) {
+            @Override
+            public void getStateDerivative(double[] dSdt) {
+                super.getStateDerivative(dSdt);
+                dSdt[dSdt.length - 1] *= getTime() > 0 ? 1 : 0;
+            }
+        };
+        new VelocityVerletSolver().stepState(source, H);
+        assertEquals(16.0 / 65, source.state[4 * d - 1], 1e-15);        // measured 0
+        assertEquals(10, source.evaluations, "the step's first one and nine");
+    }
+
     /** The derivative that the next step would begin with is looked at in this one. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
