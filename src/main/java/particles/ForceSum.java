@@ -45,6 +45,16 @@ final class ForceSum {
         divideByMasses(dSdt, 0, n);
     }
 
+    /** The effects that are evaluated particle by particle; those with a linear law are not among them. */
+    List<Effect> perParticle() {
+        return perParticle;
+    }
+
+    /** The effects that are neither evaluated particle by particle nor by their linear law, in the order in which they act. */
+    List<Effect> others() {
+        return others;
+    }
+
     /** Sets how many threads evaluate systems of so many items or more; those there were before end. */
     void setThreads(int threads, long paysFrom) {
         if (threads < 1) {

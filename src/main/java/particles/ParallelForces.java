@@ -52,11 +52,12 @@ final class ParallelForces implements AutoCloseable {
         } else {
             begin(0, particles.count());
         }
-        for (int e = 0; e < effects.size(); e++) {
-            Effect effect = effects.get(e);
+        List<Effect> others = forces.others();
+        for (int e = 0; e < others.size(); e++) {
+            Effect effect = others.get(e);
             if (effect instanceof DivisibleEffect) {
                 addDivisible((DivisibleEffect) effect);
-            } else if (!effect.isPerParticle()) {
+            } else {
                 effect.addForces(state, time, dSdt, 0, effect.size());
             }
         }
@@ -65,9 +66,10 @@ final class ParallelForces implements AutoCloseable {
     }
 
     private boolean isConcurrentPerParticle() {
+        List<Effect> perParticle = forces.perParticle();
         boolean concurrent = true;
-        for (int e = 0; e < effects.size(); e++) {
-            concurrent &= !effects.get(e).isPerParticle() || effects.get(e).isConcurrent();
+        for (int e = 0; e < perParticle.size(); e++) {
+            concurrent &= perParticle.get(e).isConcurrent();
         }
         return concurrent;
     }

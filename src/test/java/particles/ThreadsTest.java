@@ -13,6 +13,7 @@ import java.nio.ByteBuffer;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -106,6 +107,50 @@ class ThreadsTest {
             assertEquals(20_000, springs.getBlockStart(4));
         }
         assertEquals(hashes[0], hashes[1]);
+    }
+
+    /** A law that says what it is in numbers, and nothing else of itself: its force is counted once, by one thread and by two. */
+    @Test
+    void aLinearLawIsCountedOnce() {
+        String[] hashes = new String[3];
+        for (int k = 0; k < 3; k++) {
+            ParticleSystem cloth = cloth();
+            Gravity more = new Gravity(cloth.getParticles(), Systems.GRAVITY);
+            cloth.addEffect(k == 0 ? more : new Effect() {
+                @Override
+                public String getName() {
+                    return "more";
+                }
+
+                @Override
+                public Set<Trait> getTraits() {
+                    return more.getTraits();
+                }
+
+                @Override
+                public int size() {
+                    return more.size();
+                }
+
+                @Override
+                public Optional<LinearLaw> getLinearLaw() {
+                    return more.getLinearLaw();
+                }
+
+                @Override
+                public void addForces(double[] state, double time, double[] force, int from, int to) {
+                    more.addForces(state, time, force, from, to);
+                }
+
+                @Override
+                public boolean dependsOnVelocity() {
+                    return false;
+                }
+            });
+            hashes[k] = hashAfter(cloth, Math.max(1, k), STEPS);
+        }
+        assertEquals(hashes[0], hashes[1], "one thread");
+        assertEquals(hashes[0], hashes[2], "two threads");
     }
 
     @Test
