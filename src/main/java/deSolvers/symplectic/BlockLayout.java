@@ -57,7 +57,7 @@ final class BlockLayout {
      *
      * @param state  (x, v)
      * @param dSdt   holds a in its velocity entries
-     * @param speeds where v is read: {@code state}, or {@code dSdt} where that is the derivative there, whose position entries
+     * @param vs     where v is read: {@code state}, or {@code dSdt} where that is the derivative there, whose position entries
      *               are v as well; then an entry that is not finite makes the result NaN
      * @param n      how many entries these arrays have; where a source's size is a constant, this one is, and the loop no loop
      * @param d      positions in a block
@@ -65,33 +65,33 @@ final class BlockLayout {
      * @param drift  how long the new velocity acts (s)
      * @param result receives (x', v'); may be {@code state}
      */
-    static void kickDrift(double[] state, double[] dSdt, double[] speeds, int n, int d, double kick, double drift,
+    static void kickDrift(double[] state, double[] dSdt, double[] vs, int n, int d, double kick, double drift,
             double[] result) {
-        int shift = speeds == dSdt ? 0 : d;             // from a position's place to its velocity's
+        int shift = vs == dSdt ? 0 : d;             // from a position's place to its velocity's
         if (d == 1) {                                   // written out: the inner loop would cost as much as it does
             for (int x = 0; x < n; x += 2) {
-                move(state, speeds[x + shift], dSdt, x, x + 1, kick, drift, result);
+                move(state, vs[x + shift], dSdt, x, x + 1, kick, drift, result);
             }
             return;
         }
         if (d == 3) {
             for (int x = 0; x < n; x += 6) {
-                move(state, speeds[x + shift], dSdt, x, x + 3, kick, drift, result);
-                move(state, speeds[x + 1 + shift], dSdt, x + 1, x + 4, kick, drift, result);
-                move(state, speeds[x + 2 + shift], dSdt, x + 2, x + 5, kick, drift, result);
+                move(state, vs[x + shift], dSdt, x, x + 3, kick, drift, result);
+                move(state, vs[x + 1 + shift], dSdt, x + 1, x + 4, kick, drift, result);
+                move(state, vs[x + 2 + shift], dSdt, x + 2, x + 5, kick, drift, result);
             }
             return;
         }
         for (int block = 0; block < n; block += 2 * d) {
             for (int x = block; x < block + d; x++) {
-                move(state, speeds[x + shift], dSdt, x, x + d, kick, drift, result);
+                move(state, vs[x + shift], dSdt, x, x + d, kick, drift, result);
             }
         }
     }
 
-    /** One position at x and its velocity at v, which is speed before; returns v'. */
-    static double move(double[] state, double speed, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
-        double velocity = Math.fma(kick, dSdt[v], speed);
+    /** One position at x and its velocity at v, which is v0 before; returns v'. */
+    static double move(double[] state, double v0, double[] dSdt, int x, int v, double kick, double drift, double[] result) {
+        double velocity = Math.fma(kick, dSdt[v], v0);
         result[v] = velocity;
         result[x] = Math.fma(drift, velocity, state[x]);
         return velocity;

@@ -49,14 +49,18 @@ class FallingRodsTest {
         assertEquals(-lost, ledger.getWork().get("impacts"), 1e-10);
     }
 
+    /** A rod above rough ground. @param slow speeds that are rest, along the ground and off it (m/s) */
+    private static JointCase thrownRod(double slow) {
+        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3,
+                new Friction(Friction.Law.COULOMB, 0.4, 0.5, slow), slow);
+        Vector3 sideways = new Vector3(1, 0, 0);
+        return new JointCase(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {sideways, sideways}, new int[] {0, 1});
+    }
+
     /** Falling, striking, sliding with friction, coming to rest: the books close, and the rod does no work. */
     @Test
     void aFallingRodComesToRest() {
-        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3,
-                new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-3),
-                1e-3);
-        JointCase rod = new JointCase(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {new Vector3(1, 0, 0), new Vector3(1, 0, 0)},
-                new int[] {0, 1});
+        JointCase rod = thrownRod(1e-3);
         EnergyLedger ledger = new EnergyLedger();
         Simulation simulation = rod.exact(0.005, 4);
         simulation.addObserver(ledger);
@@ -73,11 +77,7 @@ class FallingRodsTest {
     /** By steps that are clamped it ends in the same rest, about. */
     @Test
     void aFallingRodComesToRestByClamping() {
-        ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3,
-                new Friction(Friction.Law.COULOMB, 0.4, 0.5, 1e-2),
-                1e-2);
-        JointCase rod = new JointCase(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {new Vector3(1, 0, 0), new Vector3(1, 0, 0)},
-                new int[] {0, 1});
+        JointCase rod = thrownRod(1e-2);
         rod.clamped(0.002, 4).run();
         assertEquals(0, rod.at(0, 1), 1e-9);
         assertEquals(0, rod.at(1, 1), 1e-9);
