@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Random;
+import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -53,6 +56,18 @@ class FoundInputsTest {
     void escapesThatAreNoCharactersAreRefused(String escape) {
         assertEquals(List.of("x.yaml:6:13: not valid YAML: an escape has to give a character's number in hexadecimal digits,"
                 + " such as \\xe9, \\u00e9 or \\U000000e9"), linesFor("camera: \"abc" + escape));
+    }
+
+    /** The hunt keeps texts that are refused in new words, and such a one ended the hunt when it was to be changed as a tree. */
+    @Test
+    void whatCannotBeReadCanBeChanged() {
+        SceneMutator mutator = new SceneMutator(List.of("title: a\n".getBytes(StandardCharsets.UTF_8)), new Random(SEED));
+        mutator.keep("title: \"abc\\u".getBytes(StandardCharsets.UTF_8));
+        Set<String> made = new HashSet<>();
+        for (int n = 0; n < 200; n++) {
+            made.add(new String(mutator.next(), StandardCharsets.UTF_8));
+        }
+        assertTrue(made.stream().anyMatch(text -> text.contains("no YAML any more")), made::toString);
     }
 
     @Test

@@ -91,11 +91,12 @@ final class SceneMutator {
         return text.append('\n').toString().getBytes(StandardCharsets.UTF_8);
     }
 
+    /** YAML's reader says in several ways that a text is none: a broken escape ends in a NumberFormatException. */
     private Object parse(byte[] scene) {
         try {
             Object tree = load.loadFromString(new String(scene, StandardCharsets.UTF_8));
             return tree == null ? Map.of() : tree;
-        } catch (YamlEngineException | ArithmeticException e) {
+        } catch (YamlEngineException | ArithmeticException | IllegalArgumentException e) {
             return Map.of("title", "no YAML any more");
         }
     }
