@@ -24,10 +24,8 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
 
     private final DESolver solver;
     private DEStateSource client;
-    private ArrayStateSource arrays;                    // the client again if it is one, or null
     private boolean direct;                             // whether the client's own arrays are used in this step
-    private double[] copy = {};
-    private double[] stateFound = {};                   // the copy, or the client's own array where that is used directly
+    private double[] copy = {};                         // of the state that was found, unless the client's own array is used
     private double timeFound;
     private double deltaT;
     private boolean open;
@@ -49,19 +47,13 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     public GuardedStep begin(DEStateSource client, double deltaT) {
         double time = client.getTime();
         if (!Double.isFinite(time + deltaT)) {          // where one of them is not, the sum is not
-            throw notFiniteEnd(time, deltaT);
+            throw new DESolverException(solver, time, deltaT, -1, NotFinite.end(time, deltaT));
         }
-        if (this.client != client) {
+        if (this.client != client) {                    // each reference that is stored costs the garbage collector's note
             this.client = client;
-            arrays = client instanceof ArrayStateSource ? (ArrayStateSource) client : null;
         }
-        direct = arrays != null;
-        if (direct) {
-            double[] state = arrays.getStateArray();
-            if (stateFound != state) {                  // each reference that is stored costs the garbage collector's note
-                stateFound = state;
-            }
-        } else {
+        direct = client instanceof ArrayStateSource;
+        if (!direct) {
             copyState();
         }
         this.timeFound = time;
@@ -71,26 +63,16 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         return this;
     }
 
-    private DESolverException notFiniteEnd(double time, double deltaT) {
-        return new DESolverException(solver, time, deltaT, -1, !Double.isFinite(deltaT)
-                ? "the time step has to be a finite number" : !Double.isFinite(time)
-                ? "the clock of the source has to be a finite number" : "the clock of the source cannot go that far");
-    }
-
     private void copyState() {
-        int n = client.getStateSize();
-        if (copy.length != n) {
-            copy = new double[n];
+        if (copy.length != client.getStateSize()) {
+            copy = new double[client.getStateSize()];
         }
         client.getState(copy);
-        if (stateFound != copy) {
-            stateFound = copy;
-        }
     }
 
     /** @return the state in which the step began; n long, to be read only, valid until the step ends */
     public double[] getStartState() {
-        return stateFound;
+        return direct ? ((ArrayStateSource) client).getStateArray() : copy;
     }
 
     /**
@@ -102,14 +84,14 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      */
     public void getStateDerivative(double[] state, double[] dSdt) {
         if (direct) {
-            arrays.getStateDerivative(state, dSdt);
+            ((ArrayStateSource) client).getStateDerivative(state, dSdt);
         } else {
             moveAndEvaluate(state, dSdt);
         }
     }
 
     private void moveAndEvaluate(double[] state, double[] dSdt) {
-        if (moved || state != stateFound) {
+        if (moved || state != copy) {
             client.setState(state);
             moved = true;
         }
@@ -117,7 +99,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     }
 
     /**
-     * Ends the step like {@link #finish}, and hands the array itself over where the client takes it.
+     * Ends the step like {@link #finish(double[])}, and hands the array itself over where the client takes it.
      *
      * @param newState s(t + deltaT); n long, not to be used any more
      * @return an array of the same length for the solver to use in its place
@@ -130,7 +112,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         }
         requireFiniteEnd(newState);
         SourceClock.moveToEnd(client, timeFound, deltaT);
-        double[] free = arrays.exchangeState(newState);
+        double[] free = ((ArrayStateSource) client).exchangeState(newState);
         open = false;
         return free;
     }
@@ -148,6 +130,26 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
             return;                                     // close() puts back what was found
         }
         requireFiniteEnd(newState);
+        end(newState);
+    }
+
+    /**
+     * Ends the step like {@link #finish(double[])}, and checks a derivative as {@link #requireFinite} does.
+     *
+     * @param newState s(t + deltaT); n long
+     * @param dSdt     the derivative that was evaluated last; n long
+     * @throws DESolverException if an entry of either is not finite; the client is then as it was found
+     */
+    public void finish(double[] newState, double[] dSdt) {
+        if (deltaT == 0 || !FiniteCheck.areFinite(newState, dSdt)) {
+            requireFinite(dSdt);
+            finish(newState);
+        } else {
+            end(newState);
+        }
+    }
+
+    private void end(double[] newState) {
         SourceClock.moveToEnd(client, timeFound, deltaT);       // first: it can be moved back, a state handed over cannot
         client.setState(newState);
         open = false;
@@ -167,7 +169,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
             open = false;
             try {
                 if (!direct) {
-                    client.setState(stateFound);
+                    client.setState(copy);
                 }
             } finally {
                 SourceClock.moveTo(client, timeFound);
@@ -214,8 +216,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
 
     private DESolverException derivativeNotFinite(int entry, double value) {
         requireFiniteStart();
-        return failure(entry, "entry " + entry + " of the derivative is " + value + " at t = " + client.getTime()
-                + "; the source divides by zero or overflows there");
+        return failure(entry, NotFinite.derivative(entry, value, client.getTime()));
     }
 
     /**
@@ -224,10 +225,10 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @throws DESolverException if an entry is not finite
      */
     public void requireFiniteStart() {
-        int entry = FiniteCheck.firstNonFinite(stateFound);
+        double[] found = getStartState();
+        int entry = FiniteCheck.firstNonFinite(found);
         if (entry >= 0) {
-            throw failure(entry, "entry " + entry + " of the state is " + stateFound[entry]
-                    + " before the step; whatever set the state has to be mended");
+            throw failure(entry, NotFinite.found(entry, found[entry]));
         }
     }
 
@@ -246,16 +247,15 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     private DESolverException notFinite(int entry, double value) {
         requireFiniteStart();
         close();
-        double[] dSdt = new double[stateFound.length];
+        double[] dSdt = new double[getStateSize()];
         client.getStateDerivative(dSdt);
         requireFinite(dSdt);
-        return failure(entry, "entry " + entry + " of the state became " + value + " within the step, from a finite state"
-                + " and derivative; deltaT is probably too large, or the derivative is not finite further on");
+        return failure(entry, NotFinite.made(entry, value));
     }
 
     @Override
     public int getStateSize() {
-        return stateFound.length;
+        return getStartState().length;
     }
 
     @Override
@@ -291,6 +291,6 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     @Override
     public String toString() {
         return "a step of " + solver.getClass().getSimpleName() + " from t = " + timeFound + " with "
-                + Arrays.toString(stateFound);
+                + Arrays.toString(getStartState());
     }
 }

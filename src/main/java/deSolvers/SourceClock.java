@@ -19,13 +19,18 @@ final class SourceClock {
         source.incTime(now == start ? offset : start + offset - now);
     }
 
-    /** To start + deltaT. Where the clock still stands at the start one addition does: what is begun next waits for the clock. */
+    /**
+     * To start + deltaT, where a last stage may have left it already. Where the clock still stands at the start one addition
+     * does: what is begun next waits for the clock.
+     */
     static void moveToEnd(DEStateSource source, double start, double deltaT) {
         double end = start + deltaT;
         double now = source.getTime();
-        source.incTime(now == start ? deltaT : end - now);
-        if (source.getTime() != end) {
-            moveTo(source, end);
+        if (now != end) {
+            source.incTime(now == start ? deltaT : end - now);
+            if (source.getTime() != end) {
+                moveTo(source, end);
+            }
         }
     }
 }

@@ -236,4 +236,41 @@ class GuardedStepTest {
             assertEquals(2, e.getEntry());
         }
     }
+
+    /** A step of a remembered derivative ends with both looked at; what is wrong with the derivative is told first. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3})
+    void aDerivativeCanBeLookedAtInTheEnd(int n) {
+        Falling client = new Falling(n);
+        double[] bad = filled(n, 1);
+        bad[n - 1] = Double.NaN;
+        GuardedStep guard = new GuardedStep(new EulerSolver());
+        for (double[] state : new double[][] {filled(n, -1), bad}) {
+            for (double deltaT : new double[] {DELTA_T, 0}) {
+                DESolverException e = assertThrows(DESolverException.class, () -> {
+                    try (GuardedStep step = guard.begin(client, deltaT)) {
+                        step.finish(state, bad);
+                    }
+                });
+                assertTrue(e.getMessage().contains("entry " + (n - 1) + " of the derivative is NaN"), e.getMessage());
+                assertArrayEquals(new double[n], client.state);
+                assertEquals(START, client.time);
+            }
+        }
+        DESolverException e = assertThrows(DESolverException.class, () -> {
+            try (GuardedStep step = guard.begin(client, DELTA_T)) {
+                step.finish(bad, new double[n]);
+            }
+        });
+        assertTrue(e.getMessage().contains("entry " + (n - 1) + " of the state became NaN within the step"), e.getMessage());
+        try (GuardedStep step = guard.begin(client, 0)) {
+            step.finish(filled(n, -1), new double[n]);
+        }
+        assertArrayEquals(new double[n], client.state, "a step of no time");
+        try (GuardedStep step = guard.begin(client, DELTA_T)) {
+            step.finish(filled(n, -1), new double[n]);
+        }
+        assertArrayEquals(filled(n, -1), client.state);
+        assertEquals(START + DELTA_T, client.time);
+    }
 }

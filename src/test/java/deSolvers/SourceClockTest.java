@@ -83,6 +83,21 @@ class SourceClockTest {
         }
     }
 
+    /** After a last stage at the end of the step there is nothing left to do. */
+    @Test
+    void aClockThatIsAtTheEndIsNotMoved() {
+        Random random = new Random(20);
+        for (int n = 0; n < CASES; n++) {
+            double start = number(random);
+            double deltaT = number(random);
+            Clock clock = new Clock(start);
+            SourceClock.moveWithin(clock, start, deltaT);
+            SourceClock.moveToEnd(clock, start, deltaT);
+            assertEquals(start + deltaT, clock.time, "case " + n);
+            assertEquals(1, clock.moves, "case " + n);
+        }
+    }
+
     /** Back to where a failed step began. */
     @Test
     void aStepThatFailedEndsExactlyWhereItBegan() {

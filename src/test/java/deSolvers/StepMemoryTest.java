@@ -1,9 +1,9 @@
 package deSolvers;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.problems.Chain;
 import deSolvers.problems.Oscillator;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -15,48 +15,67 @@ class StepMemoryTest {
     private static final DEStateSource SOURCE = new Oscillator(1, 0, 1);
     private static final DEStateSource OTHER = new Oscillator(1, 0, 1);
 
-    @Test
-    void allFourHaveToBeTheSame() {
+    private static boolean continues(DEStateSource source, double time, double[] state, double deltaT) {
         StepMemory memory = new StepMemory();
-        assertFalse(memory.holds(SOURCE, 0, new double[0], 0), "of nothing");
-        double[] state = {1, 2};
-        memory.keep(SOURCE, 3, state, 0.5);
-        assertTrue(memory.holds(SOURCE, 3, new double[] {1, 2}, 0.5));
-        assertFalse(memory.holds(OTHER, 3, new double[] {1, 2}, 0.5));
-        assertFalse(memory.holds(SOURCE, Math.nextUp(3.0), new double[] {1, 2}, 0.5));
-        assertFalse(memory.holds(SOURCE, 3, new double[] {1, Math.nextDown(2.0)}, 0.5));
-        assertFalse(memory.holds(SOURCE, 3, new double[] {1, 2, 0}, 0.5));
-        assertFalse(memory.holds(SOURCE, 3, new double[] {1, 2}, -0.5));
-        memory.keep(SOURCE, 0.0, new double[] {0, 1, 2}, 0.5);
-        assertTrue(memory.holds(SOURCE, 0.0, new double[] {0, 1, 2}, 0.5));
-        assertFalse(memory.holds(SOURCE, -0.0, new double[] {0, 1, 2}, 0.5), "a zero has a sign");
-        assertFalse(memory.holds(SOURCE, 0.0, new double[] {-0.0, 1, 2}, 0.5));
-        memory.forget();
-        assertFalse(memory.holds(SOURCE, 0.0, new double[] {0, 1, 2}, 0.5));
+        memory.keep(SOURCE, 3, 0.5);
+        return memory.takeUp(source, time, state, deltaT, new double[] {1, 2});
     }
 
-    /** States are compared to the last entry, whatever their size; the array itself is kept. */
-    @ParameterizedTest
-    @ValueSource(ints = {2, 14, 16, 18, 100})
-    void everyEntryCounts(int n) {
-        DEStateSource source = new Chain(n / 2, 1);
-        StepMemory memory = new StepMemory();
-        double[] first = new Random(n).doubles(n).toArray();
-        double[] state = new Random(n + 1).doubles(n).toArray();
-        memory.keep(source, 0, first, 1);
-        memory.keep(source, 0, state, 1);
-        assertFalse(memory.holds(source, 0, first, 1), "the last one is kept");
-        for (int i = 0; i < n; i++) {
-            double[] other = state.clone();
-            assertTrue(memory.holds(source, 0, other, 1));
-            other[i] = Math.nextUp(other[i]);
-            assertFalse(memory.holds(source, 0, other, 1), "entry " + i);
+    @Test
+    void allFourHaveToBeTheSame() {
+        assertTrue(continues(SOURCE, 3, new double[] {1, 2}, 0.5));
+        assertFalse(continues(OTHER, 3, new double[] {1, 2}, 0.5));
+        assertFalse(continues(SOURCE, Math.nextUp(3.0), new double[] {1, 2}, 0.5));
+        assertFalse(continues(SOURCE, 3, new double[] {1, Math.nextDown(2.0)}, 0.5));
+        assertFalse(continues(SOURCE, 3, new double[] {1, 2, 0}, 0.5));
+        assertFalse(continues(SOURCE, 3, new double[] {1, 2}, -0.5));
+    }
+
+    @Test
+    void zerosHaveASign() {
+        for (double zero : new double[] {0.0, -0.0}) {
+            StepMemory memory = new StepMemory();
+            memory.keep(SOURCE, 0.0, 0.5);
+            assertEquals(1 / zero > 0, memory.takeUp(SOURCE, zero, new double[0], 0.5, new double[0]), "time " + zero);
+            memory.keep(SOURCE, 0, 0.5);
+            assertEquals(1 / zero > 0, memory.takeUp(SOURCE, 0, new double[] {zero, 1}, 0.5, new double[] {0, 1}), "state " + zero);
         }
-        double[] kept = state.clone();
-        state[n - 1] = 7;
-        assertFalse(memory.holds(source, 0, kept, 1), "no copy is made");
-        kept[0] = Double.NaN;
-        memory.keep(source, 0, kept, 1);
-        assertTrue(memory.holds(source, 0, kept.clone(), 1), "bits are compared, not numbers");
+    }
+
+    /** Only the last step is continued, once, and none that was forgotten or has not been. */
+    @Test
+    void aStepIsContinuedOnce() {
+        double[] state = {1, 2};
+        StepMemory memory = new StepMemory();
+        assertFalse(memory.takeUp(SOURCE, 3, state, 0.5, state), "none has been");
+        memory.keep(SOURCE, 2.5, 0.5);
+        memory.keep(SOURCE, 3, 0.5);
+        assertTrue(memory.takeUp(SOURCE, 3, state, 0.5, state));
+        assertFalse(memory.takeUp(SOURCE, 3, state, 0.5, state), "the step that continued it has not ended");
+        memory.keep(SOURCE, 3, 0.5);
+        assertFalse(memory.takeUp(OTHER, 3, state, 0.5, state));
+        assertFalse(memory.takeUp(SOURCE, 3, state, 0.5, state), "another one has begun");
+        memory.keep(SOURCE, 3, 0.5);
+        memory.forget();
+        assertFalse(memory.takeUp(SOURCE, 3, state, 0.5, state), "forgotten");
+    }
+
+    /** States are compared to the last entry, whatever their size. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 6, 100})
+    void everyEntryCounts(int n) {
+        StepMemory memory = new StepMemory();
+        double[] left = new Random(n).doubles(n).toArray();
+        for (int i = 0; i < n; i++) {
+            double[] state = left.clone();
+            memory.keep(SOURCE, 0, 1);
+            assertTrue(memory.takeUp(SOURCE, 0, state, 1, left));
+            state[i] = Math.nextUp(state[i]);
+            memory.keep(SOURCE, 0, 1);
+            assertFalse(memory.takeUp(SOURCE, 0, state, 1, left), "entry " + i);
+        }
+        left[n - 1] = Double.NaN;
+        memory.keep(SOURCE, 0, 1);
+        assertTrue(memory.takeUp(SOURCE, 0, left.clone(), 1, left), "bits are compared, not numbers");
     }
 }

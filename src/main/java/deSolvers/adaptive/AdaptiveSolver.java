@@ -161,15 +161,14 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
                 return;
             }
             track.clear();
-            boolean continues = memory.holds(client, source.getStartTime(), source.getStartState(), deltaT);
-            memory.forget();                            // until this step has ended well
+            boolean continues = memory.takeUp(client, source.getStartTime(), source.getStartState(), deltaT, state);
             source.getState(state);
             if (!continues) {
                 begin(source, deltaT);
             }
             cover(source, deltaT);
             source.finish(state);
-            memory.keep(client, source.getEndTime(), state, deltaT);
+            memory.keep(client, source.getEndTime(), deltaT);
             if (dense) {
                 track.finish(source.getStartTime(), source.getEndTime(), n);
             }

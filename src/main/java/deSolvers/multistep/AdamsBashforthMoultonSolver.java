@@ -50,10 +50,9 @@ public final class AdamsBashforthMoultonSolver extends DESolver {
             resize(n);
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
-            if (!memory.holds(client, source.getStartTime(), source.getStartState(), deltaT)) {
+            if (!memory.takeUp(client, source.getStartTime(), source.getStartState(), deltaT, state)) {
                 known = 0;
             }
-            memory.forget();                            // until this step has ended well
             source.getState(state);
             source.getStateDerivative(f0);              // at (s, t), which the last step left
             if (known < HISTORY) {
@@ -63,7 +62,7 @@ public final class AdamsBashforthMoultonSolver extends DESolver {
                 predictAndCorrect(source, deltaT);
             }
             source.finish(state);
-            memory.keep(client, source.getEndTime(), state, deltaT);
+            memory.keep(client, source.getEndTime(), deltaT);
             shiftHistory();
         }
     }

@@ -6,50 +6,33 @@ import deSolvers.SecondOrderStateSource;
 
 /** The layout (x1, v1, x2, v2, ...) of a source of second order, and the moves on it that symplectic solvers are composed of. */
 final class BlockLayout {
-    private final DESolver solver;
-    private DEStateSource seen;                         // looked at once: on small systems asking costs more than the step
-    private SecondOrderStateSource secondOrder;
-    private int size;
-    private int dimension;
-
-    /** @param solver whose sources these are, for its name in messages */
-    BlockLayout(DESolver solver) {
-        this.solver = solver;
+    private BlockLayout() {
     }
 
-    /** The source as one of second order, or an error that says what is missing. */
-    SecondOrderStateSource of(DEStateSource source) {
-        if (source != seen) {
-            secondOrder = asSecondOrder(source);
-            size = -1;
-            seen = source;
-        }
-        SecondOrderStateSource second = secondOrder;
-        int n = second.getStateSize();
-        int d = second.getDimension();
-        if (n != size || d != dimension) {
-            requireBlocks(n, d);
-            size = n;
-            dimension = d;
-        }
-        return second;
-    }
-
-    private SecondOrderStateSource asSecondOrder(DEStateSource source) {
+    /** The source as one of second order, or an error that says what the solver misses. */
+    static SecondOrderStateSource of(DESolver solver, DEStateSource source) {
         if (!(source instanceof SecondOrderStateSource)) {
-            throw new IllegalArgumentException(solver.getClass().getSimpleName() + " moves positions and velocities in"
-                    + " turn and needs a " + SecondOrderStateSource.class.getName() + "; " + source.getClass().getName()
-                    + " is only a " + DEStateSource.class.getName());
+            throw notOfSecondOrder(solver, source);
         }
-        return (SecondOrderStateSource) source;
+        SecondOrderStateSource secondOrder = (SecondOrderStateSource) source;
+        int n = secondOrder.getStateSize();
+        int d = secondOrder.getDimension();
+        if (d < 1 || n % (2 * d) != 0) {
+            throw notOfBlocks(source, n, d);
+        }
+        return secondOrder;
     }
 
-    private void requireBlocks(int n, int d) {
-        if (d < 1 || n % (2 * d) != 0) {
-            throw new IllegalArgumentException(seen.getClass().getName() + " has dimension " + d + " and "
-                    + n + " state entries; the state has to be made of blocks of d positions and"
-                    + " d velocities, d >= 1");
-        }
+    private static IllegalArgumentException notOfSecondOrder(DESolver solver, DEStateSource source) {
+        return new IllegalArgumentException(solver.getClass().getSimpleName() + " moves positions and velocities in"
+                + " turn and needs a " + SecondOrderStateSource.class.getName() + "; " + source.getClass().getName()
+                + " is only a " + DEStateSource.class.getName());
+    }
+
+    private static IllegalArgumentException notOfBlocks(DEStateSource source, int n, int d) {
+        return new IllegalArgumentException(source.getClass().getName() + " has dimension " + d + " and "
+                + n + " state entries; the state has to be made of blocks of d positions and"
+                + " d velocities, d >= 1");
     }
 
     /**
@@ -57,17 +40,27 @@ final class BlockLayout {
      *
      * @param state  (x, v)
      * @param dSdt   holds a in its velocity entries
-     * @param vs     where v is read: {@code state}, or {@code dSdt} where that is the derivative there, whose position entries
-     *               are v as well; then an entry that is not finite makes the result NaN
      * @param n      how many entries these arrays have; where a source's size is a constant, this one is, and the loop no loop
      * @param d      positions in a block
      * @param kick   how long the acceleration acts (s)
      * @param drift  how long the new velocity acts (s)
      * @param result receives (x', v'); may be {@code state}
      */
-    static void kickDrift(double[] state, double[] dSdt, double[] vs, int n, int d, double kick, double drift,
+    static void kickDrift(double[] state, double[] dSdt, int n, int d, double kick, double drift, double[] result) {
+        kickDrift(state, dSdt, state, d, n, d, kick, drift, result);
+    }
+
+    /**
+     * The same from the derivative at this very state: its position entries are v as well, and read there an entry that is not
+     * finite makes the result NaN.
+     */
+    static void kickDriftFromDerivative(double[] state, double[] dSdt, int n, int d, double kick, double drift, double[] result) {
+        kickDrift(state, dSdt, dSdt, 0, n, d, kick, drift, result);
+    }
+
+    /** Velocities are read in vs, each so many entries after its position's place. */
+    private static void kickDrift(double[] state, double[] dSdt, double[] vs, int shift, int n, int d, double kick, double drift,
             double[] result) {
-        int shift = vs == dSdt ? 0 : d;             // from a position's place to its velocity's
         if (d == 1) {                                   // written out: the inner loop would cost as much as it does
             for (int x = 0; x < n; x += 2) {
                 move(state, vs[x + shift], dSdt, x, x + 1, kick, drift, result);

@@ -73,15 +73,15 @@ final class ClosingKick {
     void solve(GuardedStep source, double[] state, double[] dSdt, int d, double h) {
         for (int iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
             source.getStateDerivative(state, dSdt);     // at (x, v, t) with the latest v
-            if (iteration == 0) {
-                source.requireFinite(dSdt);
-            }
             double last = change;
             kickAgain(state, dSdt, d, h);
             if (iteration == 0) {
                 scale = largestBefore + change;
             }
             if (!(change <= Double.MAX_VALUE)) {
+                if (iteration == 0) {
+                    source.requireFinite(dSdt);
+                }
                 break;                                  // diverged so far that the source overflows: not the source's fault
             }
             if (change <= TOLERANCE * scale) {

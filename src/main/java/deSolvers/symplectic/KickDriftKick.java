@@ -8,52 +8,49 @@ import deSolvers.DEStateSource;
 import deSolvers.GuardedStep;
 import deSolvers.SecondOrderStateSource;
 import deSolvers.StepMemory;
+import java.util.Arrays;
 
 /**
- * A step made of one or more leapfrogs, each as long as its weight says: half a kick, a drift, half a kick. The
+ * Methods whose step is made of one or more leapfrogs, each as long as its weight says: half a kick, a drift, half a kick. The
  * acceleration at the end of one is the acceleration at the beginning of the next, in the same step or the one after.
  */
-final class KickDriftKick {
-    private final BlockLayout layout;
-    private final double[] weights;
-    private final GuardedStep guard;
+abstract class KickDriftKick extends DESolver {
+    private final double[] weightsBefore;               // all but the last
+    private final double lastWeight;
+    private final GuardedStep guard = new GuardedStep(this);
     private final StepMemory memory = new StepMemory();
     private final ClosingKick closingKick = new ClosingKick();
     private double[] state = {};
     private double[] dSdt = {};
 
-    /**
-     * @param solver  whose steps these are
-     * @param weights the parts of deltaT that the leapfrogs take; their sum is 1
-     */
-    KickDriftKick(DESolver solver, double... weights) {
-        layout = new BlockLayout(solver);
-        this.guard = new GuardedStep(solver);
-        this.weights = weights;
+    /** @param weights the parts of deltaT that the leapfrogs take; their sum is 1 */
+    KickDriftKick(double... weights) {
+        weightsBefore = Arrays.copyOf(weights, weights.length - 1);
+        lastWeight = weights[weights.length - 1];
     }
 
-    void step(DEStateSource client, double deltaT) {
-        SecondOrderStateSource secondOrder = layout.of(client);
+    @Override
+    public final void stepState(DEStateSource client, double deltaT) {
         int n = client.getStateSize();
+        SecondOrderStateSource secondOrder = BlockLayout.of(this, client);
+        int d = secondOrder.getDimension();
+        boolean damped = secondOrder.accelerationDependsOnVelocity();
         if (state.length != n) {
             resize(n);
         }
         try (GuardedStep source = guard.begin(client, deltaT)) {
             double[] from = source.getStartState();
-            boolean continues = memory.holds(client, source.getStartTime(), from, deltaT);
-            memory.forget();                            // until this step has ended well
-            if (!continues) {
+            if (!memory.takeUp(client, source.getStartTime(), from, deltaT, state)) {
                 source.getStateDerivative(from, dSdt);  // at (x, v, t)
                 source.requireFinite(dSdt);
             }
-            int last = weights.length - 1;
-            if (last > 0) {
-                leapfrogsBefore(last, source, secondOrder, from, n, deltaT);
+            if (weightsBefore.length > 0) {
+                leapfrogsBefore(source, damped, from, n, d, deltaT);
                 from = state;
             }
-            leapfrog(source, secondOrder, from, n, weights[last] * deltaT, deltaT);
-            source.finish(state);                       // copied in, so that ours is left to be remembered
-            memory.keep(client, source.getEndTime(), state, deltaT);
+            leapfrog(source, damped, from, n, d, lastWeight * deltaT, deltaT);
+            source.finish(state, dSdt);                 // copied in, so that ours is left to be remembered
+            memory.keep(client, source.getEndTime(), deltaT);
         }
     }
 
@@ -64,36 +61,40 @@ final class KickDriftKick {
     }
 
     /** All but the last, which stands by itself: a step of a single one needs no loop. */
-    private void leapfrogsBefore(int last, GuardedStep source, SecondOrderStateSource secondOrder, double[] start, int n,
-            double deltaT) {
+    private void leapfrogsBefore(GuardedStep source, boolean damped, double[] start, int n, int d, double deltaT) {
         double[] from = start;
         double done = 0;
-        for (int k = 0; k < last; k++) {
-            double h = weights[k] * deltaT;
+        for (double weight : weightsBefore) {
+            double h = weight * deltaT;
             done += h;
-            leapfrog(source, secondOrder, from, n, h, done);
+            leapfrog(source, damped, from, n, d, h, done);
+            source.requireFinite(dSdt);
             from = state;
         }
     }
 
-    /** From one state into ours, over h, to where the step has come at its end; the derivative moves along. */
-    private void leapfrog(GuardedStep source, SecondOrderStateSource secondOrder, double[] from, int n, double h, double end) {
+    /**
+     * From one state into ours, over h, to where the step has come at its end; the derivative moves along. Whether that is
+     * finite has still to be looked at.
+     *
+     * @param damped whether the acceleration depends on the velocity
+     */
+    private void leapfrog(GuardedStep source, boolean damped, double[] from, int n, int d, double h, double end) {
         double[] state = this.state;
         double[] dSdt = this.dSdt;
-        int d = secondOrder.getDimension();
         source.setOffset(end);
-        if (secondOrder.accelerationDependsOnVelocity()) {
+        if (damped) {
             closingKick.open(from, dSdt, n, d, h, state);
             closingKick.solve(source, state, dSdt, d, h / 2);
         } else {
-            kickDrift(from, dSdt, from, n, d, h / 2, h, state);
+            kickDrift(from, dSdt, n, d, h / 2, h, state);
             source.getStateDerivative(state, dSdt);     // at (x(t + h), t + h)
-            source.requireFinite(dSdt);
             kick(state, dSdt, n, d, h / 2);
         }
     }
 
-    void reset() {
+    @Override
+    public final void reset() {
         memory.forget();
     }
 }

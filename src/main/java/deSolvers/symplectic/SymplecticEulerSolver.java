@@ -1,6 +1,6 @@
 package deSolvers.symplectic;
 
-import static deSolvers.symplectic.BlockLayout.kickDrift;
+import static deSolvers.symplectic.BlockLayout.kickDriftFromDerivative;
 
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
@@ -26,13 +26,12 @@ import deSolvers.GuardedStep;
  */
 public final class SymplecticEulerSolver extends DESolver {
     private final GuardedStep guard = new GuardedStep(this);
-    private final BlockLayout layout = new BlockLayout(this);
     private double[] dSdt = {};
     private double[] next = {};
 
     @Override
     public void stepState(DEStateSource client, double deltaT) {
-        int d = layout.of(client).getDimension();
+        int d = BlockLayout.of(this, client).getDimension();
         int n = client.getStateSize();
         if (next.length != n) {
             dSdt = new double[n];
@@ -43,7 +42,7 @@ public final class SymplecticEulerSolver extends DESolver {
             double[] dSdt = this.dSdt;
             double[] next = this.next;
             source.getStateDerivative(state, dSdt);     // at (x, v, t)
-            kickDrift(state, dSdt, dSdt, n, d, deltaT, deltaT, next);
+            kickDriftFromDerivative(state, dSdt, n, d, deltaT, deltaT, next);
             double[] free = source.handOver(next);
             if (free != next) {                         // storing a reference costs the garbage collector's note
                 this.next = free;

@@ -1,8 +1,5 @@
 package deSolvers.symplectic;
 
-import deSolvers.DESolver;
-import deSolvers.DEStateSource;
-
 /**
  * The velocity Verlet (or leapfrog) method: half a kick, a drift, half a kick.
  * <pre>
@@ -21,16 +18,9 @@ import deSolvers.DEStateSource;
  * the iteration fails (damping rate times h/2 above 0.7), where an implicit solver belongs.<br>
  * <b>Source</b> L. Verlet (1967); W. C. Swope et al. (1982), J. Chem. Phys. 76, 637.
  */
-public final class VelocityVerletSolver extends DESolver {
-    private final KickDriftKick leapfrog = new KickDriftKick(this, 1);
-
-    @Override
-    public void stepState(DEStateSource source, double deltaT) {
-        leapfrog.step(source, deltaT);
-    }
-
-    @Override
-    public void reset() {
-        leapfrog.reset();
+public final class VelocityVerletSolver extends KickDriftKick {
+    /** A solver that has nothing to remember yet. */
+    public VelocityVerletSolver() {
+        super(1);
     }
 }

@@ -1,8 +1,5 @@
 package deSolvers.symplectic;
 
-import deSolvers.DESolver;
-import deSolvers.DEStateSource;
-
 /**
  * Yoshida's method of fourth order: three leapfrogs, forward, backward and forward, so long that their errors cancel.
  * <pre>
@@ -21,19 +18,12 @@ import deSolvers.DEStateSource;
  * {@code verlet} is cheaper, and not with strong damping, which its backward part would have to undo.<br>
  * <b>Source</b> H. Yoshida, <i>Construction of higher order symplectic integrators</i>, Phys. Lett. A 150 (1990) 262-268.
  */
-public final class Yoshida4Solver extends DESolver {
+public final class Yoshida4Solver extends KickDriftKick {
     private static final double W1 = 1 / (2 - StrictMath.cbrt(2));
     private static final double W0 = 1 - 2 * W1;
 
-    private final KickDriftKick leapfrogs = new KickDriftKick(this, W1, W0, W1);
-
-    @Override
-    public void stepState(DEStateSource source, double deltaT) {
-        leapfrogs.step(source, deltaT);
-    }
-
-    @Override
-    public void reset() {
-        leapfrogs.reset();
+    /** A solver that has nothing to remember yet. */
+    public Yoshida4Solver() {
+        super(W1, W0, W1);
     }
 }

@@ -44,14 +44,14 @@ class BlockLayoutTest {
         double[] dSdt = random(d);
         double[] result = random(d);
         double[] before = state.clone();
-        BlockLayout.kickDrift(state, dSdt, state, state.length, d, H, DRIFT, result);
+        BlockLayout.kickDrift(state, dSdt, state.length, d, H, DRIFT, result);
         assertArrayEquals(before, state);
         for (int e = 0; e < state.length; e++) {
             int v = isVelocity(e, d) ? e : e + d;
             double velocity = state[v] + H * dSdt[v];
             assertEquals(isVelocity(e, d) ? velocity : state[e] + DRIFT * velocity, result[e], "entry " + e);
         }
-        BlockLayout.kickDrift(state, dSdt, state, state.length, d, H, DRIFT, state);
+        BlockLayout.kickDrift(state, dSdt, state.length, d, H, DRIFT, state);
         assertArrayEquals(result, state);
     }
 
@@ -65,14 +65,14 @@ class BlockLayoutTest {
             dSdt[e] = isVelocity(e, d) ? dSdt[e] : state[e + d];
         }
         double[] expected = random(d);
-        BlockLayout.kickDrift(state, dSdt, state, state.length, d, H, DRIFT, expected);
+        BlockLayout.kickDrift(state, dSdt, state.length, d, H, DRIFT, expected);
         double[] result = random(d);
-        BlockLayout.kickDrift(state, dSdt, dSdt, state.length, d, H, DRIFT, result);
+        BlockLayout.kickDriftFromDerivative(state, dSdt, state.length, d, H, DRIFT, result);
         assertArrayEquals(expected, result);
         for (int e = 0; e < dSdt.length; e++) {
             double[] wrong = dSdt.clone();
             wrong[e] = Double.NaN;
-            BlockLayout.kickDrift(state, wrong, wrong, state.length, d, H, DRIFT, result);
+            BlockLayout.kickDriftFromDerivative(state, wrong, state.length, d, H, DRIFT, result);
             assertTrue(Double.isNaN(result[isVelocity(e, d) ? e - d : e]), "entry " + e);
         }
     }

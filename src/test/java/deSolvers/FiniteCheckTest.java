@@ -1,0 +1,51 @@
+package deSolvers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Every entry is looked at, by itself: finite ones do not add up to one that is not. */
+class FiniteCheckTest {
+    private static final double[] BAD = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
+
+    private static double[] large(int n) {
+        double[] values = new double[n];
+        Arrays.fill(values, Double.MAX_VALUE);
+        return values;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 7, 8, 9, 16, 21})
+    void theFirstOneIsFound(int n) {
+        assertEquals(-1, FiniteCheck.firstNonFinite(large(n)));
+        for (int i = 0; i < n; i++) {
+            for (double bad : BAD) {
+                double[] values = large(n);
+                values[i] = bad;
+                assertEquals(i, FiniteCheck.firstNonFinite(values));
+                values[n - 1] = bad;
+                assertEquals(i, FiniteCheck.firstNonFinite(values), "the last one is another");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 9})
+    void bothArraysAreLookedAt(int n) {
+        for (int other : new int[] {2, n}) {
+            assertTrue(FiniteCheck.areFinite(large(n), large(other)));
+            for (int i = 0; i < n; i++) {
+                for (double bad : BAD) {
+                    double[] values = large(n);
+                    values[i] = bad;
+                    assertFalse(FiniteCheck.areFinite(values, large(other)), "entry " + i);
+                    assertFalse(FiniteCheck.areFinite(large(other), values), "entry " + i);
+                }
+            }
+        }
+    }
+}
