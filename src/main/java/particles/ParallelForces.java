@@ -3,7 +3,7 @@ package particles;
 import java.util.List;
 
 /**
- * The derivative, evaluated by several threads: each takes a range of the particles, and then some of the blocks of each
+ * The derivative, evaluated by several threads: each takes a range of the particles, and some of the blocks of each
  * {@link DivisibleEffect}. What each particle's force is added up from, and in which order, is the same as in one thread,
  * and so are the bits.
  */
@@ -21,9 +21,12 @@ final class ParallelForces implements AutoCloseable {
     private double[] dSdt;
     private DivisibleEffect divisible;
     private int blocks;
-    private final Workers.Work beginning = (part, parts) -> begin(cut(part, parts), cut(part + 1, parts));
+    private final Workers.Work beginningByBlocks = this::beginBlocks;
+    private final Workers.Work beginning = (part, parts) -> begin(cut(particles(), part, parts),
+            cut(particles(), part + 1, parts));
     private final Workers.Work middle = this::addBlocks;
-    private final Workers.Work end = (part, parts) -> divide(cut(part, parts), cut(part + 1, parts));
+    private final Workers.Work end = (part, parts) -> divide(cut(particles(), part, parts),
+            cut(particles(), part + 1, parts));
 
     ParallelForces(ForceSum forces, Particles particles, List<Effect> effects, int threads, long paysFrom) {
         this.forces = forces;
@@ -47,16 +50,22 @@ final class ParallelForces implements AutoCloseable {
         this.state = state;
         this.time = time;
         this.dSdt = dSdt;
-        if (isConcurrentPerParticle()) {
-            workers.run(beginning);
-        } else {
-            begin(0, particles.count());
-        }
         List<Effect> others = forces.others();
-        for (int e = 0; e < others.size(); e++) {
+        int next = 0;
+        if (!isConcurrentPerParticle()) {
+            begin(0, particles.count());
+        } else if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
+            workers.run(beginningByBlocks);             // one time less that threads wait for each other
+            addRest();
+            next = 1;
+        } else {
+            workers.run(beginning);
+        }
+        for (int e = next; e < others.size(); e++) {
             Effect effect = others.get(e);
-            if (effect instanceof DivisibleEffect) {
-                addDivisible((DivisibleEffect) effect);
+            if (takeUp(effect, 2)) {
+                workers.run(middle);
+                addRest();
             } else {
                 effect.addForces(state, time, dSdt, 0, effect.size());
             }
@@ -74,29 +83,70 @@ final class ParallelForces implements AutoCloseable {
         return concurrent;
     }
 
-    private void addDivisible(DivisibleEffect effect) {
-        blocks = effect.countBlocks();
-        if (blocks > 1) {
-            divisible = effect;
-            workers.run(middle);
-            effect.addForces(state, time, dSdt, effect.getBlockStart(blocks), effect.size());
-        } else {
-            effect.addForces(state, time, dSdt, 0, effect.size());
+    /** Whether the effect has so many blocks; it is the one whose blocks are evaluated then. */
+    private boolean takeUp(Effect effect, int fewest) {
+        if (!(effect instanceof DivisibleEffect)) {
+            return false;
+        }
+        divisible = (DivisibleEffect) effect;
+        blocks = divisible.countBlocks();
+        return blocks >= fewest;
+    }
+
+    private void beginBlocks(int part, int parts) {
+        begin(divisible.getFirstParticle(cut(blocks, part, parts)), divisible.getFirstParticle(cut(blocks, part + 1, parts)));
+        addBlocks(part, parts);
+    }
+
+    /** A thread's blocks, and the joints of these alone. */
+    private void addBlocks(int part, int parts) {
+        int first = cut(blocks, part, parts);
+        int end = cut(blocks, part + 1, parts);
+        divisible.addForces(state, time, dSdt, divisible.getBlockStart(first), divisible.getBlockStart(end));
+        for (int length = 2, joint = blocks; length <= blocks; length *= 2) {
+            for (int from = 0; from < blocks; from += length, joint++) {
+                if (from >= first && from + length <= end) {
+                    addJoint(joint);
+                }
+            }
         }
     }
 
-    private void addBlocks(int part, int parts) {
-        int from = divisible.getBlockStart(blocks * part / parts);
-        int to = divisible.getBlockStart(blocks * (part + 1) / parts);
-        divisible.addForces(state, time, dSdt, from, to);
+    /** The joints of blocks that different threads had. */
+    private void addRest() {
+        for (int length = 2, joint = blocks; length <= blocks; length *= 2) {
+            for (int from = 0; from < blocks; from += length, joint++) {
+                if (!isOfOneThread(from, from + length)) {
+                    addJoint(joint);
+                }
+            }
+        }
     }
 
-    private int cut(int part, int parts) {
-        return (int) ((long) particles.count() * part / parts);
+    private boolean isOfOneThread(int from, int to) {
+        int parts = workers.count();
+        boolean within = false;
+        for (int part = 0; part < parts; part++) {
+            within |= from >= cut(blocks, part, parts) && to <= cut(blocks, part + 1, parts);
+        }
+        return within;
+    }
+
+    private void addJoint(int joint) {
+        divisible.addForces(state, time, dSdt, divisible.getBlockStart(joint), divisible.getBlockStart(joint + 1));
+    }
+
+    /** Where a part of so many begins. */
+    private static int cut(int all, int part, int parts) {
+        return (int) ((long) all * part / parts);
     }
 
     private void begin(int from, int to) {
         forces.begin(state, time, dSdt, from, to);
+    }
+
+    private int particles() {
+        return particles.count();
     }
 
     private void divide(int from, int to) {

@@ -56,6 +56,11 @@ final class Workers implements AutoCloseable {
         }
     }
 
+    /** How many threads work together, the caller's own included. */
+    int count() {
+        return helpers.length + 1;
+    }
+
     /** Does all parts of the work, part 0 in this thread; a failure of any of them is thrown when all have ended. */
     void run(Work work) {
         this.work = work;

@@ -37,6 +37,10 @@ class ThreadsTest {
 
     /** Springs between particles whose numbers differ by no more than {@code reach}, in no order. */
     private static ParticleSystem network(int reach) {
+        return network(reach, 20_000);
+    }
+
+    private static ParticleSystem network(int reach, int count) {
         ParticleSystem network = new ParticleSystem();
         Random random = new Random(11);
         int n = 3000;
@@ -46,7 +50,7 @@ class ThreadsTest {
         }
         network.addEffect(new Gravity(network.getParticles(), Systems.GRAVITY));
         SpringForce springs = new SpringForce(network.getParticles());
-        for (int s = 0; s < 20_000; s++) {
+        for (int s = 0; s < count; s++) {
             int i = random.nextInt(n);
             int j = Math.floorMod(i + 1 + random.nextInt(reach), n);
             springs.addSpring(i, j, 10, 0.5, 0.1);
@@ -84,7 +88,15 @@ class ThreadsTest {
         assertEquals(hashAfter(network(2999), 1, STEPS), hashAfter(network(2999), threads, STEPS));
     }
 
-    /** The last particle's springs end the last block and begin what comes after all blocks: taken together by one thread? */
+    /** Of eight blocks: threads have different numbers of them, and joints that are all their own or not. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4, 5, 6, 9})
+    void howBlocksAreSharedOutMakesNoDifference(int threads) {
+        assertEquals(8, ((SpringForce) network(100, 40_000).getEffects().get(1)).countBlocks());
+        assertEquals(hashAfter(network(100, 40_000), 1, 5), hashAfter(network(100, 40_000), threads, 5));
+    }
+
+    /** One particle's springs end the last block and begin the two joints that follow: taken together by one thread? */
     @Test
     void aParticleWithSpringsInABlockAndAfterItHasTheSameBits() {
         String[] hashes = new String[2];
@@ -100,11 +112,13 @@ class ThreadsTest {
             }
             for (int s = 0; s < 5; s++) {
                 springs.addSpring(998, s, random.nextDouble(), random.nextDouble(), 0.1);
+                springs.addSpring(998, 500 + s, random.nextDouble(), random.nextDouble(), 0.1);
             }
             pairs.addEffect(springs);
             hashes[k] = hashAfter(pairs, 1 + k, STEPS);
             assertEquals(4, springs.countBlocks());
-            assertEquals(20_000, springs.getBlockStart(4));
+            assertEquals(20_000, springs.getBlockStart(5), "the last block and the joint of the first two end here");
+            assertEquals(20_005, springs.getBlockStart(6));
         }
         assertEquals(hashes[0], hashes[1]);
     }
@@ -175,24 +189,48 @@ class ThreadsTest {
         assertEquals(hashes[0], hashes[1]);
     }
 
-    /** No two blocks touch one particle, and what joins two ranges comes last: without that threads would lose forces. */
-    @ParameterizedTest
-    @ValueSource(ints = {40, 100, 250})
-    void blocksHaveTheirParticlesToThemselves(int reach) {
-        SpringForce springs = (SpringForce) network(reach).getEffects().get(1);
-        int blocks = springs.countBlocks();
-        assertEquals(4, blocks);
-        int[] owner = new int[3000];
-        for (int b = 0; b < blocks; b++) {
-            assertTrue(springs.getBlockStart(b + 1) - springs.getBlockStart(b) > 3000, "block " + b);     // of 20,000/4
-            for (int s = springs.getBlockStart(b); s < springs.getBlockStart(b + 1); s++) {
-                for (int particle : new int[] {springs.from(s), springs.to(s)}) {
-                    assertTrue(owner[particle] == 0 || owner[particle] == b + 1, "particle " + particle);
-                    owner[particle] = b + 1;
+    /** A block touches its range of particles only, a joint those of its blocks, and no half of it by itself. */
+    private static void assertRanges(SpringForce springs, int blocks, int particles) {
+        assertEquals(blocks, springs.countBlocks());
+        assertEquals(0, springs.getFirstParticle(0));
+        assertEquals(particles, springs.getFirstParticle(blocks));
+        assertEquals(0, springs.getBlockStart(0));
+        assertEquals(springs.size(), springs.getBlockStart(2 * blocks - 1));
+        for (int length = 1, home = 0; length <= blocks; length *= 2) {
+            for (int block = 0; block < blocks; block += length, home++) {
+                int first = springs.getFirstParticle(block);
+                int middle = springs.getFirstParticle(block + length / 2);
+                int end = springs.getFirstParticle(block + length);
+                assertTrue(first < end, "block " + home);
+                for (int s = springs.getBlockStart(home); s < springs.getBlockStart(home + 1); s++) {
+                    int low = Math.min(springs.from(s), springs.to(s));
+                    int high = Math.max(springs.from(s), springs.to(s));
+                    assertTrue(first <= low && high < end, "spring " + s + " of block " + home);
+                    assertTrue(length == 1 || low < middle && middle <= high, "spring " + s + " of joint " + home);
                 }
             }
         }
-        assertTrue(springs.getBlockStart(blocks) < springs.size());
+    }
+
+    /** Otherwise threads would lose forces. */
+    @ParameterizedTest
+    @ValueSource(ints = {40, 100, 250})
+    void blocksHaveTheirParticlesToThemselves(int reach) {
+        ParticleSystem network = network(reach);
+        SpringForce springs = (SpringForce) network.getEffects().get(1);
+        assertRanges(springs, 4, 3000);
+        for (int b = 0; b < 4; b++) {
+            assertTrue(springs.getBlockStart(b + 1) - springs.getBlockStart(b) > 3000, "block " + b);     // of 20,000/4
+        }
+        for (int joint = 4; joint < 7; joint++) {
+            assertTrue(springs.getBlockStart(joint) < springs.getBlockStart(joint + 1), "joint " + joint);
+        }
+        boolean[] gone = new boolean[3000];
+        for (int i = 0; i < gone.length; i++) {
+            gone[i] = i < 500 || i % 11 == 0;
+        }
+        network.removeParticles(gone);
+        assertRanges(springs, 4, network.getParticles().count());
         assertEquals(1, ((SpringForce) network(2999).getEffects().get(1)).countBlocks());   // nothing to gain there
     }
 
@@ -213,6 +251,11 @@ class ThreadsTest {
             }
         }
         assertArrayEquals(singly, blockwise, 1e-11);    // measured 1.1e-13: the same sums in the opposite order
+    }
+
+    @Test
+    void threadsAreOneOrMore() {
+        assertThrows(IllegalArgumentException.class, () -> cloth().setThreads(0));
     }
 
     @Test
@@ -239,39 +282,5 @@ class ThreadsTest {
         for (Thread helper : helpers) {
             assertTrue(!helper.isAlive());
         }
-    }
-
-    /**
-     * A state that makes one part fail makes the others fail too; the next step, of a state put right, has nothing of it.
-     */
-    @Test
-    void failuresOfAllThreadsAreOverWhenTheyWereThrown() {
-        try (Workers workers = new Workers(3)) {
-            assertThrows(ArithmeticException.class, () -> workers.run((part, parts) -> {
-                throw new ArithmeticException("part " + part);
-            }));
-            int[] done = new int[3];
-            workers.run((part, parts) -> done[part]++);
-            assertArrayEquals(new int[] {1, 1, 1}, done);
-        }
-    }
-
-    @Test
-    void aFailureInAnyThreadReachesTheCallerAndTheWorkersGoOn() {
-        try (Workers workers = new Workers(3)) {
-            for (int bad = 0; bad < 3; bad++) {
-                int failing = bad;
-                int[] done = new int[3];
-                assertThrows(ArithmeticException.class, () -> workers.run((part, parts) -> {
-                    assertEquals(3, parts);
-                    done[part]++;
-                    if (part == failing) {
-                        throw new ArithmeticException("part " + part);
-                    }
-                }));
-                assertArrayEquals(new int[] {1, 1, 1}, done);
-            }
-        }
-        assertThrows(IllegalArgumentException.class, () -> cloth().setThreads(0));
     }
 }

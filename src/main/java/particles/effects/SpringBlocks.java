@@ -1,13 +1,14 @@
 package particles.effects;
 
+import particles.DivisibleEffect;
 import particles.Memory;
 import particles.Particles;
 
 /**
- * A division of many springs into blocks that several threads can evaluate at once: each block has a range of particles to
- * itself, and both ends of its springs are in there. Springs that join two ranges come after all blocks. The division follows
- * from the springs alone, not from the number of threads, and each particle's force is added up in the order of the table: so
- * it has the same bits, whoever evaluates which block.
+ * A division of many springs into blocks that several threads can evaluate at once, and joints, as {@link DivisibleEffect}
+ * says: each block has a range of particles to itself, and both ends of its springs are in there. Springs that join two ranges
+ * come after all blocks. The division follows from the springs alone, not from the number of threads, and each particle's force
+ * is added up in the order of the table: so it has the same bits, whoever evaluates which block.
  */
 final class SpringBlocks {
     /** Fewer springs are evaluated sooner than another thread is told of them. */
@@ -18,7 +19,8 @@ final class SpringBlocks {
     private static final double MOST_BETWEEN = 0.25;
 
     private int count = 1;
-    private int[] starts = new int[MOST + 1];           // the first spring of each block; then the first that joins two
+    private int[] starts = new int[2 * MOST];           // the first spring of each block and joint, and where the last one ends
+    private int[] firstParticles = new int[MOST];       // of the blocks' ranges
 
     /**
      * Divides the springs.
@@ -26,77 +28,95 @@ final class SpringBlocks {
      * @param from  where their first particles stand in the state, in ascending order
      * @param to    where their second ones do
      * @param total how many springs there are
-     * @return the springs in the order of blocks, each block and the rest in the order in which they were
+     * @return the springs in the order of blocks and joints, those of each in the order in which they were
      */
     int[] divide(int[] from, int[] to, int total) {
         count = Math.max(1, Math.min(MOST, Integer.highestOneBit(total / SPRINGS_PER_BLOCK)));
-        int[] order = new int[total];
-        int inside = count == 1 ? total : collect(from, to, total, order);
-        if (total - inside > MOST_BETWEEN * total) {
+        int[] order = collect(from, to, total);
+        if (total - starts[count] > MOST_BETWEEN * total) {
             count = 1;
-            inside = total;
+            order = collect(from, to, total);
         }
-        if (count == 1) {
-            for (int s = 0; s < total; s++) {
-                order[s] = s;
-            }
-            starts[0] = 0;
-        }
-        starts[count] = inside;
         return order;
     }
 
-    /** Puts the springs within ranges first, as many to a range as possible; returns how many they are. */
-    private int collect(int[] from, int[] to, int total, int[] order) {
-        int[] firstParticle = new int[count + 1];
+    /** Sorts the springs by what they are in, as many to a range of particles as possible. */
+    private int[] collect(int[] from, int[] to, int total) {
         for (int b = 1; b < count; b++) {
-            firstParticle[b] = from[(int) ((long) total * b / count)];
+            firstParticles[b] = from[(int) ((long) total * b / count)] / Particles.STRIDE;
         }
-        firstParticle[count] = Integer.MAX_VALUE;
-        int inside = 0;
-        int between = total;
-        for (int s = 0, b = -1; s < total; s++) {
-            while (b < 0 || from[s] >= firstParticle[b + 1]) {
-                starts[++b] = inside;
-            }
-            if (to[s] >= firstParticle[b] && to[s] < firstParticle[b + 1]) {
-                order[inside++] = s;
-            } else {
-                order[--between] = s;
-            }
+        int[] home = new int[total];
+        int[] next = new int[2 * count];
+        for (int s = 0; s < total; s++) {
+            home[s] = home(blockOf(from[s] / Particles.STRIDE), blockOf(to[s] / Particles.STRIDE));
+            next[home[s] + 1]++;
         }
-        for (int a = between, z = total - 1; a < z; a++, z--) {  // those were put down from behind
-            int s = order[a];
-            order[a] = order[z];
-            order[z] = s;
+        for (int b = 0; b < 2 * count - 1; b++) {
+            next[b + 1] += next[b];
         }
-        return inside;
+        System.arraycopy(next, 0, starts, 0, 2 * count);
+        int[] order = new int[total];
+        for (int s = 0; s < total; s++) {
+            order[next[home[s]]++] = s;
+        }
+        return order;
+    }
+
+    private int blockOf(int particle) {
+        int b = count - 1;
+        while (b > 0 && particle < firstParticles[b]) {
+            b--;
+        }
+        return b;
+    }
+
+    /** The block if both are the same, else the joint of the smallest part of the tree that has both. */
+    private int home(int a, int b) {
+        int level = Integer.SIZE - Integer.numberOfLeadingZeros(a ^ b);
+        return 2 * count - (2 * count >> level) + (a >> level);
     }
 
     /** Springs are about to go, the others stay in their order and in their blocks. */
     void remove(boolean[] gone) {
         int[] before = starts.clone();
         int stay = 0;
-        for (int s = 0, b = 0; b <= count; s++) {
-            while (b <= count && before[b] == s) {
+        for (int s = 0, b = 0; b < 2 * count; s++) {
+            while (b < 2 * count && before[b] == s) {
                 starts[b++] = stay;
             }
             stay += s < gone.length && !gone[s] ? 1 : 0;
         }
     }
 
-    void remember(Memory memory) {
-        count = memory.keep(count);
-        starts = memory.keep(starts, MOST + 1);
+    /** Particles were taken out; the others moved up in their order, and the ranges with them. */
+    void reindex(int[] newIndex) {
+        int[] before = firstParticles.clone();
+        for (int i = 0, stay = 0, b = 1; b < count; i++) {
+            while (b < count && before[b] == i) {
+                firstParticles[b++] = stay;
+            }
+            stay += i < newIndex.length && newIndex[i] >= 0 ? 1 : 0;
+        }
     }
 
-    /** How many blocks there are, 1 or more. */
+    void remember(Memory memory) {
+        count = memory.keep(count);
+        starts = memory.keep(starts, 2 * MOST);
+        firstParticles = memory.keep(firstParticles, MOST);
+    }
+
+    /** How many blocks there are, a power of two. */
     int count() {
         return count;
     }
 
-    /** The first spring of a block; of block {@link #count()}, the first one that joins two ranges. */
+    /** The first spring of a block or a joint. */
     int start(int block) {
         return starts[block];
+    }
+
+    /** The first particle of a block's range. */
+    int firstParticle(int block) {
+        return firstParticles[block];
     }
 }

@@ -101,11 +101,20 @@ public final class SpringForce implements DivisibleEffect, SpringView {
     }
 
     @Override
+    public int getFirstParticle(int block) {
+        return block == table.blocks().count() ? particles.count() : table.blocks().firstParticle(block);
+    }
+
+    /** The joints one by one, as several threads do: a particle with springs in two of them has the same bits then. */
+    @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
         table.arrange();
-        int between = table.blocks().start(table.blocks().count());     // those come after all blocks, also in one thread
-        SpringKernel.addForces(table, state, force, from, Math.min(to, between));
-        SpringKernel.addForces(table, state, force, Math.max(from, between), to);
+        SpringBlocks blocks = table.blocks();
+        int joint = blocks.count();
+        SpringKernel.addForces(table, state, force, from, Math.min(to, blocks.start(joint)));
+        for (; joint < 2 * blocks.count() - 1 && blocks.start(joint) < to; joint++) {
+            SpringKernel.addForces(table, state, force, Math.max(from, blocks.start(joint)), Math.min(to, blocks.start(joint + 1)));
+        }
     }
 
     @Override

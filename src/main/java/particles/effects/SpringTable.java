@@ -55,6 +55,7 @@ final class SpringTable {
             to[s] = Particles.STRIDE * j;
         }
         remove(gone);
+        blocks.reindex(newIndex);
     }
 
     void remove(boolean[] gone) {

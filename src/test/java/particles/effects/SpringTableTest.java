@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -144,8 +145,8 @@ class SpringTableTest {
         assertEquals(count < 8192 ? 1 : count < 16_384 ? 2 : count < 32_768 ? 4 : 8, blocks.count());
         List<List<Spring>> before = parts(table);
         assertEquals(springs.size(), before.stream().mapToInt(List::size).sum());
-        for (int b = 0; b <= blocks.count(); b++) {
-            assertEquals(sorted(before.get(b)), before.get(b), "in order, block " + b + " and what joins them");
+        for (int b = 0; b < before.size(); b++) {
+            assertEquals(sorted(before.get(b)), before.get(b), "in order, block or joint " + b);
         }
         boolean[] gone = new boolean[count];
         for (int s = 0; s < count; s++) {
@@ -171,20 +172,21 @@ class SpringTableTest {
         assertEquals(left, parts(table), "they need not be arranged again");
     }
 
-    /** The springs of each block, and those that join two. */
+    /** The springs of each block and of each joint. */
     private static List<List<Spring>> parts(SpringTable table) {
         SpringBlocks blocks = table.blocks();
         assertEquals(0, blocks.start(0));
         List<List<Spring>> parts = new ArrayList<>();
-        for (int b = 0; b <= blocks.count(); b++) {
-            parts.add(springs(table, blocks.start(b), b < blocks.count() ? blocks.start(b + 1) : table.count));
+        for (int b = 0; b < 2 * blocks.count() - 1; b++) {
+            parts.add(springs(table, blocks.start(b), blocks.start(b + 1)));
         }
+        assertEquals(table.count, blocks.start(2 * blocks.count() - 1));
         return parts;
     }
 
-    /** Ranges of particles as the springs divide them: each block is all that lies within one, the rest joins two. */
+    /** Ranges of particles as the springs divide them: each block is all that lies within one, each joint what else in its two. */
     @ParameterizedTest
-    @ValueSource(ints = {8192, 20_000})
+    @ValueSource(ints = {8192, 20_000, 40_000})
     void aBlockIsAllThatLiesWithinItsRange(int count) {
         SpringTable table = new SpringTable();
         List<Spring> springs = sorted(random(count, 3000, 40, table));
@@ -193,19 +195,22 @@ class SpringTableTest {
         int[] first = new int[blocks + 1];
         for (int b = 1; b < blocks; b++) {
             first[b] = springs.get((int) ((long) count * b / blocks)).from;
+            assertEquals(first[b], table.blocks().firstParticle(b));
         }
         first[blocks] = Integer.MAX_VALUE;
-        List<List<Spring>> parts = parts(table);
         List<Spring> rest = new ArrayList<>(springs);
-        for (int b = 0; b < blocks; b++) {
-            int from = first[b];
-            int to = first[b + 1];
-            List<Spring> within = springs.stream().filter(s -> s.from >= from && s.to >= from && s.from < to
-                    && s.to < to).toList();
-            assertEquals(within, parts.get(b));
-            rest.removeAll(within);
+        Iterator<List<Spring>> parts = parts(table).iterator();
+        for (int length = 1; length <= blocks; length *= 2) {
+            for (int b = 0; b < blocks; b += length) {
+                int from = first[b];
+                int to = first[b + length];
+                List<Spring> within = rest.stream().filter(s -> s.from >= from && s.to >= from && s.from < to
+                        && s.to < to).toList();
+                assertEquals(within, parts.next());
+                rest.removeAll(within);
+            }
         }
-        assertEquals(rest, parts.get(blocks));
+        assertFalse(parts.hasNext());
     }
 
     /** In a random network most springs join two ranges; up to a quarter may, in a chain of two blocks of 4096 springs. */
