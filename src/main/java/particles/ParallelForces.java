@@ -21,12 +21,10 @@ final class ParallelForces implements AutoCloseable {
     private double[] dSdt;
     private DivisibleEffect divisible;
     private int blocks;
+    private final Workers.Work beginning = this::beginRange;
     private final Workers.Work beginningByBlocks = this::beginBlocks;
-    private final Workers.Work beginning = (part, parts) -> begin(cut(particles(), part, parts),
-            cut(particles(), part + 1, parts));
     private final Workers.Work middle = this::addBlocks;
-    private final Workers.Work end = (part, parts) -> divide(cut(particles(), part, parts),
-            cut(particles(), part + 1, parts));
+    private final Workers.Work end = this::divideRange;
 
     ParallelForces(ForceSum forces, Particles particles, List<Effect> effects, int threads, long paysFrom) {
         this.forces = forces;
@@ -53,7 +51,7 @@ final class ParallelForces implements AutoCloseable {
         List<Effect> others = forces.others();
         int next = 0;
         if (!isConcurrentPerParticle()) {
-            begin(0, particles.count());
+            forces.begin(state, time, dSdt, 0, particles.count());
         } else if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
             workers.run(beginningByBlocks);             // one time less that threads wait for each other
             addRest();
@@ -93,8 +91,14 @@ final class ParallelForces implements AutoCloseable {
         return blocks >= fewest;
     }
 
+    private void beginRange(int part, int parts) {
+        int n = particles.count();
+        forces.begin(state, time, dSdt, cut(n, part, parts), cut(n, part + 1, parts));
+    }
+
     private void beginBlocks(int part, int parts) {
-        begin(divisible.getFirstParticle(cut(blocks, part, parts)), divisible.getFirstParticle(cut(blocks, part + 1, parts)));
+        forces.begin(state, time, dSdt, divisible.getFirstParticle(cut(blocks, part, parts)),
+                divisible.getFirstParticle(cut(blocks, part + 1, parts)));
         addBlocks(part, parts);
     }
 
@@ -136,21 +140,14 @@ final class ParallelForces implements AutoCloseable {
         divisible.addForces(state, time, dSdt, divisible.getBlockStart(joint), divisible.getBlockStart(joint + 1));
     }
 
+    private void divideRange(int part, int parts) {
+        int n = particles.count();
+        forces.divideByMasses(dSdt, cut(n, part, parts), cut(n, part + 1, parts));
+    }
+
     /** Where a part of so many begins. */
     private static int cut(int all, int part, int parts) {
         return (int) ((long) all * part / parts);
-    }
-
-    private void begin(int from, int to) {
-        forces.begin(state, time, dSdt, from, to);
-    }
-
-    private int particles() {
-        return particles.count();
-    }
-
-    private void divide(int from, int to) {
-        forces.divideByMasses(dSdt, from, to);
     }
 
     @Override
