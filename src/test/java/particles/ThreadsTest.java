@@ -189,51 +189,6 @@ class ThreadsTest {
         assertEquals(hashes[0], hashes[1]);
     }
 
-    /** A block touches its range of particles only, a joint those of its blocks, and no half of it by itself. */
-    private static void assertRanges(SpringForce springs, int blocks, int particles) {
-        assertEquals(blocks, springs.countBlocks());
-        assertEquals(0, springs.getFirstParticle(0));
-        assertEquals(particles, springs.getFirstParticle(blocks));
-        assertEquals(0, springs.getBlockStart(0));
-        assertEquals(springs.size(), springs.getBlockStart(2 * blocks - 1));
-        for (int length = 1, home = 0; length <= blocks; length *= 2) {
-            for (int block = 0; block < blocks; block += length, home++) {
-                int first = springs.getFirstParticle(block);
-                int middle = springs.getFirstParticle(block + length / 2);
-                int end = springs.getFirstParticle(block + length);
-                assertTrue(first < end, "block " + home);
-                for (int s = springs.getBlockStart(home); s < springs.getBlockStart(home + 1); s++) {
-                    int low = Math.min(springs.from(s), springs.to(s));
-                    int high = Math.max(springs.from(s), springs.to(s));
-                    assertTrue(first <= low && high < end, "spring " + s + " of block " + home);
-                    assertTrue(length == 1 || low < middle && middle <= high, "spring " + s + " of joint " + home);
-                }
-            }
-        }
-    }
-
-    /** Otherwise threads would lose forces. */
-    @ParameterizedTest
-    @ValueSource(ints = {40, 100, 250})
-    void blocksHaveTheirParticlesToThemselves(int reach) {
-        ParticleSystem network = network(reach);
-        SpringForce springs = (SpringForce) network.getEffects().get(1);
-        assertRanges(springs, 4, 3000);
-        for (int b = 0; b < 4; b++) {
-            assertTrue(springs.getBlockStart(b + 1) - springs.getBlockStart(b) > 3000, "block " + b);     // of 20,000/4
-        }
-        for (int joint = 4; joint < 7; joint++) {
-            assertTrue(springs.getBlockStart(joint) < springs.getBlockStart(joint + 1), "joint " + joint);
-        }
-        boolean[] gone = new boolean[3000];
-        for (int i = 0; i < gone.length; i++) {
-            gone[i] = i < 500 || i % 11 == 0;
-        }
-        network.removeParticles(gone);
-        assertRanges(springs, 4, network.getParticles().count());
-        assertEquals(1, ((SpringForce) network(2999).getEffects().get(1)).countBlocks());   // nothing to gain there
-    }
-
     @Test
     void theForcesAreThoseOfASystemWithoutBlocks() {
         ParticleSystem network = network(100);

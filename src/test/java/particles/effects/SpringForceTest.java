@@ -132,30 +132,6 @@ class SpringForceTest {
         assertEquals(0, springs.to(0));
     }
 
-    /** Many springs, in blocks and between them, are what each of them is by itself. */
-    @Test
-    void allSpringsActInBlocksAndBetweenThem() {
-        Random random = new Random(4);
-        for (int i = 2; i < 2000; i++) {
-            system.addParticle("p" + i, 1, Vector3.ZERO, Vector3.ZERO, false);
-        }
-        for (int s = 0; s < 9000; s++) {
-            int i = random.nextInt(1990);
-            springs.addSpring(i, i + 1 + random.nextInt(9), random.nextDouble(), 0.5, 0.25);
-        }
-        double[] state = random.doubles(system.getStateSize()).toArray();
-        double[] together = new double[state.length];
-        springs.addForces(state, 0, together, 0, springs.size());
-        assertEquals(2, springs.countBlocks());
-        int between = springs.getBlockStart(2);
-        assertTrue(between > 8000 && between < 9000, "between: from " + between);
-        double[] singly = new double[state.length];
-        for (int s = springs.size() - 1; s >= 0; s--) {
-            springs.addForces(state, 0, singly, s, s + 1);
-        }
-        assertArrayEquals(singly, together, 1e-14);             // measured 1.8e-15
-    }
-
     /** What comes back from a checkpoint has the same springs in the same order and blocks, whatever was there. */
     @Test
     void springsAreRemembered() {
