@@ -10,6 +10,7 @@ import java.util.List;
 final class ParallelForces implements AutoCloseable {
     /** With fewer items one thread is done sooner. Cloths, rk4: two are as fast at 8,000, and take 0.8 of it at 16,000. */
     static final long PAYS_FROM = 16_384;
+    private static final int NOBODY = -1;
 
     private final ForceSum forces;
     private final Particles particles;
@@ -54,7 +55,7 @@ final class ParallelForces implements AutoCloseable {
             forces.begin(state, time, dSdt, 0, particles.count());
         } else if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
             workers.run(beginningByBlocks);             // one time less that threads wait for each other
-            addRest();
+            addJoints(NOBODY);
             next = 1;
         } else {
             workers.run(beginning);
@@ -63,7 +64,7 @@ final class ParallelForces implements AutoCloseable {
             Effect effect = others.get(e);
             if (takeUp(effect, 2)) {
                 workers.run(middle);
-                addRest();
+                addJoints(NOBODY);
             } else {
                 effect.addForces(state, time, dSdt, 0, effect.size());
             }
@@ -104,40 +105,30 @@ final class ParallelForces implements AutoCloseable {
 
     /** A thread's blocks, and the joints of these alone. */
     private void addBlocks(int part, int parts) {
-        int first = cut(blocks, part, parts);
-        int end = cut(blocks, part + 1, parts);
-        divisible.addForces(state, time, dSdt, divisible.getBlockStart(first), divisible.getBlockStart(end));
+        addItems(cut(blocks, part, parts), cut(blocks, part + 1, parts));
+        addJoints(part);
+    }
+
+    /** The joints, from those of two blocks up, whose blocks one part has; or those that no part has to itself. */
+    private void addJoints(int part) {
         for (int length = 2, joint = blocks; length <= blocks; length *= 2) {
             for (int from = 0; from < blocks; from += length, joint++) {
-                if (from >= first && from + length <= end) {
-                    addJoint(joint);
+                int owner = partOf(from);
+                if (part == (owner == partOf(from + length - 1) ? owner : NOBODY)) {
+                    addItems(joint, joint + 1);
                 }
             }
         }
     }
 
-    /** The joints of blocks that different threads had. */
-    private void addRest() {
-        for (int length = 2, joint = blocks; length <= blocks; length *= 2) {
-            for (int from = 0; from < blocks; from += length, joint++) {
-                if (!isOfOneThread(from, from + length)) {
-                    addJoint(joint);
-                }
-            }
-        }
+    /** Whose block it is: the last part that {@link #cut} lets begin there or before. */
+    private int partOf(int block) {
+        return ((block + 1) * workers.count() - 1) / blocks;
     }
 
-    private boolean isOfOneThread(int from, int to) {
-        int parts = workers.count();
-        boolean within = false;
-        for (int part = 0; part < parts; part++) {
-            within |= from >= cut(blocks, part, parts) && to <= cut(blocks, part + 1, parts);
-        }
-        return within;
-    }
-
-    private void addJoint(int joint) {
-        divisible.addForces(state, time, dSdt, divisible.getBlockStart(joint), divisible.getBlockStart(joint + 1));
+    /** What is in the blocks or joints from ... to - 1. */
+    private void addItems(int from, int to) {
+        divisible.addForces(state, time, dSdt, divisible.getBlockStart(from), divisible.getBlockStart(to));
     }
 
     private void divideRange(int part, int parts) {

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Clocks end exactly where they have to, also where a difference of two readings rounds. */
 class SourceClockTest {
@@ -69,29 +71,18 @@ class SourceClockTest {
         assertTrue(again > 100, "a second move was needed in " + again);
     }
 
-    /** Where the clock still stands at the start, as after one stage, it is moved once. */
-    @Test
-    void aClockThatStoodStillIsMovedOnce() {
+    /** Where the clock still stands at the start, as after one stage, or a last stage was at the end: it is moved once in all. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aClockThatStoodStillOrIsThereIsMovedOnce(boolean there) {
         Random random = new Random(18);
         for (int n = 0; n < CASES; n++) {
             double start = number(random);
             double deltaT = number(random);
             Clock clock = new Clock(start);
-            SourceClock.moveToEnd(clock, start, deltaT);
-            assertEquals(start + deltaT, clock.time, "case " + n);
-            assertEquals(1, clock.moves, "case " + n);
-        }
-    }
-
-    /** After a last stage at the end of the step there is nothing left to do. */
-    @Test
-    void aClockThatIsAtTheEndIsNotMoved() {
-        Random random = new Random(20);
-        for (int n = 0; n < CASES; n++) {
-            double start = number(random);
-            double deltaT = number(random);
-            Clock clock = new Clock(start);
-            SourceClock.moveWithin(clock, start, deltaT);
+            if (there) {
+                SourceClock.moveWithin(clock, start, deltaT);
+            }
             SourceClock.moveToEnd(clock, start, deltaT);
             assertEquals(start + deltaT, clock.time, "case " + n);
             assertEquals(1, clock.moves, "case " + n);

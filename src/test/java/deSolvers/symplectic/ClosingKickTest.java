@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolverException;
-import deSolvers.SecondOrderStateSource;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,12 +19,9 @@ class ClosingKickTest {
      * Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity, none
      * for the others.
      */
-    private static class OneMoves implements SecondOrderStateSource {
+    private static class OneMoves extends Blocks {
         private static final int MOVING = 7;            // the last velocity where d is 2; its position is entry 5
         private final DoubleUnaryOperator acceleration;
-        private final int d;
-        private final double[] state;
-        private double time;
         private int evaluations;
 
         OneMoves(DoubleUnaryOperator acceleration) {
@@ -33,48 +29,23 @@ class ClosingKickTest {
         }
 
         OneMoves(int d, DoubleUnaryOperator acceleration) {
-            this.d = d;
+            super(d, new double[4 * d]);
             this.acceleration = acceleration;
-            state = new double[4 * d];
         }
 
         @Override
-        public int getDimension() {
-            return d;
-        }
-
-        @Override
-        public int getStateSize() {
-            return state.length;
-        }
-
-        @Override
-        public void getState(double[] copy) {
-            System.arraycopy(state, 0, copy, 0, state.length);
-        }
-
-        @Override
-        public void setState(double[] values) {
-            System.arraycopy(values, 0, state, 0, state.length);
+        public boolean accelerationDependsOnVelocity() {
+            return true;
         }
 
         @Override
         public void getStateDerivative(double[] dSdt) {
             evaluations++;
+            int d = getDimension();
             for (int x = 0; x < state.length; x++) {
                 dSdt[x] = x % (2 * d) < d ? state[x + d] : 0;
             }
             dSdt[4 * d - 1] = acceleration.applyAsDouble(state[4 * d - 1]);
-        }
-
-        @Override
-        public double getTime() {
-            return time;
-        }
-
-        @Override
-        public void incTime(double deltaT) {
-            time += deltaT;
         }
     }
 

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
-import deSolvers.SecondOrderStateSource;
 import org.junit.jupiter.api.Test;
 
 /** What steps of leapfrogs remember, and where they look for what is not finite. */
@@ -15,38 +14,11 @@ class KickDriftKickTest {
     private static final double H = 0.5;
 
     /** Any number of particles on a line, all with the acceleration -1. */
-    private static final class Falling implements SecondOrderStateSource {
-        private double[] state;
-        private double time;
+    private static final class Falling extends Blocks {
         private double lastGoodTime = Double.POSITIVE_INFINITY;
 
-        Falling(int particles) {
-            state = new double[2 * particles];
-        }
-
-        @Override
-        public int getDimension() {
-            return 1;
-        }
-
-        @Override
-        public boolean accelerationDependsOnVelocity() {
-            return false;
-        }
-
-        @Override
-        public int getStateSize() {
-            return state.length;
-        }
-
-        @Override
-        public void getState(double[] copy) {
-            System.arraycopy(state, 0, copy, 0, state.length);
-        }
-
-        @Override
-        public void setState(double[] values) {
-            System.arraycopy(values, 0, state, 0, state.length);
+        Falling() {
+            super(1, 0, 0);
         }
 
         @Override
@@ -56,22 +28,12 @@ class KickDriftKickTest {
                 dSdt[x + 1] = -1;
             }
         }
-
-        @Override
-        public double getTime() {
-            return time;
-        }
-
-        @Override
-        public void incTime(double deltaT) {
-            time += deltaT;
-        }
     }
 
     /** The first of the three ends at 1.35 H, beyond the step; no other one sees the time after H, and none uses that entry. */
     @Test
     void aDerivativeThatIsNotFiniteWithinTheStepIsNamed() {
-        Falling source = new Falling(1);
+        Falling source = new Falling();
         source.lastGoodTime = H;
         DESolverException e = assertThrows(DESolverException.class, () -> new Yoshida4Solver().stepState(source, H));
         assertTrue(e.getMessage().contains("entry 0 of the derivative is NaN at t = 0.67"), e.getMessage());
@@ -83,7 +45,7 @@ class KickDriftKickTest {
     @Test
     void aSourceThatGrewAndIsAtRestBeginsAnew() {
         for (DESolver solver : new DESolver[] {new VelocityVerletSolver(), new Yoshida4Solver()}) {
-            Falling source = new Falling(1);
+            Falling source = new Falling();
             solver.stepState(source, H);
             source.state = new double[4];
             solver.stepState(source, H);

@@ -4,63 +4,25 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
-import deSolvers.SecondOrderStateSource;
 import org.junit.jupiter.api.Test;
 
 /** How long "does not drift" is true where forces are not linear: a pendulum that swings to 2.9 rad, omega = 1. */
 class ShadowEnergyTest {
     private static final int STEPS = 100_000;
 
-    private static final class Pendulum implements SecondOrderStateSource {
-        private double angle = 2.9;
-        private double rate;
-        private double time;
-
-        @Override
-        public int getStateSize() {
-            return 2;
-        }
-
-        @Override
-        public int getDimension() {
-            return 1;
-        }
-
-        @Override
-        public boolean accelerationDependsOnVelocity() {
-            return false;
-        }
-
-        @Override
-        public void getState(double[] state) {
-            state[0] = angle;
-            state[1] = rate;
-        }
-
-        @Override
-        public void setState(double[] state) {
-            angle = state[0];
-            rate = state[1];
+    private static final class Pendulum extends Blocks {
+        Pendulum() {
+            super(1, 2.9, 0);
         }
 
         @Override
         public void getStateDerivative(double[] dSdt) {
-            dSdt[0] = rate;
-            dSdt[1] = -StrictMath.sin(angle);
-        }
-
-        @Override
-        public double getTime() {
-            return time;
-        }
-
-        @Override
-        public void incTime(double deltaT) {
-            time += deltaT;
+            dSdt[0] = state[1];
+            dSdt[1] = -StrictMath.sin(state[0]);
         }
 
         double energy() {
-            return rate * rate / 2 - StrictMath.cos(angle);
+            return state[1] * state[1] / 2 - StrictMath.cos(state[0]);
         }
     }
 
