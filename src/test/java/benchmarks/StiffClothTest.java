@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 @Tag("slow")
 class StiffClothTest {
     private static final double SPRINGS = 23_938;
-    /** From where rk4 needs two steps to 5,000: conjugate gradients up to 7, where they need most, and then elimination. */
-    private static final long[] SWEEP = {2, 5, 7, 8, 100, 1000, 5000};
+    /** From where rk4 needs two steps to 5,000: conjugate gradients up to 6, where they need most, and then elimination. */
+    private static final long[] SWEEP = {2, 5, 6, 7, 100, 1000, 5000};
 
     @Test
     void aLinearisedStepCostsMuchTheSameHoweverManyStepsRk4Needs() {
@@ -22,19 +22,20 @@ class StiffClothTest {
             double stiffness = StiffCloth.stiffnessFor(steps);
             assertEquals(steps, StiffCloth.rk4Steps(stiffness));
             ImplicitWork work = StiffCloth.linearisedWork(stiffness);
-            assertEquals(steps < 8 ? 0 : 1, work.factorisations());
+            assertEquals(steps < 7 ? 0 : 1, work.factorisations());
             least = Math.min(least, work.blockOperations());
             most = Math.max(most, work.blockOperations());
         }
-        // Measured 2.69e6 products of 3 x 3 blocks in 47 iterations at 2, 8.52e6 in 151 at 7, and 9.18e6 in elimination, at
-        // each of the others. Where rk4 needs a single step 25 iterations are enough: there nobody takes an implicit one.
-        assertTrue(most < 4 * least, least + " to " + most + " products of blocks");
+        // Measured 2.69e6 products of 3 x 3 blocks in 47 iterations at 2, 7.34e6 in 130 at 6, and 7.93e6 in elimination, at
+        // each of the others. Where rk4 needs a single step 25 iterations are enough, 1.46e6 products. That is less than a
+        // quarter, but products in iterations wait for memory: the times, which gradle stiffCloth prints, are within 4.
+        assertTrue(most < 3.5 * least, least + " to " + most + " products of blocks");
     }
 
     @Test
     void theStiffestClothIsCheaperByFarWithOneImplicitStepAndASoftOneWithRk4() {
         double stiff = StiffCloth.linearisedWork(StiffCloth.stiffnessFor(5000)).blockOperations();
-        // A product costs no more than a spring's force. Measured 52 times as many forces at 5,000 steps of RK4 ...
+        // A product costs no more than a spring's force. Measured 60 times as many forces at 5,000 steps of RK4 ...
         assertTrue(4 * 5000 * SPRINGS > 25 * stiff, stiff + " products of blocks");
         double soft = StiffCloth.linearisedWork(StiffCloth.stiffnessFor(5)).blockOperations();
         assertTrue(4 * 5 * SPRINGS < soft / 4, soft + " products of blocks");       // ... and a thirteenth at 5

@@ -4,19 +4,14 @@ import java.util.Arrays;
 
 /**
  * The small full matrix in which {@link FrontalFactors} eliminates one group of particles after the other, and what is left of
- * it each time until it is added to another. Of a symmetric matrix only the part below the diagonal is kept.
+ * it each time until it is added to another. Of a symmetric matrix only the part right of the diagonal is kept.
  */
 final class Front {
     private final BlockPattern pattern;
     private final FrontalPlan plan;
     private final double[][] front;
     private final PivotRows pivotRows;
-    private final double[] block = new double[9];
-    private final double[] minusInverse = new double[9];
-    private final double[] factor = new double[9];
-    private final double[] next = new double[9];
-    private final double[] product = new double[9];
-    private final double[] firstFactors;                // of each row, where the pivot block is the first of two
+    private final double[][] pivotColumns;              // below the pivot block, each as a row; not of a symmetric matrix
     private final int[] at;                             // of each place: where it is in the front
     private final double[] left;
     private int leftEnd;
@@ -36,8 +31,8 @@ final class Front {
         int n = plan.fits ? pattern.rows : 0;
         int widest = 3 * plan.largestFront;
         front = new double[widest][widest];
-        pivotRows = new PivotRows(widest);
-        firstFactors = new double[3 * widest];
+        pivotRows = new PivotRows(front);
+        pivotColumns = new double[3][widest];
         at = new int[n];
         left = new double[9 * plan.mostLeft];
         waiting = new int[plan.groups];
@@ -87,7 +82,7 @@ final class Front {
             at[plan.below[b]] = r;
         }
         for (int r = 0; r < rows; r++) {
-            Arrays.fill(front[r], 0, symmetric ? r / 3 * 3 + 3 : rows, 0);
+            Arrays.fill(front[r], symmetric ? r / 3 * 3 : 0, rows, 0);
         }
         addEntries();
         addLeft();
@@ -104,9 +99,9 @@ final class Front {
                     continue;
                 }
                 int row = at[plan.place[j]];
-                copyBlock(9 * mirror[s], row, at[k]);
+                copyBlock(9 * s, at[k], row);
                 if (!symmetric) {
-                    copyBlock(9 * s, at[k], row);
+                    copyBlock(9 * mirror[s], row, at[k]);
                 }
             }
         }
@@ -131,7 +126,7 @@ final class Front {
             }
             for (int r = 0, from = leftEnd; r < height; r++, from += height) {
                 double[] row = front[columns[r]];
-                for (int e = 0, end = symmetric ? r / 3 * 3 + 3 : height; e < end; e++) {
+                for (int e = symmetric ? r / 3 * 3 : 0; e < height; e++) {
                     row[columns[e]] += left[from + e];
                 }
             }
@@ -144,7 +139,8 @@ final class Front {
         int width = 3 * plan.width(g);
         if (height > 0) {
             for (int r = 0; r < height; r++, leftEnd += height) {
-                System.arraycopy(front[width + r], width, left, leftEnd, symmetric ? r / 3 * 3 + 3 : height);
+                int first = symmetric ? r / 3 * 3 : 0;
+                System.arraycopy(front[width + r], width + first, left, leftEnd + first, height - first);
             }
             waiting[waitings++] = g;
         }
@@ -157,88 +153,50 @@ final class Front {
         }
     }
 
-    /** Copies the columns of the pivot block at row k, below it, each into a row. */
-    void copyColumns(int k, double[] transposed, int to) {
+    /** Copies the rows of the pivot block at row k, right of it. */
+    void copyRows(int k, double[] right, int to) {
         int length = rows - k - 3;
-        for (int r = k + 3, e = to; r < rows; r++, e++) {
-            double[] row = front[r];
-            transposed[e] = row[k];
-            transposed[e + length] = row[k + 1];
-            transposed[e + 2 * length] = row[k + 2];
+        for (int c = 0; c < 3; c++) {
+            System.arraycopy(front[k + c], k + 3, right, to + c * length, length);
         }
     }
 
-    /** Copies the rows of the pivot block at row k, right of it, unless the matrix is symmetric: they are there then. */
-    void copyRows(int k, double[] right, int to) {
+    /** Copies the columns of the pivot block at row k, below it, each into a row; for a matrix that is not symmetric. */
+    void copyColumns(int k, double[] below, int to) {
         int length = rows - k - 3;
-        for (int c = 0, at = to; c < 3; c++, at += length) {
-            if (!symmetric) {
-                System.arraycopy(front[k + c], k + 3, right, at, length);
+        for (int r = k + 3; r < rows; r++) {
+            for (int c = 0; c < 3; c++) {
+                pivotColumns[c][r] = front[r][k + c];
             }
-            System.arraycopy(right, at, pivotRows.get(k % 6 + c), k + 3, length);
+        }
+        for (int c = 0; c < 3; c++) {
+            System.arraycopy(pivotColumns[c], k + 3, below, to + c * length, length);
         }
     }
 
     /**
-     * Subtracts from the rows below a pivot block at row k what its elimination adds to them. Blocks are eliminated in pairs;
-     * of the first one only what the second needs is subtracted before both are.
+     * Subtracts from the rows below a pivot block at row k what its elimination adds to them. Its columns have been copied,
+     * unless the matrix is symmetric. Blocks are eliminated in pairs; of the first one only what the second needs is subtracted
+     * before both are.
      */
     void eliminate(int k, double[] inverse, int inverseAt) {
-        for (int e = 0; e < 9; e++) {
-            minusInverse[e] = -inverse[inverseAt + e];
-        }
-        if (k % 6 == 3) {
-            eliminatePair(k);
+        boolean second = k % 6 == 3;
+        pivotRows.take(k, second, symmetric ? front : pivotColumns, symmetric ? k : 0, rows, inverse, inverseAt);
+        if (second) {
+            for (int r = k + 3; r < rows; r++) {
+                pivotRows.addBoth(r, symmetric ? r / 3 * 3 : k + 3, rows);
+            }
         } else if (k + 3 < 3 * plan.width(g)) {
-            eliminateFirst(k);
+            for (int r = k + 3; r < k + 6; r++) {
+                pivotRows.addFirst(r, k + 3, rows);
+            }
+            for (int r = k + 6; r < rows && !symmetric; r++) {
+                pivotRows.addFirst(r, k + 3, k + 6);
+            }
         } else {
-            eliminateSingle(k);
-        }
-    }
-
-    private void eliminateSingle(int k) {
-        for (int r = k + 3; r < rows; r += 3) {
-            findFactor(r, k, factor, 0);
-            for (int c = 0; c < 3; c++) {
-                pivotRows.add(front[r + c], factor, 3 * c, k + 3, symmetric ? r + 3 : rows);
+            for (int r = k + 3; r < rows; r++) {
+                pivotRows.addFirst(r, symmetric ? r / 3 * 3 : k + 3, rows);
             }
         }
-    }
-
-    /** The columns of the second pivot block, and its rows; the factors are kept. */
-    private void eliminateFirst(int k) {
-        for (int c = 0; c < 3; c++) {
-            System.arraycopy(pivotRows.get(c), k + 3, next, 3 * c, 3);
-        }
-        for (int r = k + 3; r < rows; r += 3) {
-            findFactor(r, k, firstFactors, 3 * r);
-            Block3.multiply(firstFactors, 3 * r, next, 0, product, 0);
-            for (int c = 0; c < 3; c++) {
-                double[] row = front[r + c];
-                row[k + 3] += product[3 * c];
-                row[k + 4] += product[3 * c + 1];
-                row[k + 5] += product[3 * c + 2];
-            }
-        }
-        for (int r = k + 3; r < k + 6 && !symmetric; r++) {
-            pivotRows.add(front[r], firstFactors, 3 * r, k + 6, rows);
-        }
-    }
-
-    private void eliminatePair(int k) {
-        for (int r = k + 3; r < rows; r += 3) {
-            findFactor(r, k, factor, 0);
-            for (int c = 0; c < 3; c++) {
-                pivotRows.add(front[r + c], firstFactors, 3 * (r + c), factor, 3 * c, k + 3, symmetric ? r + 3 : rows);
-            }
-        }
-    }
-
-    /** What the pivot block's rows are to be multiplied by before they are added to three others. */
-    private void findFactor(int r, int k, double[] factor, int at) {
-        for (int c = 0; c < 3; c++) {
-            System.arraycopy(front[r + c], k, block, 3 * c, 3);
-        }
-        Block3.multiply(block, 0, minusInverse, 0, factor, at);
     }
 }

@@ -68,8 +68,10 @@ final class FrontalFactors implements LinearOperator {
                 if (!Block3.invert(block, 0, inverse, inverseAt)) {
                     return false;
                 }
-                front.copyColumns(k, symmetric ? right : below, to);
                 front.copyRows(k, right, to);
+                if (!symmetric) {
+                    front.copyColumns(k, below, to);
+                }
                 front.eliminate(k, inverse, inverseAt);
                 to += 3 * (rows - k - 3);
             }
@@ -117,10 +119,12 @@ final class FrontalFactors implements LinearOperator {
             Arrays.fill(block, 0, 3, 0);
             Block3.multiplyAdd(inverse, 3 * (3 * plan.groupStart[g] + k), part, k, block, 0);
             System.arraycopy(block, 0, part, k, 3);
-            for (int r = k + 3, e = at; r < rows; r++, e++) {
-                part[r] -= factors[e] * block[0] + factors[e + length] * block[1] + factors[e + 2 * length] * block[2];
+            for (int c = 0; c < 3; c++, at += length) { // one after the other: such loops become vector instructions
+                double x = block[c];
+                for (int r = k + 3, e = at; r < rows; r++, e++) {
+                    part[r] -= factors[e] * x;
+                }
             }
-            at += 3 * length;
         }
         System.arraycopy(part, 0, solution, 3 * plan.groupStart[g], width);
         for (int b = plan.belowStart[g], r = width; b < plan.belowStart[g + 1]; b++, r += 3) {

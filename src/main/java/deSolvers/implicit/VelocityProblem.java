@@ -12,7 +12,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     /** Up to here a factorisation costs next to nothing and is the most robust. */
     private static final int SMALL = 64;
     /** Beyond this condition conjugate gradients need more time than a factorisation of a cloth of some thousand particles. */
-    private static final double FACTORISE_ABOVE = 600;
+    private static final double FACTORISE_ABOVE = 400;
     /** Factors of more blocks than this (of 72 bytes) are not made; it is the memory for them that ends at some size. */
     static final long MOST_BLOCKS = 4_000_000;
     private static final int MOST_GMRES_ITERATIONS = 2000;

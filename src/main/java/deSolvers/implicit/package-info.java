@@ -29,9 +29,9 @@
  * <p>Convergence is judged for each unknown by its own size, where what is left of its equation is more than 100 times the
  * rounding of the equation's own terms: an entry of 1e-3 beside one of 1e12 is right to 4e-14. Limits remain. Conjugate
  * gradients and GMRES reduce all residuals together and may leave small corrections out: by GMRES, entries 12 powers of ten
- * below others were right to 1e-12, but of some 14 powers below one was accepted that was 6e-5 off. An entry
- * that should be 0 is followed down twice by ten digits and then left. And rounding inside f that its derivative does not show, as of (x + 1e8) - 1e8, counts as an error
- * where it is more than 1e-10 of a small entry: such a step ends in an exception.
+ * below others were right to 1e-12, but of some 14 powers below one was accepted that was 6e-5 off. An entry that should be 0
+ * is followed down twice by ten digits and then left. And rounding inside f that its derivative does not show, as of
+ * (x + 1e8) - 1e8, counts as an error where it is more than 1e-10 of a small entry: such a step ends in an exception.
  *
  * <p>Reference: E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996;
  * P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004; D. Baraff, A. Witkin, <i>Large Steps in Cloth
