@@ -18,8 +18,8 @@ import particles.effects.SpringForce;
 
 /**
  * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s, for
- * ever stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by power
- * iteration; backward Euler takes one step.
+ * ever stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by
+ * power iteration; backward Euler takes one step.
  */
 final class StiffCloth {
     static final double FRAME = 1.0 / 60;
@@ -28,8 +28,9 @@ final class StiffCloth {
     private static final double RK4_LIMIT = 2.8284;
     /** Steps of RK4 that are timed; all cost the same. */
     private static final int TIMED = 40;
-    /** Further steps that are timed; the median counts. */
-    private static final int FURTHER = 5;
+    /** Solvers whose first step is timed, and further steps of each; of both the medians count. */
+    private static final int SOLVERS = 5;
+    private static final int FURTHER = 3;
     /** For stiffer cloths a step that is iterated to tolerance takes up to a minute. */
     private static final long NEWTON_UNTIL = 10;
 
@@ -39,9 +40,9 @@ final class StiffCloth {
      * @param stiffness  of every spring (N/m)
      * @param rk4Steps   that RK4 needs to be stable
      * @param rk4        time of these (s)
-     * @param first      time of a solver's first step, backward Euler with one linear solve, which finds out what the cloth's
-     *                   springs join (s)
-     * @param linearised time of each further such step (s)
+     * @param first      median time of solvers' first steps, backward Euler with one linear solve, which find out what the
+     *                   cloth's springs join (s)
+     * @param linearised median time of further such steps (s)
      * @param newton     time of a step that is iterated to tolerance (s); NaN where it is not measured
      * @param work       what the linearised step did
      */
@@ -110,17 +111,25 @@ final class StiffCloth {
     private static Row measure(double stiffness) {
         long steps = rk4Steps(stiffness);
         double rk4 = seconds(new RK4Solver(), Cloth.hanging(EDGE, stiffness, 0), FRAME / steps, TIMED) / TIMED * steps;
-        BackwardEulerSolver linearised = BackwardEulerSolver.linearised();
-        double first = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
-        ImplicitWork work = linearised.getWork();
-        double[] further = new double[FURTHER];
-        for (int i = 0; i < FURTHER; i++) {
-            further[i] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
+        double[] first = new double[SOLVERS];
+        double[] further = new double[SOLVERS * FURTHER];
+        ImplicitWork work = null;
+        for (int i = 0; i < further.length; i += FURTHER) {
+            BackwardEulerSolver linearised = BackwardEulerSolver.linearised();
+            first[i / FURTHER] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
+            work = linearised.getWork();
+            for (int j = i; j < i + FURTHER; j++) {
+                further[j] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
+            }
         }
-        Arrays.sort(further);
         double newton = steps > NEWTON_UNTIL ? Double.NaN
                 : seconds(new BackwardEulerSolver(), Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
-        return new Row(stiffness, steps, rk4, first, further[FURTHER / 2], newton, work);
+        return new Row(stiffness, steps, rk4, median(first), median(further), newton, work);
+    }
+
+    private static double median(double[] times) {
+        Arrays.sort(times);
+        return times[times.length / 2];
     }
 
     /** Prints the sweep, the stiffest cloth last. */
