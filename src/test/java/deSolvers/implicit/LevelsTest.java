@@ -13,10 +13,6 @@ class LevelsTest {
     private static final int EDGE = 9;
     private static final BlockPattern PATTERN = FrontalFactorsTest.cloth(EDGE, EDGE);
 
-    private static boolean joined(int i, int j) {
-        return i != j && IntStream.range(PATTERN.rowStart[i], PATTERN.rowStart[i + 1]).anyMatch(s -> PATTERN.column[s] == j);
-    }
-
     /** How many springs each particle is away from the root on a way through the set; EDGE * EDGE where there is none. */
     private static int[] distances(int[] set, int root) {
         int[] distance = new int[PATTERN.rows];
@@ -27,7 +23,7 @@ class LevelsTest {
             changed = false;
             for (int i : set) {
                 for (int j : set) {
-                    if (joined(i, j) && distance[j] + 1 < distance[i]) {
+                    if (PATTERN.find(i, j) >= 0 && distance[j] + 1 < distance[i]) {
                         distance[i] = distance[j] + 1;
                         changed = true;
                     }
@@ -48,7 +44,7 @@ class LevelsTest {
             int i = levels.queue[k];
             assertEquals(distance[i], levels.of(i));
             assertTrue(k == 0 || levels.of(levels.queue[k - 1]) <= levels.of(i), "level by level");
-            boolean touches = IntStream.of(found).anyMatch(j -> joined(i, j) && distance[j] == distance[i] + 1);
+            boolean touches = IntStream.of(found).anyMatch(j -> PATTERN.find(i, j) >= 0 && distance[j] == distance[i] + 1);
             assertEquals(touches, levels.touchesNext(i));
             size[distance[i]]++;
             touching[distance[i]] += touches ? 1 : 0;
