@@ -54,7 +54,7 @@ final class FrontalFactors implements LinearOperator {
     boolean factorise(double[] a, boolean symmetric) {
         this.symmetric = symmetric;
         work.factorisations++;
-        work.blockOperations += operations();
+        work.blockOperations += operations(symmetric);
         if (!symmetric && below.length != right.length) {
             below = new double[right.length];
         }
@@ -165,10 +165,15 @@ final class FrontalFactors implements LinearOperator {
 
     /** What a factorisation takes, in such products. */
     long cost() {
-        return 3 * operations();
+        return 3 * operations(symmetric);
     }
 
-    private long operations() {
+    /** Products of blocks that a factorisation takes, and then one {@link #apply}; they take as long as those of iterations. */
+    long work(boolean symmetric) {
+        return operations(symmetric) + blocks();
+    }
+
+    private long operations(boolean symmetric) {
         return symmetric ? plan.symmetricOperations : plan.operations;
     }
 }

@@ -11,8 +11,10 @@ import deSolvers.JacobianStateSource;
 final class VelocityProblem implements NewtonProblem, LinearOperator {
     /** Up to here a factorisation costs next to nothing and is the most robust. */
     private static final int SMALL = 64;
-    /** Beyond this condition conjugate gradients need more time than a factorisation of a cloth of some thousand particles. */
-    private static final double FACTORISE_ABOVE = 400;
+    /** Conjugate gradients take about so many iterations for eight digits, times the root of the condition. */
+    private static final double ITERATIONS = 6.5;
+    /** Nobody looks for a cheaper way than so many iterations. */
+    private static final double FEW_ITERATIONS = 30;
     /** Factors of more blocks than this (of 72 bytes) are not made; it is the memory for them that ends at some size. */
     static final long MOST_BLOCKS = 4_000_000;
     private static final int MOST_GMRES_ITERATIONS = 2000;
@@ -126,10 +128,18 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         source.setState(base);
         matrix.collect(client, base, gamma, masses, definite);
         factorised = false;
-        if (masses.length <= SMALL || matrix.condition() > FACTORISE_ABOVE) {
+        if (masses.length <= SMALL || factorsPay()) {
             factorise();
         }
         regular = factorised || blockJacobi.prepare(matrix.pattern(), matrix.values());
+    }
+
+    /** Whether factors would take less work than iterations. */
+    private boolean factorsPay() {
+        BlockPattern pattern = matrix.pattern();
+        double iterations = ITERATIONS * Math.sqrt(matrix.condition());
+        return iterations > FEW_ITERATIONS && factors.fits(pattern, MOST_BLOCKS)
+                && factors.work(matrix.isSymmetric()) < iterations * (pattern.blocks() + pattern.rows);
     }
 
     private void factorise() {

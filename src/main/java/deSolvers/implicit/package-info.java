@@ -10,9 +10,9 @@
  * <li>large ones: products J w only, from the source or by one difference each, and GMRES; where that fails, the full matrix
  *     after all, up to 2000 rows;</li>
  * <li>particles in space that offer the 3 x 3 blocks of their force derivatives: the velocities are the only unknowns,
- *     their matrix M - g dF/dv - g<sup>2</sup> dF/dx is sparse, and symmetric where the forces have a potential. Conjugate
- *     gradients solve it while it is positive definite and not too ill-conditioned; otherwise GMRES, or a sparse
- *     factorisation, front by front in an order found by nested dissection.</li>
+ *     their matrix M - g dF/dv - g<sup>2</sup> dF/dx is sparse, and symmetric where the forces have a potential. A sparse
+ *     factorisation, front by front in an order found by nested dissection, is made where it takes less work than
+ *     iterations; otherwise conjugate gradients solve it while it is positive definite, and GMRES where it is not.</li>
  * </ul>
  *
  * <p>The Radau method splits the system of its three stages into a real and a complex one of the same size as the source

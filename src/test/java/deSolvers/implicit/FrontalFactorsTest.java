@@ -68,10 +68,19 @@ class FrontalFactorsTest {
         return net(50, pairs);
     }
 
+    /** Sixty rings of six; more sets wait to be cut than there is room for at first. */
+    private static BlockPattern rings() {
+        List<int[]> pairs = new ArrayList<>();
+        for (int i = 0; i < 360; i++) {
+            pairs.add(new int[] {i, i % 6 == 5 ? i - 5 : i + 1});
+        }
+        return net(360, pairs);
+    }
+
     static Stream<Arguments> nets() {
         return Stream.of(Arguments.of("cloth", cloth(12, 9)), Arguments.of("strip", cloth(40, 3)),
                 Arguments.of("tree", grown(80, 1)), Arguments.of("random", grown(70, 3)),
-                Arguments.of("all to all", grown(40, 40)), Arguments.of("pieces", pieces()),
+                Arguments.of("all to all", grown(40, 40)), Arguments.of("pieces", pieces()), Arguments.of("rings", rings()),
                 Arguments.of("one", net(1, List.of())), Arguments.of("none", net(0, List.of())));
     }
 
