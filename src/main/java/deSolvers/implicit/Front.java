@@ -28,7 +28,7 @@ final class Front {
     Front(BlockPattern pattern, FrontalPlan plan) {
         this.pattern = pattern;
         this.plan = plan;
-        int n = plan.fits ? pattern.rows : 0;
+        int n = pattern.rows;
         int widest = 3 * plan.largestFront;
         front = new double[widest][widest];
         pivotRows = new PivotRows(front);
@@ -38,7 +38,7 @@ final class Front {
         waiting = new int[plan.groups];
         columns = new int[widest];
         lone = new boolean[n];
-        mirror = new int[n == 0 ? 0 : pattern.blocks()];
+        mirror = new int[pattern.blocks()];
         int[] next = Arrays.copyOf(pattern.rowStart, n);
         for (int i = 0; i < n; i++) {
             for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {

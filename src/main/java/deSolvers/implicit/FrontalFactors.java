@@ -15,7 +15,7 @@ final class FrontalFactors implements LinearOperator {
     private double[] inverse = {};                      // of the diagonal blocks D
     private double[] right = {};                        // D U: for each particle three rows, right of the diagonal block
     private double[] below = {};                        // (L D)^T in the same shape
-    private Front front;
+    private Front front;                                // null until there is a matrix of this pattern
     private final double[] block = new double[9];
     private double[] solution = {};
     private double[] part = {};
@@ -29,16 +29,17 @@ final class FrontalFactors implements LinearOperator {
         if (this.pattern != pattern) {
             this.pattern = pattern;
             plan = new FrontalPlan(pattern, mostBlocks / 2);
-            fit();
+            front = null;
+            right = new double[0];
+            below = new double[0];
         }
         return plan.fits;
     }
 
-    private void fit() {
-        int n = plan.fits ? pattern.rows : 0;
+    private void makeRoom() {
+        int n = pattern.rows;
         inverse = new double[9 * n];
         right = new double[(int) (9 * plan.blocks)];
-        below = new double[0];
         front = new Front(pattern, plan);
         solution = new double[3 * n];
         part = new double[3 * plan.largestFront];
@@ -53,6 +54,9 @@ final class FrontalFactors implements LinearOperator {
      */
     boolean factorise(double[] a, boolean symmetric) {
         this.symmetric = symmetric;
+        if (front == null) {
+            makeRoom();
+        }
         work.factorisations++;
         work.blockOperations += operations(symmetric);
         if (!symmetric && below.length != right.length) {
