@@ -29,12 +29,19 @@ class ClothScalingTest {
                 solver.stepState(system, 1.0 / 60);
             }
             ImplicitWork work = solver.getWork();
-            assertEquals(0, work.factorisations(), "conjugate gradients throughout");
+            assertEquals(i == 0, work.factorisations() > 0, "elimination where that takes less work than iterations");
+            assertEquals(i > 0, work.krylovIterations() > 0);
             cost[i] = work.blockOperations();
         }
         assertTrue(springs[0] < 1100 && springs[4] > 250_000);
-        double exponent = StrictMath.log(cost[4] / cost[0]) / StrictMath.log(springs[4] / springs[0]);
-        // Measured 0.986: 2.44e6 products for 3 steps of 1,038 springs, 5.49e8 for 252,558; 939 and 884 iterations in all.
-        assertTrue(exponent < 1.1, "exponent " + exponent);         // the promise is 1.2
+        // Measured 1.105 and, without the smallest, 1.003: 1.27e6 products for 3 steps of 1,038 springs, half of what conjugate
+        // gradients would take, 9.50e6 in 868 iterations for 4,426, and 5.49e8 in 884 iterations for 252,558.
+        assertTrue(exponent(springs, cost, 0) < 1.2, "exponent " + exponent(springs, cost, 0));     // what is promised
+        assertTrue(exponent(springs, cost, 1) < 1.1, "exponent " + exponent(springs, cost, 1));
+    }
+
+    private static double exponent(double[] springs, double[] cost, int from) {
+        int last = springs.length - 1;
+        return StrictMath.log(cost[last] / cost[from]) / StrictMath.log(springs[last] / springs[from]);
     }
 }
