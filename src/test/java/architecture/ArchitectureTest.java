@@ -175,7 +175,7 @@ class ArchitectureTest {
                     private static final double[] FINE = {1};
                     static final java.util.List<String> NAMES = new java.util.ArrayList<>();
                     static final java.util.List<String> FIXED = java.util.List.of("a");
-                    static final String TEXT = "java.awt.Color, System.out";      // java.awt.Color, catch (Exception e) { }
+                    static final String TEXT = "java.awt.Color, System.out";      // java.awt.Color, catch (Exception e) { /* nothing */ }
                     java.awt.Color colour;
                     void work() {
                         try { System.out.println(count); } catch (RuntimeException e) { /* nothing */ }

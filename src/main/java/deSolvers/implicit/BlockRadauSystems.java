@@ -7,13 +7,13 @@ import java.util.Arrays;
 /**
  * The systems of particles in space that offer the 3 x 3 blocks of their force derivatives. With x = (p, w), the positions'
  * and the velocities' part, the first half of (mu - h J) x = b gives p = (b<sub>p</sub> + h w)/mu, and the second
- * <pre>
- *   A w = (M b<sub>w</sub> + g K b<sub>p</sub>)/mu   with   A = M - g C - g<sup>2</sup> K,  g = h/mu,
- * </pre>
+ * <blockquote>
+ * A w = (M b<sub>w</sub> + g K b<sub>p</sub>)/mu with A = M - g C - g<sup>2</sup> K, g = h/mu,
+ * </blockquote>
  * for the real mu and for the complex one alike. GMRES solves it, for both with one preconditioner that is made for the
  * real mu: the diagonal blocks while the springs, seen through the sub-step, are not much stiffer than inertia; otherwise
- * the factors of the sparse matrix. These solve the real system at once. In the complex one they leave eigenvalues between 1 and
- * (mu/mu<sub>complex</sub>)<sup>2</sup> for what oscillates, 1 and mu/mu<sub>complex</sub> for what decays, with moduli from
+ * the factors of the sparse matrix. These solve the real system at once. In the complex one they leave eigenvalues between 1
+ * and (mu/mu<sub>complex</sub>)<sup>2</sup> for what oscillates, 1 and mu/mu<sub>complex</sub> for what decays, with moduli from
  * 0.6 to 1 however stiff it is: each iteration halves what is left. Old factors are kept until what they cost in iterations
  * more than when they were new would have paid for new ones.
  */

@@ -30,7 +30,7 @@ final class FrontalFactors implements LinearOperator {
             this.pattern = pattern;
             plan = new FrontalPlan(pattern, mostBlocks / 2);
             front = null;
-            right = new double[0];
+            right = new double[0];                      // both can be large, and belonged to the pattern before
             below = new double[0];
         }
         return plan.fits;
