@@ -33,7 +33,7 @@ class ArchitectureTest {
 
     /**
      * What a package may use besides itself and the plain JDK; a name that ends in a dot stands for all packages below it.
-     * A package two levels down, such as particles.scene.spec, has the rights of the one it is in, and may be used like it.
+     * A package two levels down, such as particles.spec, has the rights of the one it is in, and may be used like it.
      */
     private static final Map<String, Set<String>> MAY_USE = new TreeMap<>(Map.ofEntries(
             Map.entry("deSolvers", Set.of()),
@@ -198,7 +198,7 @@ class ArchitectureTest {
         assertFalse(isAllowed("java.awt.geom", MAY_USE.get("particles.scene")));
         assertTrue(isAllowed("java.awt.geom", MAY_USE.get("particles.output")));
         assertTrue(isAllowed("deSolvers.symplectic", MAY_USE.get("deSolvers.catalog")));
-        assertEquals("particles.scene", inTable("particles.scene.spec"));
+        assertEquals("particles.scene", inTable("particles.spec"));
         assertFalse(isAllowed("javax.imageio", MAY_USE.get("particles")));
     }
 }

@@ -7,10 +7,10 @@ import particles.rules.Emitter;
 import particles.rules.EvenSamples;
 import particles.rules.KillPlane;
 import particles.rules.SpringTear;
-import particles.scene.spec.Key;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** The rules by which springs end and particles begin and end; {@link RuleKind#ALL} lists them. */
 final class BirthAndDeath {

@@ -6,12 +6,12 @@ import particles.Vector3;
 import particles.effects.Gravity;
 import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
-import particles.scene.spec.Key;
-import particles.scene.spec.Kind;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** The effects that a scene can name: each is one entry of {@link #ALL}, with its keys and what it builds. */
 public abstract class EffectKind implements Kind {

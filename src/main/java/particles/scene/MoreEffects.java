@@ -11,12 +11,12 @@ import particles.effects.PenaltySphere;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
 import particles.effects.TurbulentWind;
-import particles.scene.spec.FlagType;
-import particles.scene.spec.Key;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
-import particles.scene.spec.WholeNumberType;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+import particles.spec.WholeNumberType;
 
 /** The effects beyond those of the first scenes; {@link EffectKind#ALL} lists them. */
 final class MoreEffects {

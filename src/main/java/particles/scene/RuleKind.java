@@ -8,13 +8,13 @@ import particles.Plane;
 import particles.Vector3;
 import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.scene.spec.Key;
-import particles.scene.spec.Kind;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** The rules that a scene can name: each is one entry of {@link #ALL}, with its keys and what it builds. */
 public abstract class RuleKind implements Kind {

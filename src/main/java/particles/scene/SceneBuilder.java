@@ -15,7 +15,7 @@ import particles.effects.SpringForce;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
-import particles.scene.spec.Problems;
+import particles.spec.Problems;
 
 /** From a description to a simulation: what it names is built, and nothing else. */
 public final class SceneBuilder {

@@ -7,12 +7,12 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import particles.Camera;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.Key;
-import particles.scene.spec.Place;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
-import particles.scene.spec.Wording;
+import particles.spec.Chosen;
+import particles.spec.Key;
+import particles.spec.Place;
+import particles.spec.Problems;
+import particles.spec.Values;
+import particles.spec.Wording;
 
 /** What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go. */
 final class SceneChecks {

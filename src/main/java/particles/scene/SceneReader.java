@@ -5,11 +5,11 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Optional;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Reading;
-import particles.scene.spec.SourceText;
-import particles.scene.spec.Values;
-import particles.scene.spec.YamlText;
+import particles.spec.Problems;
+import particles.spec.Reading;
+import particles.spec.SourceText;
+import particles.spec.Values;
+import particles.spec.YamlText;
 
 /** Reads scene files. */
 public final class SceneReader {

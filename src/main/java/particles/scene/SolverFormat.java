@@ -5,13 +5,13 @@ import deSolvers.catalog.SolverCatalog;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Problems;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Problems;
+import particles.spec.TextType;
+import particles.spec.Values;
 
 /** What a scene says of its solver: a name, or a name with tolerances. */
 final class SolverFormat {

@@ -1,4 +1,4 @@
-package particles.scene.spec;
+package particles.spec;
 
 import deSolvers.catalog.DidYouMean;
 import java.util.Collection;

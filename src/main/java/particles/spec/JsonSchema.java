@@ -1,4 +1,4 @@
-package particles.scene.spec;
+package particles.spec;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;

@@ -1,4 +1,4 @@
-package particles.scene.spec;
+package particles.spec;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -1,4 +1,4 @@
-package particles.scene.spec;
+package particles.spec;
 
 /** One of several things that a list's entry can be, each with keys of its own: an effect, a rule, a shape. */
 public interface Kind {

@@ -3,8 +3,8 @@
  * therefore cannot contradict each other - reading a file, saying what is wrong in it and where, and the JSON Schema by
  * which editors complete and check while one types.
  *
- * <p>A {@link particles.scene.spec.Key} has a name, a {@link particles.scene.spec.Type}, a default and a sentence;
- * a {@link particles.scene.spec.MappingType} is a set of keys; {@link particles.scene.spec.YamlText} makes a tree of
+ * <p>A {@link particles.spec.Key} has a name, a {@link particles.spec.Type}, a default and a sentence;
+ * a {@link particles.spec.MappingType} is a set of keys; {@link particles.spec.YamlText} makes a tree of
  * nodes with places out of a file, and refuses whatever could exhaust memory or patience.
  */
-package particles.scene.spec;
+package particles.spec;

@@ -1,4 +1,4 @@
-package particles.scene.spec;
+package particles.spec;
 
 /**
  * An entry that chose a kind.
