@@ -137,7 +137,7 @@ public final class EnergyLedger implements Observer {
         Arrays.fill(pull, 0);
         for (Effect effect : system.getEffects()) {
             if (effect.getTraits().contains(Trait.INTERNAL)) {
-                effect.addForces(state, time, pull, 0, effect.size());
+                effect.addForces(state, time, pull);
             }
         }
         double power = 0;

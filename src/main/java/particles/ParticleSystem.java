@@ -83,7 +83,11 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         }
         particles.shrinkTo(stay);
         anchors.reindex(newIndex);
-        effects.forEach(effect -> effect.reindex(newIndex));
+        for (Effect effect : effects) {
+            if (effect instanceof IndexedEffect indexed) {
+                indexed.reindex(newIndex);
+            }
+        }
         reactions.forEach(reaction -> reaction.reindex(newIndex));
         return newIndex;
     }
@@ -108,7 +112,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         time = memory.keep(time);
         evaluations = memory.keep(evaluations);
         anchors.remember(memory);
-        effects.forEach(effect -> effect.remember(memory));
+        effects.stream().filter(Remembering.class::isInstance).forEach(effect -> ((Remembering) effect).remember(memory));
         reactions.forEach(reaction -> reaction.remember(memory));
     }
 

@@ -55,7 +55,7 @@ final class RunJob {
      * @throws Failure if the run ended early; what it made until then is complete
      */
     void run(PrintWriter out, boolean resume) {
-        SceneDescription described = SceneReader.read(file);
+        SceneDescription described = SceneReader.read(file, new StudentClasses());
         TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
             out.println(line);
             out.flush();

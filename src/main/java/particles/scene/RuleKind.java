@@ -6,6 +6,7 @@ import java.util.Optional;
 import particles.Obstacle;
 import particles.Plane;
 import particles.Vector3;
+import particles.effects.SharedKeys;
 import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
 import particles.spec.Key;
@@ -146,10 +147,10 @@ public abstract class RuleKind implements Kind {
 
     private static final RuleKind SPHERE = new OfSolid("sphere",
             "A ball, or the inside of a hollow one, that particles bounce off, rest on and slide along.",
-            MoreEffects.SPHERE_CENTRE, MoreEffects.RADIUS, MoreEffects.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
+            SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
         @Override
         Optional<Obstacle> obstacle(Values values) {
-            return Optional.of(MoreEffects.sphere(values));
+            return Optional.of(SharedKeys.sphere(values));
         }
     };
 

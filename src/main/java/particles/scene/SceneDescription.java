@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import particles.Camera;
 import particles.Look;
+import particles.effects.EffectKind;
 import particles.spec.Chosen;
 import particles.spec.Key;
 import particles.spec.Place;

@@ -1,6 +1,8 @@
 package particles.scene;
 
 import java.util.List;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectKind;
 import particles.spec.Chosen;
 import particles.spec.JsonSchema;
 import particles.spec.Key;
@@ -41,7 +43,8 @@ public final class SceneFormat {
     static final Key<Values> CONSTRAINTS = Key.optional("constraints", ConstraintDescription.TYPE,
             "How rods and wires are kept.");
     static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
-            ListType.of("an effect", new KindType<>("effect", EffectKind.ALL)), List.of(),
+            ListType.of("an effect", new KindType<>("effect", EffectCatalog.ALL)
+                    .orByClass(EffectKind.class, "exercises.MyForce")), List.of(),
             "Forces that act on all particles; what is not named does not act.");
     static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
             ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),

@@ -24,6 +24,11 @@ public final class FlagType extends Type<Boolean> {
     }
 
     @Override
+    Optional<Boolean> sample() {
+        return Optional.of(false);
+    }
+
+    @Override
     public String describe() {
         return "true or false";
     }

@@ -19,14 +19,32 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     private final String what;
     private final List<K> kinds;
+    private final Optional<ByClass<K>> byClass;
+
+    private record ByClass<K extends Kind>(Class<K> type, TextType form) {
+    }
 
     /**
      * @param what  what the kinds are kinds of, such as {@code effect}
      * @param kinds the kinds, with different names
      */
     public KindType(String what, List<K> kinds) {
+        this(what, kinds, Optional.empty());
+    }
+
+    private KindType(String what, List<K> kinds, Optional<ByClass<K>> byClass) {
         this.what = what;
         this.kinds = List.copyOf(kinds);
+        this.byClass = byClass;
+    }
+
+    /**
+     * @param type    a sort of kinds
+     * @param example the name of a class that declares one
+     * @return these kinds, and besides them all that {@link ClassNames} finds by the name of a class
+     */
+    public KindType<K> orByClass(Class<K> type, String example) {
+        return new KindType<>(what, kinds, Optional.of(new ByClass<>(type, ClassNames.form(example))));
     }
 
     @Override
@@ -65,6 +83,14 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     private Optional<K> find(Node nameNode, Reading in) {
         String name = ((ScalarNode) nameNode).getValue();
+        if (byClass.isPresent() && byClass.get().form().matches(name)) {
+            try {
+                return Optional.of(in.classes().find(name, byClass.get().type()));
+            } catch (IllegalArgumentException e) {
+                in.problem(nameNode, e.getMessage());
+                return Optional.empty();
+            }
+        }
         Optional<K> found = kinds.stream().filter(kind -> kind.name().equals(name)).findFirst();
         if (found.isEmpty()) {
             in.problem(nameNode, Wording.unknown(what, name, kinds.stream().map(Kind::name).toList()));
@@ -82,7 +108,12 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     @Override
     public String describe() {
-        return "one of " + String.join(", ", kinds.stream().map(Kind::name).toList()) + ", with its keys below it";
+        return "one of " + String.join(", ", kinds.stream().map(Kind::name).toList()) + orClass() + ", with its keys below it";
+    }
+
+    /** @return what else than a kind's name may stand in its place, to follow the names */
+    String orClass() {
+        return byClass.map(other -> ", or " + other.form().describe()).orElse("");
     }
 
     @Override
@@ -97,6 +128,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         Map<String, Object> mapping = new LinkedHashMap<>();
         mapping.put("type", "object");
         mapping.put("properties", properties);
+        byClass.ifPresent(other -> mapping.put("patternProperties", Map.of(other.form().pattern(), Map.of("type", "object"))));
         mapping.put("additionalProperties", false);
         mapping.put("minProperties", 1);
         mapping.put("maxProperties", 1);
@@ -106,6 +138,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         }
         Map<String, Object> either = new LinkedHashMap<>();
         List<Object> choices = new ArrayList<>(List.of(Map.of("enum", bare), mapping));
+        byClass.ifPresent(other -> choices.add(other.form().schema()));
         either.put("anyOf", choices);
         return either;
     }

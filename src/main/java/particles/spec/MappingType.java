@@ -128,6 +128,24 @@ public final class MappingType extends Type<Values> {
         return String.join(", ", keys.stream().map(key -> "'" + key.name() + "'").toList());
     }
 
+    /**
+     * @return values with which to try out what the keys describe: the defaults, and samples for the keys that are required
+     * @throws IllegalArgumentException if a required key has a type of which no sample is known
+     */
+    public Values samples() {
+        Values values = new Values(Place.of("a sample"));
+        keys.stream().filter(Key::required).forEach(key -> putSample(key, values));
+        return values;
+    }
+
+    private static <T> void putSample(Key<T> key, Values values) {
+        Optional<T> sample = key.type().sample();
+        if (sample.isEmpty()) {
+            throw new IllegalArgumentException("no value for the key '" + key.name() + "' can be made up; give it a default");
+        }
+        values.put(key, sample, values.place(), true);
+    }
+
     @Override
     public String describe() {
         return (shortFor.isPresent() ? shortFor.get().type().describe() + "; or " : "") + "a mapping with keys of "

@@ -63,6 +63,11 @@ public final class NameType extends Type<String> {
     }
 
     @Override
+    Optional<String> sample() {
+        return names.stream().findFirst();
+    }
+
+    @Override
     public String describe() {
         return "one of " + String.join(", ", names) + other.map(o -> ", or " + o.describe()).orElse("");
     }

@@ -92,6 +92,11 @@ public final class NumberType extends Type<Double> {
     }
 
     @Override
+    Optional<Double> sample() {
+        return Optional.of(smallest() <= 2 && 2 <= most ? 2 : (smallest() + most) / 2);
+    }
+
+    @Override
     public String describe() {
         String range;
         if (least == -most) {

@@ -7,8 +7,14 @@ import org.snakeyaml.engine.v2.nodes.Node;
  *
  * @param source   its name in messages
  * @param problems where problems go
+ * @param classes  finds what is named by a class
  */
-public record Reading(String source, Problems problems) {
+public record Reading(String source, Problems problems, ClassNames classes) {
+
+    /** Without classes. */
+    public Reading(String source, Problems problems) {
+        this(source, problems, ClassNames.none());
+    }
 
     void problem(Node node, String message) {
         problems.add(place(node), message);

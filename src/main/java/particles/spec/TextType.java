@@ -36,6 +36,14 @@ public final class TextType extends Type<String> {
         return new TextType(description, pattern);
     }
 
+    String pattern() {
+        return pattern;
+    }
+
+    boolean matches(String text) {
+        return text.codePointCount(0, text.length()) <= LONGEST && compiled.matcher(text).find();
+    }
+
     @Override
     Optional<String> read(Node node, String what, Reading in) {
         if (!(node instanceof ScalarNode)) {
@@ -48,8 +56,7 @@ public final class TextType extends Type<String> {
                     + text + "'");
             return Optional.empty();
         }
-        return text.codePointCount(0, text.length()) <= LONGEST && compiled.matcher(text).find() ? Optional.of(text)
-                : wrong(node, what, in);
+        return matches(text) ? Optional.of(text) : wrong(node, what, in);
     }
 
     @Override

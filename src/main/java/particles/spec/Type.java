@@ -40,6 +40,11 @@ public abstract class Type<T> {
     /** @return what is allowed, to follow "it has to be": {@code a number over 0 (kg)} */
     public abstract String describe();
 
+    /** @return any value of this type, to try something out with; nothing if none is known */
+    Optional<T> sample() {
+        return Optional.empty();
+    }
+
     /** @return the keywords of the JSON Schema that allow the same */
     abstract Map<String, Object> schema();
 

@@ -64,6 +64,11 @@ public final class VectorType extends Type<Vector3> {
     }
 
     @Override
+    Optional<Vector3> sample() {
+        return Optional.of(new Vector3(1, 0.5, 0.8));
+    }
+
+    @Override
     public String describe() {
         return description;
     }

@@ -27,6 +27,11 @@ public final class WholeNumberType extends Type<Integer> {
     }
 
     @Override
+    Optional<Integer> sample() {
+        return Optional.of(Math.max(least, Math.min(2, most)));
+    }
+
+    @Override
     public String describe() {
         return "a whole number from " + least + " to " + most;
     }
