@@ -83,11 +83,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         }
         particles.shrinkTo(stay);
         anchors.reindex(newIndex);
-        for (Effect effect : effects) {
-            if (effect instanceof IndexedEffect indexed) {
-                indexed.reindex(newIndex);
-            }
-        }
+        effects.stream().filter(IndexedEffect.class::isInstance).forEach(effect -> ((IndexedEffect) effect).reindex(newIndex));
         reactions.forEach(reaction -> reaction.reindex(newIndex));
         return newIndex;
     }

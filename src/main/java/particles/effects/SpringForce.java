@@ -98,6 +98,11 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
         return table.blocks().count();
     }
 
+    /** @return the first spring of a block or joint; it ends where the next one begins */
+    public int getPartStart(int part) {
+        return table.blocks().start(part);
+    }
+
     @Override
     public int getFirstParticle(int block) {
         return block == table.blocks().count() ? particles.count() : table.blocks().firstParticle(block);
@@ -105,7 +110,7 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
 
     @Override
     public void addPart(int part, double[] state, double time, double[] force) {
-        SpringKernel.addForces(table, state, force, table.blocks().start(part), table.blocks().start(part + 1));
+        SpringKernel.addForces(table, state, force, getPartStart(part), getPartStart(part + 1));
     }
 
     @Override

@@ -30,7 +30,7 @@ class SpringForceTest {
 
     private double[] force(double... state) {
         double[] force = new double[12];
-        springs.addForces(state, 0, force, 0, springs.size());
+        springs.addForces(state, 0, force);
         return force;
     }
 
@@ -112,13 +112,13 @@ class SpringForceTest {
     void springsAreNumberedAnewWhenTheyAreEvaluated() {
         addFour();
         assertEquals(List.of(1.0, 2.0, 3.0, 4.0), stiffnesses());
-        springs.addForces(new double[18], 0, new double[18], 0, 4);
+        springs.addForces(new double[18], 0, new double[18]);
         assertEquals(List.of(2.0, 4.0, 1.0, 3.0), stiffnesses());
         springs.addSpring(0, 1, 5, 1, 0);
         assertEquals(1, springs.countBlocks(), "so few");
         assertEquals(List.of(2.0, 4.0, 5.0, 1.0, 3.0), stiffnesses());
-        assertEquals(0, springs.getBlockStart(0));
-        assertEquals(5, springs.getBlockStart(1), "none joins two blocks");
+        assertEquals(0, springs.getPartStart(0));
+        assertEquals(5, springs.getPartStart(1), "none joins two blocks");
     }
 
     @Test
@@ -161,7 +161,7 @@ class SpringForceTest {
         }
         for (int time = 0; time < 2; time++) {                  // the first one told without dividing them anew
             for (int block = 0; block < 4; block++) {
-                assertEquals(springs.getBlockStart(block), back.getBlockStart(block));
+                assertEquals(springs.getPartStart(block), back.getPartStart(block));
             }
             assertEquals(springs.getFirstParticle(1), back.getFirstParticle(1));
             assertEquals(2, back.countBlocks());

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import particles.effects.Gravity;
@@ -13,8 +12,8 @@ import particles.effects.LinearDrag;
 import particles.effects.QuadraticDrag;
 import particles.effects.Wind;
 
-/** What a system evaluates by a law's numbers is what the law's own loop gives. */
-class LinearLawTest {
+/** A system's derivative is (v, F/m), with F the sum of what its effects add. */
+class ForceSumTest {
     private static final int N = 1100;                  // three of the stretches in which a system takes its particles
     private static final Vector3 G = new Vector3(0.3, -9.81, 1.7);
 
@@ -22,7 +21,7 @@ class LinearLawTest {
     private final Particles particles = system.getParticles();
     private final double[] state = new double[6 * N];
 
-    LinearLawTest() {
+    ForceSumTest() {
         Random random = new Random(11);
         for (int i = 0; i < N; i++) {
             boolean fixed = i % 7 == 0;
@@ -48,9 +47,9 @@ class LinearLawTest {
         return dSdt;
     }
 
-    /** To the bit: the sum of two numbers does not depend on which comes first. */
+    /** To the bit: what a system takes in stretches is what the effects' own loops give. */
     @Test
-    void gravityAndDragAreTakenTogether() {
+    void theDerivativeIsTheSumOfTheEffects() {
         assertArrayEquals(byLoops(), derivative(), "free flight");
         system.addEffect(new LinearDrag(particles, 0.25, Wind.STILL));
         assertArrayEquals(byLoops(), derivative(), "drag alone, added after an evaluation");
@@ -60,30 +59,29 @@ class LinearLawTest {
         assertEquals(G.y() - 0.25 * state[6 + 4] / particles.mass(1), dSdt[6 + 4], 1e-14,
                 "by hand; the quotient is rounded once more");
         assertTrue(dSdt[4] == 0, "a fixed particle");
+        system.addEffect(new QuadraticDrag(particles, 0.5, Wind.STILL));
+        system.addEffect(new LinearDrag(particles, 0.5, new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 1, 0), 3)));
+        system.addEffect(new Gravity(particles, G));
+        assertArrayEquals(byLoops(), derivative(), "several of each");
     }
 
-    /** Three and more terms are rounded in another order: measured 1.6e-15, relative to the larger of 1 and the sum. */
+    /** Laws that take no ranges come after those that do: three terms are rounded in another order. */
     @Test
     void otherLawsComeAfterwards() {
+        system.addEffect(new ParticleForce(particles) {
+            @Override
+            protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                return position.times(-mass);
+            }
+        });
+        system.addEffect(new Gravity(particles, G));
         system.addEffect(new QuadraticDrag(particles, 0.5, Wind.STILL));
-        system.addEffect(new Gravity(particles, G));
-        system.addEffect(new LinearDrag(particles, 0.5, new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 1, 0), 3)));
-        system.addEffect(new LinearDrag(particles, 0.25, Wind.STILL));
-        system.addEffect(new Gravity(particles, G));
         double[] loops = byLoops();
-        double[] numbers = derivative();
+        double[] dSdt = derivative();
         double largest = 0;
         for (int e = 0; e < loops.length; e++) {
-            largest = Math.max(largest, Math.abs(loops[e] - numbers[e]) / Math.max(1, Math.abs(loops[e])));
+            largest = Math.max(largest, Math.abs(loops[e] - dSdt[e]) / Math.max(1, Math.abs(loops[e])));
         }
         assertTrue(largest < 1e-14, "differs by " + largest);
-    }
-
-    @Test
-    void onlyStillAirAndGravityHaveSuchALaw() {
-        assertEquals(Optional.of(new LinearLaw(0, 0, 0, 0.25)), new LinearDrag(particles, 0.25, Wind.STILL).getLinearLaw());
-        assertEquals(Optional.of(new LinearLaw(0.3, -9.81, 1.7, 0)), new Gravity(particles, G).getLinearLaw());
-        assertEquals(Optional.empty(), new LinearDrag(particles, 0.25, new GustyWind(Vector3.ZERO, G, 1)).getLinearLaw());
-        assertEquals(Optional.empty(), new QuadraticDrag(particles, 0.25, Wind.STILL).getLinearLaw());
     }
 }
