@@ -11,7 +11,7 @@ import java.util.Set;
  * <p>Arrays have the layout of the state: position of particle i at 6 i, 6 i + 1, 6 i + 2, its velocity in the next three
  * entries. A force stands where the velocity does, which is where its effect belongs in ds/dt.
  */
-public interface Effect extends Remembering {
+public interface Effect {
 
     /** What a law is held to: a test checks each claim. */
     enum Trait {

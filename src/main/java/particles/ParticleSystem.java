@@ -102,16 +102,6 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         anchors.add(particle, motion, state, time);
     }
 
-    void remember(Memory memory) {
-        particles.remember(memory);
-        state = memory.keep(state, getStateSize());
-        time = memory.keep(time);
-        evaluations = memory.keep(evaluations);
-        anchors.remember(memory);
-        effects.forEach(effect -> effect.remember(memory));
-        reactions.forEach(reaction -> reaction.remember(memory));
-    }
-
     /** @return the indices of the particles that are fixed to points that move */
     public int[] getMovingAnchors() {
         return anchors.particles();

@@ -4,7 +4,6 @@ import java.util.EnumSet;
 import java.util.Set;
 import particles.DivisibleEffect;
 import particles.ForceDerivatives;
-import particles.Memory;
 import particles.Particles;
 import particles.SpringView;
 import particles.Vector3;
@@ -189,11 +188,6 @@ public final class SpringForce implements DivisibleEffect, SpringView {
     @Override
     public void reindex(int[] newIndex) {
         table.reindex(newIndex);
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        table.remember(memory);
     }
 
     /**
