@@ -5,9 +5,7 @@ import particles.DifferentiableEffect;
 import particles.DivisibleEffect;
 import particles.ForceDerivatives;
 import particles.IndexedEffect;
-import particles.Memory;
 import particles.Particles;
-import particles.Remembering;
 import particles.SpringView;
 import particles.Vector3;
 
@@ -28,8 +26,7 @@ import particles.Vector3;
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides "Spring
  * Force" and "Damped Spring Force".
  */
-public final class SpringForce implements DivisibleEffect, DifferentiableEffect, IndexedEffect, Remembering,
-        SpringView {
+public final class SpringForce implements DivisibleEffect, DifferentiableEffect, IndexedEffect, SpringView {
     private final Particles particles;
     private final SpringTable table = new SpringTable();
     private boolean damped;
@@ -188,11 +185,6 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     @Override
     public void reindex(int[] newIndex) {
         table.reindex(newIndex);
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        table.remember(memory);
     }
 
     /**
