@@ -9,11 +9,13 @@ public interface DifferentiableEffect extends Effect {
     }
 
     /**
-     * Adds the derivatives of all forces by positions and velocities, those that are 0 excepted.
+     * Adds the derivatives of all forces by positions and velocities. By default there are none: the force on a particle is
+     * always the same.
      *
      * @param state       the particles' state; read only
      * @param time        t (s)
      * @param derivatives receives them
      */
-    void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives);
+    default void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+    }
 }

@@ -2,7 +2,6 @@ package particles.effects;
 
 import java.util.Set;
 import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
 import particles.Particles;
 import particles.PerParticleEffect;
 import particles.Vector3;
@@ -26,11 +25,8 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
      * @throws IllegalArgumentException if g is not finite
      */
     public Gravity(Particles particles, Vector3 g) {
-        if (!g.isFinite()) {
-            throw new IllegalArgumentException("gravity has to be finite, not " + g);
-        }
         this.particles = particles;
-        this.g = g;
+        this.g = g.requireFinite("gravity");
     }
 
     @Override
@@ -50,17 +46,12 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
 
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
-        for (int v = 6 * from + 3; v < 6 * to; v += 6) {
-            double mass = particles.mass(v / 6);
+        for (int i = from, v = 6 * from + 3; v < 6 * to; i++, v += 6) {
+            double mass = particles.mass(i);
             force[v] += mass * g.x();
             force[v + 1] += mass * g.y();
             force[v + 2] += mass * g.z();
         }
-    }
-
-    /** {@inheritDoc} Gravity has none: it is the same everywhere. */
-    @Override
-    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
     }
 
     /** {@inheritDoc} Fixed particles, which cannot fall, are left out. */
