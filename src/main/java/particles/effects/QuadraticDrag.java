@@ -33,7 +33,7 @@ public final class QuadraticDrag extends AirDrag {
 
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double[] w = velocityThroughAir(state, time, from, to);
+        double[] w = velocityThroughAir(state, time, from, to);         // v - u
         for (int v = 6 * from + 3; v < 6 * to; v += 6) {
             double speed = Math.sqrt(w[v] * w[v] + w[v + 1] * w[v + 1] + w[v + 2] * w[v + 2]);
             force[v] -= c * speed * w[v];
