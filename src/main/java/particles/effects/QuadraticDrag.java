@@ -60,8 +60,8 @@ public final class QuadraticDrag extends AirDrag {
 
         /** The one for all scenes. */
         public Keys() {
-            super("quadraticDrag", "Air resists every particle in proportion to the square of its speed through the air.",
-                    COEFFICIENT);
+            super("quadraticDrag", "Air resists every particle in proportion to the square of its speed through the"
+                    + " air.", COEFFICIENT);
         }
 
         @Override
