@@ -69,10 +69,10 @@ class LettingGoTest {
 
         @Override
         public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
-            for (int w = 3 * from; w < 3 * to; w += 3) {
-                wind[w] = 0;
-                wind[w + 1] = speed * (StrictMath.exp(k * time) - 0.5);
-                wind[w + 2] = 0;
+            for (int v = 6 * from + 3; v < 6 * to; v += 6) {
+                wind[v] = 0;
+                wind[v + 1] = speed * (StrictMath.exp(k * time) - 0.5);
+                wind[v + 2] = 0;
             }
         }
     }
