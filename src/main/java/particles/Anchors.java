@@ -19,12 +19,12 @@ final class Anchors {
     private double[] hidden = {};
     private double[] direction = {};
 
-    private record Anchor(int number, int particle, AnchorMotion motion) {
+    private record Anchor(int particle, AnchorMotion motion) {
     }
 
     /** Adds one and puts it where its motion begins. */
     void add(int particle, AnchorMotion motion, double[] state, double time) {
-        anchors.add(new Anchor(anchors.size(), particle, motion));
+        anchors.add(new Anchor(particle, motion));
         motion.at(time, values);
         System.arraycopy(values, 0, state, STRIDE * particle, STRIDE);
     }
@@ -91,20 +91,7 @@ final class Anchors {
 
     void reindex(int[] newIndex) {
         anchors.removeIf(anchor -> newIndex[anchor.particle()] < 0);
-        anchors.replaceAll(anchor -> new Anchor(anchor.number(), newIndex[anchor.particle()], anchor.motion()));
-    }
-
-    /** The motions follow from the scene; which of them are left, and where their particles are by now, does not. */
-    void remember(Memory memory) {
-        int left = memory.keep(anchors.size());
-        List<Anchor> before = List.copyOf(anchors);
-        anchors.clear();
-        for (int a = 0; a < left; a++) {
-            int number = memory.keep(memory.isReading() ? 0 : before.get(a).number());
-            int particle = memory.keep(memory.isReading() ? 0 : before.get(a).particle());
-            AnchorMotion motion = before.get(memory.isReading() ? number : a).motion();
-            anchors.add(new Anchor(number, particle, motion));
-        }
+        anchors.replaceAll(anchor -> new Anchor(newIndex[anchor.particle()], anchor.motion()));
     }
 
     /** The indices of the particles. */

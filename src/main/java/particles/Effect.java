@@ -1,27 +1,27 @@
 package particles;
 
-import java.util.Optional;
 import java.util.Set;
 
 /**
- * A force law: what it does to the particles, as a function of state and time, and what it does to the energy. An effect
- * has items - particles for gravity or drag, springs for a spring network - and acts for a range of them at a time, with
- * one call per evaluation and not one per particle.
+ * A force law: the force on each particle as a function of state and time, and where the energy goes.
  *
- * <p>Arrays have the layout of the state: position of particle i at 6 i, 6 i + 1, 6 i + 2, its velocity in the next three
- * entries. A force stands where the velocity does, which is where its effect belongs in ds/dt.
+ * <p>Arrays have the layout of the state: the position of particle i in the entries 6 i, 6 i + 1 and 6 i + 2, its velocity in
+ * the next three. A force stands where the velocity does.
+ *
+ * <p>A law that pushes each particle by itself is easier to write as a {@link ParticleForce}. The other interfaces that a law
+ * may add are {@link PerParticleEffect}, {@link DivisibleEffect}, {@link DifferentiableEffect} and {@link IndexedEffect}.
  */
-public interface Effect extends Remembering {
+public interface Effect {
 
-    /** What a law is held to: a test checks each claim. */
+    /** What a law claims of itself; tests hold it to each claim. */
     enum Trait {
-        /** Pairs of particles push each other with opposite forces: momentum is kept. */
+        /** Pairs of particles push each other with opposite forces: momentum is conserved. */
         INTERNAL,
-        /** The forces depend on no place in space, only on differences of positions and velocities. */
+        /** The forces depend only on differences of positions and on velocities. */
         TRANSLATION_INVARIANT,
-        /** The forces have no direction in space of their own: angular momentum is kept if they are internal and central. */
+        /** The forces prefer no direction: angular momentum is conserved if they are internal and central. */
         ROTATION_INVARIANT,
-        /** Force = -grad of the potential energy; no power but what the potential stores. */
+        /** Force = -grad of the potential energy. */
         CONSERVATIVE,
         /** Takes energy out: the dissipated power is never negative. */
         DISSIPATIVE,
@@ -29,84 +29,33 @@ public interface Effect extends Remembering {
         DRIVING
     }
 
-    /** @return the name in scenes and legends, such as {@code gravity} */
+    /** @return the name in messages and legends, such as {@code gravity} */
     String getName();
 
-    /** @return what the law claims of itself */
-    Set<Trait> getTraits();
-
-    /** @return the number of items: particles, springs, whatever the effect counts */
-    int size();
-
     /**
-     * Adds the forces of the items from ... to - 1.
+     * Adds the force on every particle.
      *
-     * @param state the particles' state (m, m/s); 6 doubles a particle, to be read only
+     * @param state the particles' state (m, m/s), 6 doubles a particle; read only
      * @param time  t (s)
-     * @param force adds each particle's force (N) to the three entries where its velocity stands in the state; the other
-     *              entries are not touched
-     * @param from  first item
-     * @param to    one past the last item, at most {@link #size()}
+     * @param force adds each particle's force (N) to the three entries where its velocity stands in the state; 6 doubles a
+     *              particle, no more
      */
-    void addForces(double[] state, double time, double[] force, int from, int to);
+    void addForces(double[] state, double time, double[] force);
 
-    /**
-     * Whether the items are the particles themselves and each acts on its own particle only, as gravity and drag do. Such
-     * laws are evaluated for a stretch of particles in turn, while its numbers are in the processor's nearest memory.
-     *
-     * @return true if item i adds to the force on particle i and on no other; the same for the effect's whole life
-     */
-    default boolean isPerParticle() {
-        return false;
-    }
-
-    /**
-     * The whole law, where it is linear in the velocity and the same for all particles, as uniform gravity and viscous drag
-     * in still air are. A system then evaluates the law's numbers for itself instead of calling {@link #addForces}, which
-     * gives the same force.
-     *
-     * @return F = m g - c v by its numbers, the same ones for the effect's whole life; empty for all other laws
-     */
-    default Optional<LinearLaw> getLinearLaw() {
-        return Optional.empty();
-    }
-
-    /**
-     * Whether several threads may call {@link #addForces} at once for different ranges, as they may where it changes nothing
-     * but the forces of its own items.
-     *
-     * @return true if they may
-     */
-    default boolean isConcurrent() {
-        return false;
+    /** @return what the law claims of itself */
+    default Set<Trait> getTraits() {
+        return Set.of();
     }
 
     /** @return whether the force depends on velocities, as drag and damping do */
-    boolean dependsOnVelocity();
-
-    /**
-     * @return whether {@link #addForceDerivatives} adds all there is; an implicit solver takes differences of the whole
-     *         system where one effect does not
-     */
-    default boolean hasForceDerivatives() {
-        return false;
-    }
-
-    /**
-     * Adds the derivatives of all items' forces by positions and velocities. Laws whose force is the same everywhere and at
-     * every velocity add nothing and say that this is all.
-     *
-     * @param state  the particles' state, to be read only
-     * @param time   t (s)
-     * @param derivatives receives them
-     */
-    default void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+    default boolean dependsOnVelocity() {
+        return true;
     }
 
     /**
      * @param state the particles' state
      * @param time  t (s)
-     * @return the energy that the law stores at this configuration (J); 0 for laws without a potential
+     * @return the energy that the law stores in this configuration (J)
      */
     default double getPotentialEnergy(double[] state, double time) {
         return 0;
@@ -124,18 +73,9 @@ public interface Effect extends Remembering {
     /**
      * @param state the particles' state
      * @param time  t (s)
-     * @return the power that something outside puts into the particles through this law (W); negative where it takes
+     * @return the power that something outside puts into the particles through this law (W); negative where it takes power out
      */
     default double getDrivenPower(double[] state, double time) {
         return 0;
-    }
-
-    /**
-     * Particles were taken out of the system. A law that keeps indices of particles has to follow; one that acts on all
-     * there are, need not do anything.
-     *
-     * @param newIndex the new index of each particle by its old one, -1 for those that are gone
-     */
-    default void reindex(int[] newIndex) {
     }
 }

@@ -102,23 +102,6 @@ public final class EnergyLedger implements Observer {
         powersKnown = false;
     }
 
-    @Override
-    public void remember(Memory memory) {
-        for (Account account : accounts) {
-            account.powerBefore = memory.keep(account.powerBefore);
-            account.work = memory.keep(account.work);
-        }
-        List<String> names = new ArrayList<>(jumps.keySet());
-        int count = memory.keep(names.size());
-        for (int k = 0; k < count; k++) {
-            String name = memory.keep(memory.isReading() ? "" : names.get(k));
-            jumps.put(name, memory.keep(jumps.getOrDefault(name, 0.0)));
-        }
-        startEnergy = memory.keep(startEnergy);
-        energy = memory.keep(energy);
-        powersKnown = memory.keep(powersKnown);
-    }
-
     private double[] effectForces(ParticleSystem system, double[] state, double time) {
         if (force.length != system.getStateSize()) {
             force = new double[system.getStateSize()];
@@ -137,7 +120,7 @@ public final class EnergyLedger implements Observer {
         Arrays.fill(pull, 0);
         for (Effect effect : system.getEffects()) {
             if (effect.getTraits().contains(Trait.INTERNAL)) {
-                effect.addForces(state, time, pull, 0, effect.size());
+                effect.addForces(state, time, pull);
             }
         }
         double power = 0;

@@ -58,10 +58,6 @@ final class EventSteps {
         return events;
     }
 
-    void remember(Memory memory) {
-        events = memory.keep(events);
-    }
-
     /**
      * Moves the system by a step. Where the solver fails because the way may turn sharply ahead, it is taken in shorter
      * pieces; where it may not, the failure is the solver's or the step's, and is said.

@@ -5,20 +5,19 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** Adds up what effects and reactions do. */
+/** Adds up the forces of effects and reactions. */
 final class ForceSum {
     private static final int STRIDE = Particles.STRIDE;
-    /** Particles at a time: state and force of so many, 48 kB together, stay in the processor's nearest memory. */
+    /** Particles at a time: their state and force, 48 kB together, stay in the nearest cache. */
     private static final int STRETCH = 512;
 
     private final Particles particles;
     private final List<Effect> effects;
     private final List<Reaction> reactions;
     private Optional<ParallelForces> parallel = Optional.empty();
-    private LinearLaw linear = LinearLaw.NONE;          // of all effects that have one
-    private final List<Effect> perParticle = new ArrayList<>();     // those that have none
+    private final List<PerParticleEffect> perParticle = new ArrayList<>();
     private final List<Effect> others = new ArrayList<>();
-    private int sorted;                                 // how many effects the three above were made of
+    private int sorted;                                 // how many effects are in one of the two lists
 
     ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
         this.particles = particles;
@@ -28,9 +27,7 @@ final class ForceSum {
 
     /** The derivative (v, F/m) of a state. */
     void derivative(double[] state, double time, double[] dSdt) {
-        if (sorted < effects.size()) {
-            sortEffects();
-        }
+        sortEffects();
         if (parallel.isPresent() && parallel.get().pays()) {
             parallel.get().derivative(state, time, dSdt);
             return;
@@ -38,81 +35,63 @@ final class ForceSum {
         int n = particles.count();
         begin(state, time, dSdt, 0, n);
         for (int e = 0; e < others.size(); e++) {
-            Effect effect = others.get(e);
-            effect.addForces(state, time, dSdt, 0, effect.size());
+            others.get(e).addForces(state, time, dSdt);
         }
         addReactions(state, time, dSdt);
-        divideByMasses(dSdt, 0, n);
+        finish(state, dSdt, 0, n);
     }
 
-    /** The effects that are evaluated particle by particle; those with a linear law are not among them. */
-    List<Effect> perParticle() {
+    /** The effects that act on each particle by itself. */
+    List<PerParticleEffect> perParticle() {
         return perParticle;
     }
 
-    /** The effects that are neither evaluated particle by particle nor by their linear law, in the order in which they act. */
+    /** All other effects, in the order in which they act. */
     List<Effect> others() {
         return others;
     }
 
-    /** Sets how many threads evaluate systems of so many items or more; those there were before end. */
+    /** Sets how many threads evaluate systems of so many forces or more; ends those there were before. */
     void setThreads(int threads, long paysFrom) {
         if (threads < 1) {
             throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
         }
         parallel.ifPresent(ParallelForces::close);
-        parallel = threads == 1 ? Optional.empty()
-                : Optional.of(new ParallelForces(this, particles, effects, threads, paysFrom));
+        parallel = threads == 1 ? Optional.empty() : Optional.of(new ParallelForces(this, particles, threads, paysFrom));
     }
 
-    /** Effects are added and never taken out, and of what kind they are stays. */
     private void sortEffects() {
         for (; sorted < effects.size(); sorted++) {
-            Effect effect = effects.get(sorted);
-            Optional<LinearLaw> law = effect.getLinearLaw();
-            if (law.isPresent()) {
-                linear = linear.plus(law.get());
+            if (effects.get(sorted) instanceof PerParticleEffect effect) {
+                perParticle.add(effect);
             } else {
-                (effect.isPerParticle() ? perParticle : others).add(effect);
+                others.add(effects.get(sorted));
             }
         }
     }
 
-    /** The velocities, and the forces of the effects on single particles, for the particles first ... end - 1. */
+    /** The forces of the effects on single particles, for the particles first ... end - 1. */
     void begin(double[] state, double time, double[] dSdt, int first, int end) {
         for (int from = first; from < end; from += STRETCH) {
             int to = Math.min(end, from + STRETCH);
-            if (linear == LinearLaw.NONE) {
-                copyVelocities(state, dSdt, from, to);
-            } else {
-                linear.begin(state, particles.masses(), dSdt, from, to);
-            }
+            Arrays.fill(dSdt, STRIDE * from, STRIDE * to, 0.0);
             for (int e = 0; e < perParticle.size(); e++) {
                 perParticle.get(e).addForces(state, time, dSdt, from, to);
             }
         }
     }
 
-    /** The derivative where no force acts. */
-    private static void copyVelocities(double[] state, double[] dSdt, int from, int to) {
-        for (int x = STRIDE * from; x < STRIDE * to; x += STRIDE) {
+    /** From forces to the derivative: (0, F) becomes (v, F/m). */
+    void finish(double[] state, double[] dSdt, int from, int to) {
+        double[] inverseMasses = particles.inverseMasses();
+        for (int x = STRIDE * from, i = from; x < STRIDE * to; x += STRIDE, i++) {
+            double inverseMass = inverseMasses[i];
             dSdt[x] = state[x + 3];
             dSdt[x + 1] = state[x + 4];
             dSdt[x + 2] = state[x + 5];
-            dSdt[x + 3] = 0;
-            dSdt[x + 4] = 0;
-            dSdt[x + 5] = 0;
-        }
-    }
-
-    /** Makes forces accelerations. */
-    void divideByMasses(double[] dSdt, int from, int to) {
-        double[] inverseMasses = particles.inverseMasses();
-        for (int i = from, v = STRIDE * from + 3; i < to; i++, v += STRIDE) {
-            double inverseMass = inverseMasses[i];
-            dSdt[v] *= inverseMass;
-            dSdt[v + 1] *= inverseMass;
-            dSdt[v + 2] *= inverseMass;
+            dSdt[x + 3] *= inverseMass;
+            dSdt[x + 4] *= inverseMass;
+            dSdt[x + 5] *= inverseMass;
         }
     }
 
@@ -121,7 +100,7 @@ final class ForceSum {
         int n = particles.count();
         Arrays.fill(force, 0, STRIDE * n, 0.0);
         for (int e = 0; e < effects.size(); e++) {
-            effects.get(e).addForces(state, time, force, 0, effects.get(e).size());
+            effects.get(e).addForces(state, time, force);
         }
     }
 

@@ -3,7 +3,7 @@ package particles;
 /**
  * Reads along and changes nothing: the trajectory has the same bits with and without it. Called by simulated time.
  */
-public interface Observer extends Remembering {
+public interface Observer {
 
     /**
      * Before the first step.

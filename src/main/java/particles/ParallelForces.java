@@ -8,13 +8,12 @@ import java.util.List;
  * and so are the bits.
  */
 final class ParallelForces implements AutoCloseable {
-    /** With fewer items one thread is done sooner. Cloths, rk4: two are as fast at 8,000, and take 0.8 of it at 16,000. */
+    /** With fewer forces one thread is done sooner. Cloths, rk4: two are as fast at 8,000, and take 0.8 of it at 16,000. */
     static final long PAYS_FROM = 16_384;
     private static final int NOBODY = -1;
 
     private final ForceSum forces;
     private final Particles particles;
-    private final List<Effect> effects;
     private final long paysFrom;
     private final Workers workers;
     private double[] state;
@@ -25,22 +24,21 @@ final class ParallelForces implements AutoCloseable {
     private final Workers.Work beginning = this::beginRange;
     private final Workers.Work beginningByBlocks = this::beginBlocks;
     private final Workers.Work middle = this::addBlocks;
-    private final Workers.Work end = this::divideRange;
+    private final Workers.Work end = this::finishRange;
 
-    ParallelForces(ForceSum forces, Particles particles, List<Effect> effects, int threads, long paysFrom) {
+    ParallelForces(ForceSum forces, Particles particles, int threads, long paysFrom) {
         this.forces = forces;
         this.particles = particles;
-        this.effects = effects;
         this.paysFrom = paysFrom;
         workers = new Workers(threads);
     }
 
     /** Whether there is enough to do for more than one thread. */
     boolean pays() {
-        long items = 0;
-        for (int e = 0; e < effects.size(); e++) {
-            Effect effect = effects.get(e);
-            items += effect.isConcurrent() || effect instanceof DivisibleEffect ? effect.size() : 0;
+        long items = (long) forces.perParticle().size() * particles.count();
+        List<Effect> others = forces.others();
+        for (int e = 0; e < others.size(); e++) {
+            items += others.get(e) instanceof DivisibleEffect effect ? effect.size() : 0;
         }
         return items >= paysFrom;
     }
@@ -51,9 +49,7 @@ final class ParallelForces implements AutoCloseable {
         this.dSdt = dSdt;
         List<Effect> others = forces.others();
         int next = 0;
-        if (!isConcurrentPerParticle()) {
-            forces.begin(state, time, dSdt, 0, particles.count());
-        } else if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
+        if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
             workers.run(beginningByBlocks);             // one time less that threads wait for each other
             addJoints(NOBODY);
             next = 1;
@@ -66,20 +62,11 @@ final class ParallelForces implements AutoCloseable {
                 workers.run(middle);
                 addJoints(NOBODY);
             } else {
-                effect.addForces(state, time, dSdt, 0, effect.size());
+                effect.addForces(state, time, dSdt);
             }
         }
         forces.addReactions(state, time, dSdt);
         workers.run(end);
-    }
-
-    private boolean isConcurrentPerParticle() {
-        List<Effect> perParticle = forces.perParticle();
-        boolean concurrent = true;
-        for (int e = 0; e < perParticle.size(); e++) {
-            concurrent &= perParticle.get(e).isConcurrent();
-        }
-        return concurrent;
     }
 
     /** Whether the effect has so many blocks; it is the one whose blocks are evaluated then. */
@@ -105,7 +92,9 @@ final class ParallelForces implements AutoCloseable {
 
     /** A thread's blocks, and the joints of these alone. */
     private void addBlocks(int part, int parts) {
-        addItems(cut(blocks, part, parts), cut(blocks, part + 1, parts));
+        for (int block = cut(blocks, part, parts); block < cut(blocks, part + 1, parts); block++) {
+            divisible.addPart(block, state, time, dSdt);
+        }
         addJoints(part);
     }
 
@@ -115,7 +104,7 @@ final class ParallelForces implements AutoCloseable {
             for (int from = 0; from < blocks; from += length, joint++) {
                 int owner = partOf(from);
                 if (part == (owner == partOf(from + length - 1) ? owner : NOBODY)) {
-                    addItems(joint, joint + 1);
+                    divisible.addPart(joint, state, time, dSdt);
                 }
             }
         }
@@ -126,14 +115,9 @@ final class ParallelForces implements AutoCloseable {
         return ((block + 1) * workers.count() - 1) / blocks;
     }
 
-    /** What is in the blocks or joints from ... to - 1. */
-    private void addItems(int from, int to) {
-        divisible.addForces(state, time, dSdt, divisible.getBlockStart(from), divisible.getBlockStart(to));
-    }
-
-    private void divideRange(int part, int parts) {
+    private void finishRange(int part, int parts) {
         int n = particles.count();
-        forces.divideByMasses(dSdt, cut(n, part, parts), cut(n, part + 1, parts));
+        forces.finish(state, dSdt, cut(n, part, parts), cut(n, part + 1, parts));
     }
 
     /** Where a part of so many begins. */

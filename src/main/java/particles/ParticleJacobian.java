@@ -29,7 +29,7 @@ final class ParticleJacobian implements ForceDerivatives {
     /** Whether all effects, and all reactions that hold something, know their blocks. */
     boolean isExact() {
         for (int e = 0; e < effects.size(); e++) {
-            if (!effects.get(e).hasForceDerivatives()) {
+            if (!(effects.get(e) instanceof DifferentiableEffect effect && effect.hasForceDerivatives())) {
                 return false;
             }
         }
@@ -45,8 +45,8 @@ final class ParticleJacobian implements ForceDerivatives {
     void addBlocks(double[] state, double time, JacobianBlocks blocks) {
         target = blocks;
         for (int e = 0; e < effects.size(); e++) {
-            if (effects.get(e).hasForceDerivatives()) {
-                effects.get(e).addForceDerivatives(state, time, this);
+            if (effects.get(e) instanceof DifferentiableEffect effect) {
+                effect.addForceDerivatives(state, time, this);
             }
         }
         boolean forceKnown = false;

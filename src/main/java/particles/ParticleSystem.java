@@ -83,7 +83,11 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         }
         particles.shrinkTo(stay);
         anchors.reindex(newIndex);
-        effects.forEach(effect -> effect.reindex(newIndex));
+        for (Effect effect : effects) {
+            if (effect instanceof IndexedEffect indexed) {
+                indexed.reindex(newIndex);
+            }
+        }
         reactions.forEach(reaction -> reaction.reindex(newIndex));
         return newIndex;
     }
@@ -100,16 +104,6 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     public void moveAnchor(int particle, AnchorMotion motion) {
         particles.requireFixed(particle);
         anchors.add(particle, motion, state, time);
-    }
-
-    void remember(Memory memory) {
-        particles.remember(memory);
-        state = memory.keep(state, getStateSize());
-        time = memory.keep(time);
-        evaluations = memory.keep(evaluations);
-        anchors.remember(memory);
-        effects.forEach(effect -> effect.remember(memory));
-        reactions.forEach(reaction -> reaction.remember(memory));
     }
 
     /** @return the indices of the particles that are fixed to points that move */

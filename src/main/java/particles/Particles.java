@@ -80,18 +80,6 @@ public final class Particles {
         this.count = count;
     }
 
-    void remember(Memory memory) {
-        count = memory.keep(count);
-        ids = Arrays.copyOf(ids, memory.isReading() ? count : ids.length);
-        for (int i = 0; i < count; i++) {
-            ids[i] = memory.keep(memory.isReading() ? "" : ids[i]);
-        }
-        masses = memory.keep(masses, count);
-        inverseMasses = memory.keep(inverseMasses, count);
-        birthTimes = memory.keep(birthTimes, count);
-        deathTimes = memory.keep(deathTimes, count);
-    }
-
     /** @return the number of particles */
     public int count() {
         return count;

@@ -4,7 +4,7 @@ package particles;
  * A force that answers the total of all others: resting contact and its friction push back just as hard as they are
  * pushed. Acts after all effects.
  */
-public interface Reaction extends Remembering {
+public interface Reaction {
 
     /** @return the name in scenes and legends, such as {@code contact} */
     String getName();

@@ -4,7 +4,7 @@ package particles;
  * A law that acts between steps, never inside the derivative: a bounce, a birth, a tear, or the change of a reaction's
  * mode. Rules see a step's beginning and its end and may change anything at the end.
  */
-public interface Rule extends Remembering {
+public interface Rule {
 
     /** @return the name in scenes and messages, such as {@code impacts} */
     String getName();

@@ -6,7 +6,7 @@ package particles;
  *
  * <p>Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
  */
-public final class SeededRandom implements Remembering {
+public final class SeededRandom {
     private static final long GOLDEN_RATIO = 0x9e3779b97f4a7c15L;
     private static final double UNIT = 1.0 / (1L << 53);
 
@@ -15,11 +15,6 @@ public final class SeededRandom implements Remembering {
     /** @param seed any number; equal seeds give equal sequences */
     public SeededRandom(long seed) {
         counter = seed;
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        counter = memory.keep(counter);
     }
 
     /** @return 64 random bits */

@@ -13,8 +13,6 @@ import java.util.List;
 public final class Simulation {
     /** A last step longer than deltaT by no more than this part of it is rounding of the clock, not a step too many. */
     private static final double ROUNDING = 1e-6;
-    /** Few enough to lose little, so many that a solver which begins anew after each costs nothing to speak of. */
-    public static final int CHECKPOINT_STEPS = 500;
 
     private final ParticleSystem system;
     private final DESolver solver;
@@ -25,9 +23,6 @@ public final class Simulation {
     private final List<Observer> observers = new ArrayList<>();
     private final Audience audience = new Audience(observers);
     private final EventSteps eventSteps;
-    private double startTime;
-    private long checkpointSteps = CHECKPOINT_STEPS;
-    private Runnable checkpoint = () -> { };
     private long steps;
 
     /**
@@ -86,30 +81,9 @@ public final class Simulation {
      *                             until then stands
      */
     public void run() {
-        start();
-        goOn();
-    }
-
-    /**
-     * Runs to the end from a checkpoint of an earlier run of the same scene, with the bits of that run.
-     *
-     * @param memory the checkpoint, to be read
-     * @throws SimulationException as {@link #run}
-     */
-    public void resume(Memory memory) {
-        start();
-        remember(memory);
-        goOn();
-    }
-
-    private void start() {
-        startTime = system.getTime();
+        double endTime = system.getTime() + duration;
         rules.forEach(rule -> rule.start(system));
         observers.forEach(observer -> observer.started(system));
-    }
-
-    private void goOn() {
-        double endTime = startTime + duration;
         double left = endTime - system.getTime();
         while (left > ROUNDING * deltaT) {
             double before = left;
@@ -119,37 +93,8 @@ public final class Simulation {
                 throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at"
                         + " t = " + system.getTime(), null);
             }
-            if (steps % checkpointSteps == 0) {
-                solver.reset();
-                checkpoint.run();
-            }
         }
         observers.forEach(observer -> observer.finished(system));
-    }
-
-    /**
-     * Says where a run may be interrupted. The solver begins anew there in any run, so that one which is continued has the
-     * bits of one that is not.
-     *
-     * @param everySteps after how many steps, 1 or more; {@link #CHECKPOINT_STEPS} where nothing is said. Another number
-     *                   gives other bits with solvers that remember earlier steps
-     * @param checkpoint is told each time, and may pass a memory to {@link #remember}
-     */
-    public void setCheckpoints(int everySteps, Runnable checkpoint) {
-        if (everySteps < 1) {
-            throw new IllegalArgumentException("checkpoints every " + everySteps + " steps");
-        }
-        checkpointSteps = everySteps;
-        this.checkpoint = checkpoint;
-    }
-
-    /** @param memory where all goes to that the rest of the run depends on, its observers' files included */
-    public void remember(Memory memory) {
-        steps = memory.keep(steps);
-        eventSteps.remember(memory);
-        system.remember(memory);
-        rules.forEach(rule -> rule.remember(memory));
-        observers.forEach(observer -> observer.remember(memory));
     }
 
     private void step(double h) {

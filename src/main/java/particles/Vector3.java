@@ -65,6 +65,18 @@ public record Vector3(double x, double y, double z) {
         return new Vector3(x / length, y / length, z / length);
     }
 
+    /**
+     * @param name what the vector is, in the message
+     * @return this vector
+     * @throws IllegalArgumentException if one of the three is not a finite number
+     */
+    public Vector3 requireFinite(String name) {
+        if (!isFinite()) {
+            throw new IllegalArgumentException(name + " has to be finite, not " + this);
+        }
+        return this;
+    }
+
     /** @return true if all three are finite numbers */
     public boolean isFinite() {
         return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);

@@ -33,7 +33,8 @@ class ArchitectureTest {
 
     /**
      * What a package may use besides itself and the plain JDK; a name that ends in a dot stands for all packages below it.
-     * A package two levels down, such as particles.scene.spec, has the rights of the one it is in, and may be used like it.
+     * A package two levels down, such as particles.experiments.problems, has the rights of the one it is in, and may be used
+     * like it.
      */
     private static final Map<String, Set<String>> MAY_USE = new TreeMap<>(Map.ofEntries(
             Map.entry("deSolvers", Set.of()),
@@ -45,18 +46,18 @@ class ArchitectureTest {
             Map.entry("deSolvers.implicit", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive", ALGEBRA, ORDERING)),
             Map.entry("deSolvers.catalog", Set.of("deSolvers", "deSolvers.")),
             Map.entry("particles", Set.of("deSolvers")),
-            Map.entry("particles.effects", Set.of("particles")),
+            Map.entry("particles.spec", Set.of("deSolvers.catalog", "particles", YAML, JSON)),
+            Map.entry("particles.effects", Set.of("particles", "particles.spec")),
             Map.entry("particles.reactions", Set.of("particles", "particles.effects", ALGEBRA)),
             Map.entry("particles.rules", Set.of("particles", "particles.effects", "particles.reactions")),
             Map.entry("particles.scene", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
-                    "particles.reactions",
-                    "particles.rules", YAML, JSON)),
+                    "particles.reactions", "particles.rules", "particles.spec")),
             Map.entry("particles.experiments", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
                     "particles.reactions", "particles.rules", "particles.scene", ALGEBRA)),
             Map.entry("particles.output", Set.of("particles", CHARTS, AWT, IMAGES, FILMS, JSON, XML)),
             Map.entry("particles.teaching", Set.of("deSolvers", "deSolvers.", "particles", "particles.effects",
                     "particles.reactions",
-                    "particles.rules", "particles.scene", "particles.experiments")),
+                    "particles.rules", "particles.spec", "particles.scene", "particles.experiments")),
             Map.entry("particles.app", Set.of(EVERYTHING_OF_OURS, COMMAND_LINE, JSON, COMPILER))));
 
     private final List<SourceFile> sources = SourceFile.readAll(MAIN).stream()
@@ -198,7 +199,7 @@ class ArchitectureTest {
         assertFalse(isAllowed("java.awt.geom", MAY_USE.get("particles.scene")));
         assertTrue(isAllowed("java.awt.geom", MAY_USE.get("particles.output")));
         assertTrue(isAllowed("deSolvers.symplectic", MAY_USE.get("deSolvers.catalog")));
-        assertEquals("particles.scene", inTable("particles.scene.spec"));
+        assertEquals("particles.experiments", inTable("particles.experiments.problems"));
         assertFalse(isAllowed("javax.imageio", MAY_USE.get("particles")));
     }
 }

@@ -37,7 +37,7 @@ public class EffectBenchmark {
     /** @return the forces so far, added up */
     @Benchmark
     public double[] addForces() {
-        effect.addForces(state, 0, force, 0, effect.size());
+        effect.addForces(state, 0, force);
         return force;
     }
 }

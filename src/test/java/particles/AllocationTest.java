@@ -29,7 +29,7 @@ class AllocationTest {
     private static final class RisingAir implements Wind {
         @Override
         public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
-            Arrays.fill(wind, 3 * from, 3 * to, time);
+            Arrays.fill(wind, 6 * from, 6 * to, time);
         }
 
         @Override

@@ -228,13 +228,8 @@ class ParticleJacobianTest {
         }
 
         @Override
-        public int size() {
-            return particles.count();
-        }
-
-        @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
-            for (int v = Particles.STRIDE * from + 3; v < Particles.STRIDE * to; v += Particles.STRIDE) {
+        public void addForces(double[] state, double time, double[] force) {
+            for (int v = 3; v < force.length; v += Particles.STRIDE) {
                 double square = state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2];
                 for (int c = v; c < v + 3; c++) {
                     force[c] -= square * state[c];

@@ -53,13 +53,8 @@ class RadauParticlesTest {
         }
 
         @Override
-        public int size() {
-            return 6;
-        }
-
-        @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
-            for (int x = Particles.STRIDE * from; x < Particles.STRIDE * to; x += Particles.STRIDE) {
+        public void addForces(double[] state, double time, double[] force) {
+            for (int x = 0; x < force.length; x += Particles.STRIDE) {
                 force[x + 3] += 0.3 * state[x + 2] * state[x + 1];
                 force[x + 5] -= 0.2 * state[x + 3] * state[x] + 0.01 * state[x + 5];
             }

@@ -27,27 +27,12 @@ class SceneThreadsTest {
     private static final int STEPS = 60;
 
     /** A force of nothing on each particle, which notes by whom it is asked. */
-    private static final class Witness implements Effect {
-        private final Particles particles;
+    private static final class Witness implements PerParticleEffect, DifferentiableEffect {
         private final Set<String> threads = ConcurrentHashMap.newKeySet();
-
-        Witness(Particles particles) {
-            this.particles = particles;
-        }
 
         @Override
         public String getName() {
             return "witness";
-        }
-
-        @Override
-        public Set<Trait> getTraits() {
-            return Set.of();
-        }
-
-        @Override
-        public int size() {
-            return particles.count();
         }
 
         @Override
@@ -56,23 +41,12 @@ class SceneThreadsTest {
         }
 
         @Override
-        public boolean isPerParticle() {
-            return true;
-        }
-
-        @Override
-        public boolean isConcurrent() {
-            return true;
-        }
-
-        @Override
         public boolean dependsOnVelocity() {
             return false;
         }
 
         @Override
-        public boolean hasForceDerivatives() {
-            return true;
+        public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         }
     }
 
@@ -80,7 +54,7 @@ class SceneThreadsTest {
     private static double[] run(SceneDescription description, int threads, int steps, int[] helpers) {
         double duration = Math.min(description.duration(), steps * description.deltaT());
         Scene scene = SceneBuilder.build(description, new Overrides().with("duration", "" + duration, "--duration"));
-        Witness witness = new Witness(scene.system().getParticles());
+        Witness witness = new Witness();
         scene.system().addEffect(witness);
         scene.system().forces.setThreads(threads, 0);
         try {

@@ -2,6 +2,7 @@ package particles.app;
 
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.TreeSet;
 import particles.Effect;
 import particles.ParticleSystem;
 import particles.output.ResultPage;
@@ -38,9 +39,10 @@ final class CheckEffectCommand extends CheckCommand {
         String title;
         List<Finding> findings;
         try {
-            Effect made = EffectSample.create(effect, system.getParticles());
+            Effect made = EffectSample.create(effect, system.getParticles(), new StudentClasses());
             findings = EffectCheck.check(system, made);
-            title = made.getClass().getSimpleName() + ": the effect '" + made.getName() + "' claims " + made.getTraits();
+            title = made.getClass().getSimpleName() + ": the effect '" + made.getName() + "' claims "
+                    + new TreeSet<>(made.getTraits());
         } catch (NoSuchElementException | IllegalArgumentException e) {
             title = effect + " cannot be checked.";
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));

@@ -35,6 +35,9 @@ abstract class NewClassCommand extends ProgramCommand {
     /** @return the command that checks such a class, without the class's name */
     abstract String check();
 
+    /** @return how a class with this full name is used, to follow a colon */
+    abstract String use(String fullName);
+
     @Override
     final void run(PrintWriter out) throws IOException {
         String name = className.replaceFirst("^exercises[.]", "");
@@ -52,6 +55,7 @@ abstract class NewClassCommand extends ProgramCommand {
         }
         out.println("written: " + file);
         out.println("to check it: gradle " + check() + "exercises." + name);
+        out.println("to use it: " + use("exercises." + name));
     }
 
     /** A solver. */
@@ -70,6 +74,11 @@ abstract class NewClassCommand extends ProgramCommand {
         String check() {
             return "checkSolver -Psolver=";
         }
+
+        @Override
+        String use(String fullName) {
+            return "gradle run -Pscene=2 -Psolver=" + fullName;
+        }
     }
 
     /** A force law. */
@@ -87,6 +96,11 @@ abstract class NewClassCommand extends ProgramCommand {
         @Override
         String check() {
             return "checkEffect -Peffect=";
+        }
+
+        @Override
+        String use(String fullName) {
+            return "in a scene, under effects:  - " + fullName + ": {strength: 2}";
         }
     }
 }

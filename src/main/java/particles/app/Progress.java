@@ -2,7 +2,6 @@ package particles.app;
 
 import java.io.PrintWriter;
 import java.util.function.LongSupplier;
-import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 
@@ -24,7 +23,6 @@ final class Progress implements Observer {
     private final double duration;
     private final LongSupplier nanoTime;
     private final long begin;
-    private double earlier;                             // what the run took before it was interrupted (s)
     private double lastTime;
     private double lastPart;
 
@@ -42,15 +40,7 @@ final class Progress implements Observer {
 
     /** @return the time since the beginning (s) */
     double seconds() {
-        return earlier + (nanoTime.getAsLong() - begin) * NANO;
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        double seconds = memory.keep(seconds());
-        if (memory.isReading()) {
-            earlier += seconds;
-        }
+        return (nanoTime.getAsLong() - begin) * NANO;
     }
 
     @Override

@@ -43,14 +43,9 @@ final class RunCommand extends ProgramCommand {
             description = "Whether the pictures become a film too, film.mp4 (default: what the scene says, or else none).")
     private Video video;
 
-    @Option(names = "--resume", arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
-            description = "Whether an interrupted run is continued (default: false).")
-    private boolean resume;
-
     private final Path scenes;
     private final OptionStyle style;
     private final StopRequest stop;
-    private final CheckpointPace pace;
 
     /**
      * @param scenes the folder in which scenes are looked for
@@ -58,15 +53,9 @@ final class RunCommand extends ProgramCommand {
      * @param stop   tells the run when it has to end early
      */
     RunCommand(Path scenes, OptionStyle style, StopRequest stop) {
-        this(scenes, style, stop, CheckpointPace.USUAL);
-    }
-
-    /** @param pace how often the run is written down to be continued */
-    RunCommand(Path scenes, OptionStyle style, StopRequest stop, CheckpointPace pace) {
         this.scenes = scenes;
         this.style = style;
         this.stop = stop;
-        this.pace = pace;
     }
 
     @Override
@@ -81,7 +70,7 @@ final class RunCommand extends ProgramCommand {
             throw new Failure(ExitCode.BAD_INPUT, style.option("video") + "=mp4 needs pictures; leave " + style.option("frames")
                     + "=false away");
         }
-        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop, pace).run(lines, resume);
+        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop).run(lines);
     }
 
     private void override(Overrides overrides, String name, String value) {

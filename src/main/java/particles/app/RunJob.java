@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import particles.SimulationException;
-import particles.output.Checkpoint;
 import particles.output.OutputFolder;
 import particles.output.RunSummaryWriter;
 import particles.scene.OutputDescription.Video;
@@ -23,7 +22,6 @@ final class RunJob {
     private final Optional<Video> wanted;
     private final OptionStyle style;
     private final StopRequest stop;
-    private final CheckpointPace pace;
 
     /**
      * @param file      the scene
@@ -33,10 +31,9 @@ final class RunJob {
      * @param wanted    another film than the scene's, if one was asked for
      * @param style     how options are typed, for messages
      * @param stop      tells when the run has to end early
-     * @param pace      how often the run is written down to be continued
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
-           OptionStyle style, StopRequest stop, CheckpointPace pace) {
+           OptionStyle style, StopRequest stop) {
         this.file = file;
         this.overrides = overrides;
         this.results = results;
@@ -44,18 +41,16 @@ final class RunJob {
         this.wanted = wanted;
         this.style = style;
         this.stop = stop;
-        this.pace = pace;
     }
 
     /**
      * Runs the scene.
      *
-     * @param out    where progress and the summary are printed
-     * @param resume whether to go on where an earlier run was interrupted
+     * @param out where progress and the summary are printed
      * @throws Failure if the run ended early; what it made until then is complete
      */
-    void run(PrintWriter out, boolean resume) {
-        SceneDescription described = SceneReader.read(file);
+    void run(PrintWriter out) {
+        SceneDescription described = SceneReader.read(file, new StudentClasses());
         TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
             out.println(line);
             out.flush();
@@ -63,10 +58,7 @@ final class RunJob {
         Scene scene = SceneBuilder.build(described, overrides);
         Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
         RunFiles files = new RunFiles(scene.output(), frames, video);
-        Checkpoints checkpoints = new Checkpoints(file, scene, frames, video);
-        Optional<Checkpoint> earlier = resume ? Optional.of(checkpoints.find(results, style)) : Optional.empty();
-        try (OutputFolder folder = resume ? OutputFolder.reopen(results, files.names())
-                : OutputFolder.open(results, files.names())) {
+        try (OutputFolder folder = OutputFolder.open(results, files.names())) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);
             RunObservers observers = new RunObservers(scene, folder);
@@ -77,8 +69,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
-                checkpoints.writeTo(folder, pace, System::nanoTime);
-                early = simulate(scene, earlier);
+                early = simulate(scene);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), scene, observers.energy(), observers.books(),
                     progress.seconds());
@@ -89,22 +80,20 @@ final class RunJob {
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });
-            folder.remove(Checkpoint.FILE);
         }
     }
 
     /** @return why it ended early, if it did */
-    private Optional<String> simulate(Scene scene, Optional<Checkpoint> earlier) {
+    private Optional<String> simulate(Scene scene) {
         scene.system().setThreads(scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
-            earlier.ifPresentOrElse(from -> scene.simulation().resume(from.getMemory()), scene.simulation()::run);
+            scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
             return FrictionMessage.of(scene, style, e).or(() -> Optional.of(new BlowUpMessage(scene, style).of(e)));
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
-                    + Digits.few(scene.simulation().getDuration()) + " s"
-                    + (Checkpoint.isIn(results) ? "; " + style.option("resume") + "=true continues it" : ""));
+                    + Digits.few(scene.simulation().getDuration()) + " s");
         } finally {
             scene.system().setThreads(1);
         }

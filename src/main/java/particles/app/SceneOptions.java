@@ -37,7 +37,7 @@ final class SceneOptions {
             overrides.with("duration", duration, style.option("duration"));
         }
         Path file = SceneFiles.find(SCENES, scene == null ? standard : scene);
-        return SceneBuilder.build(SceneReader.read(file), overrides).description();
+        return SceneBuilder.build(SceneReader.read(file, new StudentClasses()), overrides).description();
     }
 
     /** @return the solvers that were asked for, or else these */

@@ -32,7 +32,7 @@ final class ScenesCommand extends ProgramCommand {
         List<String> problems = new ArrayList<>();
         for (Path file : files) {
             try {
-                print(file, SceneReader.read(file), out);
+                print(file, SceneReader.read(file, new StudentClasses()), out);
             } catch (SceneException e) {
                 problems.addAll(e.getLines());          // the others are listed all the same
             }

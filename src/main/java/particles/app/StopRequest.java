@@ -10,7 +10,7 @@ import java.util.function.IntConsumer;
  * The wish that the program ends early, by Ctrl-C or a signal. A run that hears of it completes its files and ends; one
  * that does not hear of it in time loses what is not complete, so that in any case whole files are left, and no others.
  */
-class StopRequest {
+final class StopRequest {
     private static final long PATIENCE_SECONDS = 10;
 
     private final CountDownLatch ended = new CountDownLatch(1);

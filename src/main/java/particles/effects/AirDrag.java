@@ -1,27 +1,30 @@
 package particles.effects;
 
-import java.util.EnumSet;
 import java.util.Set;
-import particles.Effect;
+import particles.DifferentiableEffect;
 import particles.ForceDerivatives;
 import particles.Particles;
+import particles.PerParticleEffect;
 
 /**
  * What all laws of air drag have in common: the force -c(|w|) w against the velocity w = v - u through the air. Its power is
  * -c |w|&sup2; - c w . u: the first part becomes heat, the second is what the wind does.
  */
-abstract class AirDrag implements Effect {
-    static final int STRIDE = Particles.STRIDE;
+abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
+    private static final int STRIDE = Particles.STRIDE;
 
-    final Particles particles;
-    final Wind wind;
-    private double[] air = {};
+    private final Particles particles;
+    private final Wind wind;
+    private double[] relative = {};
     private final double[] w = new double[3];
     private final double[] gradient = new double[9];
     private final double[] dFdX = new double[9];        // stays 0 in wind that is the same everywhere
     private final double[] dFdV = new double[9];
 
-    AirDrag(Particles particles, Wind wind) {
+    AirDrag(Particles particles, double c, Wind wind) {
+        if (!(c >= 0) || !(c <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a drag coefficient has to be 0 or more and finite, not " + c);
+        }
         this.particles = particles;
         this.wind = wind;
     }
@@ -34,39 +37,27 @@ abstract class AirDrag implements Effect {
 
     @Override
     public final Set<Trait> getTraits() {
-        return wind == Wind.STILL ? EnumSet.of(Trait.DISSIPATIVE, Trait.ROTATION_INVARIANT, Trait.TRANSLATION_INVARIANT)
-                : EnumSet.of(Trait.DISSIPATIVE, Trait.DRIVING);
+        return wind == Wind.STILL ? Set.of(Trait.DISSIPATIVE, Trait.ROTATION_INVARIANT, Trait.TRANSLATION_INVARIANT)
+                : Set.of(Trait.DISSIPATIVE, Trait.DRIVING);
     }
 
-    @Override
-    public final int size() {
-        return particles.count();
-    }
-
-    @Override
-    public final boolean isPerParticle() {
-        return true;
-    }
-
-    @Override
-    public final boolean isConcurrent() {
-        return true;
-    }
-
-    @Override
-    public final boolean dependsOnVelocity() {
-        return true;
-    }
-
-    /** The air's velocity at the particles from ... to - 1, three entries each; all others are of no meaning. */
-    final double[] airAt(double[] state, double time, int from, int to) {
-        double[] velocities = air;
-        if (velocities.length < 3 * particles.count()) {
-            velocities = new double[3 * particles.count()];
-            air = velocities;                           // of several threads at once, each goes on with its own, and one stays
+    /** The velocity w = v - u of the particles from ... to - 1 through the air, at the places where v stands in the state. */
+    final double[] velocityThroughAir(double[] state, double time, int from, int to) {
+        if (wind == Wind.STILL) {
+            return state;
         }
-        wind.getVelocities(state, time, velocities, from, to);
-        return velocities;
+        double[] w = relative;
+        if (w.length < STRIDE * particles.count()) {
+            w = new double[STRIDE * particles.count()];
+            relative = w;                               // threads that get here at once go on with arrays of their own
+        }
+        wind.getVelocities(state, time, w, from, to);
+        for (int v = STRIDE * from + 3; v < STRIDE * to; v += STRIDE) {
+            w[v] = state[v] - w[v];
+            w[v + 1] = state[v + 1] - w[v + 1];
+            w[v + 2] = state[v + 2] - w[v + 2];
+        }
+        return w;
     }
 
     @Override
@@ -81,21 +72,18 @@ abstract class AirDrag implements Effect {
 
     /** Of all particles that are not fixed: c |w|&sup2;, or -c w . u. */
     private double sum(double[] state, double time, boolean driven) {
-        double[] air = airAt(state, time, 0, particles.count());
+        double[] w = velocityThroughAir(state, time, 0, particles.count());
         double sum = 0;
         for (int i = 0; i < particles.count(); i++) {
-            if (particles.isFixed(i)) {
-                continue;
+            if (!particles.isFixed(i)) {
+                double square = 0;
+                double against = 0;
+                for (int v = STRIDE * i + 3; v < STRIDE * i + 6; v++) {
+                    square += w[v] * w[v];
+                    against -= w[v] * (state[v] - w[v]);
+                }
+                sum += coefficientAt(Math.sqrt(square)) * (driven ? against : square);
             }
-            double square = 0;
-            double against = 0;
-            for (int c = 0; c < 3; c++) {
-                double u = air[3 * i + c];
-                double w = state[STRIDE * i + 3 + c] - u;
-                square += w * w;
-                against -= w * u;
-            }
-            sum += coefficientAt(Math.sqrt(square)) * (driven ? against : square);
         }
         return sum;
     }
@@ -109,12 +97,10 @@ abstract class AirDrag implements Effect {
     /** {@inheritDoc} dF/dv = -c - c' w w<sup>T</sup>/|w|, and dF/dx = -dF/dv times the wind's gradient. */
     @Override
     public final void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
-        double[] air = airAt(state, time, 0, particles.count());
+        double[] through = velocityThroughAir(state, time, 0, particles.count());
         boolean varies = wind != Wind.STILL && !wind.isUniform();
         for (int i = 0; i < particles.count(); i++) {
-            for (int c = 0; c < 3; c++) {
-                w[c] = state[STRIDE * i + 3 + c] - air[3 * i + c];
-            }
+            System.arraycopy(through, STRIDE * i + 3, w, 0, 3);
             double square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
             double speed = Math.sqrt(square);
             double growth = square > 0 ? coefficientGrowth(speed) / square : 0;
@@ -130,12 +116,6 @@ abstract class AirDrag implements Effect {
                 }
             }
             derivatives.add(i, i, dFdX, dFdV);
-        }
-    }
-
-    static void requireCoefficient(double coefficient) {
-        if (!(coefficient >= 0) || !(coefficient <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a drag coefficient has to be 0 or more and finite, not " + coefficient);
         }
     }
 }

@@ -1,10 +1,12 @@
 package particles.effects;
 
-import java.util.EnumSet;
 import java.util.Set;
-import particles.Effect;
+import particles.DifferentiableEffect;
 import particles.ForceDerivatives;
 import particles.Particles;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
 
 /**
  * Near particles repel and less near ones attract each other, so that a heap of them holds together like a drop: the
@@ -22,7 +24,7 @@ import particles.Particles;
  * Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with the inverse powers replaced by
  * powers of u.
  */
-public final class Cohesion implements Effect {
+public final class Cohesion implements DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
@@ -71,13 +73,8 @@ public final class Cohesion implements Effect {
 
     @Override
     public Set<Trait> getTraits() {
-        return EnumSet.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT,
+        return Set.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT,
                 damping > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
-    }
-
-    @Override
-    public int size() {
-        return particles.count();
     }
 
     @Override
@@ -93,11 +90,10 @@ public final class Cohesion implements Effect {
         grid.build(state, n, range);
     }
 
-    /** {@inheritDoc} Item i stands for its pairs with particles of larger index. */
     @Override
-    public void addForces(double[] state, double time, double[] force, int from, int to) {
+    public void addForces(double[] state, double time, double[] force) {
         findNeighbours(state);
-        for (int p = from; p < to; p++) {
+        for (int p = 0; p < particles.count(); p++) {
             int i = STRIDE * p;
             int count = grid.findLater(p, near);
             for (int k = 0; k < count; k++) {
@@ -135,11 +131,6 @@ public final class Cohesion implements Effect {
     private double curvature(double u) {
         double square = u * u * scale;
         return depth * square * (56 * u * u * square - 24);
-    }
-
-    @Override
-    public boolean hasForceDerivatives() {
-        return true;
     }
 
     @Override
@@ -204,5 +195,30 @@ public final class Cohesion implements Effect {
             }
         }
         return sum;
+    }
+
+    /** Cohesion in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Double> RANGE = Key.required("range", NumberType.positive("m"),
+                "The distance beyond which two particles do not feel each other (m).");
+        private static final Key<Double> BALANCE = Key.withDefault("balance", NumberType.between(0.05, 0.95, ""), 0.6,
+                "At which part of the range two particles neither attract nor repel each other.");
+        private static final Key<Double> DEPTH = Key.required("depth", NumberType.positive("J"),
+                "The energy that it takes to separate two particles (J).");
+        private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
+                "What slows two near particles that approach each other or part (N s/m).");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("cohesion", "Near particles repel and less near ones attract each other, so that many hold together like a"
+                    + " drop.", RANGE, BALANCE, DEPTH, DAMPING);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            double range = values.get(RANGE);
+            scene.add(new Cohesion(scene.particles(), range, range * values.get(BALANCE), values.get(DEPTH),
+                    values.get(DAMPING)));
+        }
     }
 }

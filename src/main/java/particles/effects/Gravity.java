@@ -1,12 +1,13 @@
 package particles.effects;
 
-import java.util.EnumSet;
-import java.util.Optional;
 import java.util.Set;
-import particles.Effect;
-import particles.LinearLaw;
+import particles.DifferentiableEffect;
 import particles.Particles;
+import particles.PerParticleEffect;
 import particles.Vector3;
+import particles.spec.Key;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /**
  * Uniform gravity, the slides' "gravitational acceleration rule": F = m g on every particle.
@@ -14,29 +15,18 @@ import particles.Vector3;
  * <p>Potential energy -m g . x, zero at the origin. Source: COMPSCI 715 (2003), slides "A Particle System" and
  * "Mass-Spring System (cont'd)".
  */
-public final class Gravity implements Effect {
-    private static final int STRIDE = Particles.STRIDE;
-
+public final class Gravity implements PerParticleEffect, DifferentiableEffect {
     private final Particles particles;
-    private final double gx;
-    private final double gy;
-    private final double gz;
-    private final Optional<LinearLaw> linearLaw;
+    private final Vector3 g;
 
     /**
-     * @param particles    on whom it acts
-     * @param acceleration g (m/s&sup2;), such as (0, -9.81, 0)
+     * @param particles the particles that fall
+     * @param g         the acceleration of free fall (m/s&sup2;), such as (0, -9.81, 0)
      * @throws IllegalArgumentException if g is not finite
      */
-    public Gravity(Particles particles, Vector3 acceleration) {
-        if (!acceleration.isFinite()) {
-            throw new IllegalArgumentException("gravity has to be finite, not " + acceleration);
-        }
+    public Gravity(Particles particles, Vector3 g) {
         this.particles = particles;
-        gx = acceleration.x();
-        gy = acceleration.y();
-        gz = acceleration.z();
-        linearLaw = Optional.of(new LinearLaw(gx, gy, gz, 0));
+        this.g = g.requireFinite("gravity");
     }
 
     @Override
@@ -46,27 +36,7 @@ public final class Gravity implements Effect {
 
     @Override
     public Set<Trait> getTraits() {
-        return EnumSet.of(Trait.CONSERVATIVE, Trait.TRANSLATION_INVARIANT);
-    }
-
-    @Override
-    public int size() {
-        return particles.count();
-    }
-
-    @Override
-    public boolean isPerParticle() {
-        return true;
-    }
-
-    @Override
-    public Optional<LinearLaw> getLinearLaw() {
-        return linearLaw;
-    }
-
-    @Override
-    public boolean isConcurrent() {
-        return true;
+        return Set.of(Trait.CONSERVATIVE, Trait.TRANSLATION_INVARIANT);
     }
 
     @Override
@@ -74,32 +44,42 @@ public final class Gravity implements Effect {
         return false;
     }
 
-    /** {@inheritDoc} There are none: the force is the same everywhere. */
-    @Override
-    public boolean hasForceDerivatives() {
-        return true;
-    }
-
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double[] masses = particles.masses();
-        for (int i = from, f = STRIDE * from + 3; i < to; i++, f += STRIDE) {
-            double mass = masses[i];
-            force[f] += mass * gx;
-            force[f + 1] += mass * gy;
-            force[f + 2] += mass * gz;
+        for (int i = from, v = 6 * from + 3; v < 6 * to; i++, v += 6) {
+            double mass = particles.mass(i);
+            force[v] += mass * g.x();
+            force[v + 1] += mass * g.y();
+            force[v + 2] += mass * g.z();
         }
     }
 
-    /** {@inheritDoc} Fixed particles, which nothing can bring down, are left out. */
+    /** {@inheritDoc} Fixed particles, which cannot fall, are left out. */
     @Override
     public double getPotentialEnergy(double[] state, double time) {
         double energy = 0;
-        for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
+        for (int i = 0; i < particles.count(); i++) {
             if (!particles.isFixed(i)) {
-                energy -= particles.mass(i) * (gx * state[x] + gy * state[x + 1] + gz * state[x + 2]);
+                energy -= particles.mass(i) * (g.x() * state[6 * i] + g.y() * state[6 * i + 1] + g.z() * state[6 * i + 2]);
             }
         }
         return energy;
+    }
+
+    /** Gravity in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Vector3> ACCELERATION = Key.withDefault("acceleration", VectorType.of("m/s^2"),
+                new Vector3(0, -9.81, 0), "g, the acceleration of free fall (m/s^2).");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("gravity", "The same acceleration for every particle.", ACCELERATION);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.add(new Gravity(scene.particles(), values.get(ACCELERATION)));
+            scene.noteAcceleration(values.get(ACCELERATION));
+        }
     }
 }

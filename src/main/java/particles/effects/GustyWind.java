@@ -1,6 +1,11 @@
 package particles.effects;
 
+import java.util.List;
 import particles.Vector3;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /**
  * A wind that is the same everywhere and swells and falls in time: u(t) = mean + gust sin(2 pi t / period). With no gust it
@@ -46,10 +51,35 @@ public final class GustyWind implements Wind {
         double ux = mean.x() + swell * gust.x();
         double uy = mean.y() + swell * gust.y();
         double uz = mean.z() + swell * gust.z();
-        for (int w = 3 * from; w < 3 * to; w += 3) {
-            wind[w] = ux;
-            wind[w + 1] = uy;
-            wind[w + 2] = uz;
+        for (int v = 6 * from + 3; v < 6 * to; v += 6) {
+            wind[v] = ux;
+            wind[v + 1] = uy;
+            wind[v + 2] = uz;
+        }
+    }
+
+    /** Steady and gusty wind in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"), "The wind's steady part (m/s).");
+        private static final Key<Vector3> GUST = Key.withDefault("gust", VectorType.of("m/s"), Vector3.ZERO,
+                "The amplitude of its varying part, gust sin(2 pi t / period) (m/s).");
+        private static final Key<Double> PERIOD = Key.withDefault("period", NumberType.positive("s"), 1.0,
+                "From gust to gust (s).");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("wind", "The air moves, and drag carries particles with it.", MEAN, GUST, PERIOD);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.setWind(new GustyWind(values.get(MEAN), values.get(GUST), values.get(PERIOD)));
+            scene.noteSpeed(values.get(MEAN).length() + values.get(GUST).length());
+        }
+
+        @Override
+        public List<String> needs() {
+            return List.of("drag", "quadraticDrag");
         }
     }
 }

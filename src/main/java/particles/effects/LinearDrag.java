@@ -1,40 +1,33 @@
 package particles.effects;
 
-import java.util.Optional;
-import particles.LinearLaw;
 import particles.Particles;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
 
 /**
  * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air. Wind
- * acts through it and in no other way.
+ * acts through drag and in no other way.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".
  */
 public final class LinearDrag extends AirDrag {
-    private final double coefficient;
-    private final Optional<LinearLaw> linearLaw;
+    private final double c;
 
     /**
-     * @param particles   on whom it acts
-     * @param coefficient c (N s/m), 0 or more
-     * @param wind        how the air moves
+     * @param particles the particles in the air
+     * @param c         the drag coefficient (N s/m), 0 or more
+     * @param wind      how the air moves
      * @throws IllegalArgumentException if c is negative or not finite
      */
-    public LinearDrag(Particles particles, double coefficient, Wind wind) {
-        super(particles, wind);
-        requireCoefficient(coefficient);
-        this.coefficient = coefficient;
-        linearLaw = wind == Wind.STILL ? Optional.of(new LinearLaw(0, 0, 0, coefficient)) : Optional.empty();
+    public LinearDrag(Particles particles, double c, Wind wind) {
+        super(particles, c, wind);
+        this.c = c;
     }
 
     /** @return c (N s/m) */
     public double getCoefficient() {
-        return coefficient;
-    }
-
-    @Override
-    public Optional<LinearLaw> getLinearLaw() {
-        return linearLaw;
+        return c;
     }
 
     @Override
@@ -43,8 +36,18 @@ public final class LinearDrag extends AirDrag {
     }
 
     @Override
+    public void addForces(double[] state, double time, double[] force, int from, int to) {
+        double[] w = velocityThroughAir(state, time, from, to);
+        for (int v = 6 * from + 3; v < 6 * to; v += 6) {
+            force[v] -= c * w[v];
+            force[v + 1] -= c * w[v + 1];
+            force[v + 2] -= c * w[v + 2];
+        }
+    }
+
+    @Override
     double coefficientAt(double speed) {
-        return coefficient;
+        return c;
     }
 
     @Override
@@ -52,22 +55,19 @@ public final class LinearDrag extends AirDrag {
         return 0;
     }
 
-    @Override
-    public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double c = coefficient;
-        if (wind == Wind.STILL) {
-            for (int v = STRIDE * from + 3; v < STRIDE * to; v += STRIDE) {
-                force[v] -= c * state[v];
-                force[v + 1] -= c * state[v + 1];
-                force[v + 2] -= c * state[v + 2];
-            }
-            return;
+    /** Linear drag in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("N s/m"),
+                "c, the force on a particle for each m/s of its motion through the air (N s/m).");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("drag", "Air resists every particle in proportion to its velocity through the air.", COEFFICIENT);
         }
-        double[] air = airAt(state, time, from, to);
-        for (int v = STRIDE * from + 3, u = 3 * from; v < STRIDE * to; v += STRIDE, u += 3) {
-            force[v] -= c * (state[v] - air[u]);
-            force[v + 1] -= c * (state[v + 1] - air[u + 1]);
-            force[v + 2] -= c * (state[v + 2] - air[u + 2]);
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.add(new LinearDrag(scene.particles(), values.get(COEFFICIENT), scene.wind()));
         }
     }
 }

@@ -1,10 +1,10 @@
 package particles.effects;
 
-import java.util.EnumSet;
 import java.util.Set;
-import particles.Effect;
+import particles.DifferentiableEffect;
 import particles.ForceDerivatives;
 import particles.Particles;
+import particles.PerParticleEffect;
 
 /**
  * What penalty forces have in common: a particle that is inside a solid by the depth d is pushed out along the surface's
@@ -17,7 +17,7 @@ import particles.Particles;
  *
  * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact" (1975).
  */
-abstract class Penalty implements Effect {
+abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
     static final int STRIDE = Particles.STRIDE;
 
     final Particles particles;
@@ -51,22 +51,7 @@ abstract class Penalty implements Effect {
 
     @Override
     public final Set<Trait> getTraits() {
-        return EnumSet.of(loss > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
-    }
-
-    @Override
-    public final int size() {
-        return particles.count();
-    }
-
-    @Override
-    public final boolean isPerParticle() {
-        return true;
-    }
-
-    @Override
-    public final boolean isConcurrent() {
-        return true;
+        return Set.of(loss > 0 ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
     }
 
     @Override
@@ -101,11 +86,6 @@ abstract class Penalty implements Effect {
     private static double normalSpeed(double[] state, int i, double[] normal) {
         int v = STRIDE * i + 3;
         return normal[0] * state[v] + normal[1] * state[v + 1] + normal[2] * state[v + 2];
-    }
-
-    @Override
-    public final boolean hasForceDerivatives() {
-        return true;
     }
 
     @Override

@@ -2,6 +2,10 @@ package particles.effects;
 
 import particles.Particles;
 import particles.Plane;
+import particles.Vector3;
+import particles.spec.Key;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /**
  * A plane that pushes back particles that are below it: the slides' "penalty force". {@link Penalty} says how. With a push
@@ -54,5 +58,31 @@ public final class PenaltyPlane extends Penalty {
     @Override
     double curvature(double[] state, int i) {
         return 0;
+    }
+
+    /** Penalty planes in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
+                "Any point of the plane (m).");
+        private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""), new Vector3(0, 1, 0),
+                "N, the direction out of the solid; of any length.");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("penaltyPlane", "A stiff plane pushes particles back that are below it.", SharedKeys.STIFFNESS, SharedKeys.LOSS,
+                    POINT, NORMAL);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            Plane plane = new Plane(values.get(POINT), values.get(NORMAL));
+            scene.add(new PenaltyPlane(scene.particles(), plane, values.get(SharedKeys.STIFFNESS), values.get(SharedKeys.LOSS)));
+            scene.show(plane);
+        }
+
+        @Override
+        public boolean isRepeatable() {
+            return true;
+        }
     }
 }

@@ -2,6 +2,7 @@ package particles.effects;
 
 import particles.Particles;
 import particles.Sphere;
+import particles.spec.Values;
 
 /**
  * A sphere that pushes back particles that are inside it, or outside it if it is hollow. {@link Penalty} says how. At the
@@ -71,5 +72,27 @@ public final class PenaltySphere extends Penalty {
         double ry = state[STRIDE * i + 1] - sphere.centre().y();
         double rz = state[STRIDE * i + 2] - sphere.centre().z();
         return Math.sqrt(rx * rx + ry * ry + rz * rz);
+    }
+
+    /** Penalty spheres in scenes. */
+    public static final class Keys extends EffectKind {
+        /** The one for all scenes. */
+        public Keys() {
+            super("penaltySphere", "A stiff ball pushes particles out, or a hollow one pushes them in.", SharedKeys.CENTRE,
+                    SharedKeys.RADIUS, SharedKeys.HOLLOW, SharedKeys.STIFFNESS, SharedKeys.LOSS);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            Sphere sphere = SharedKeys.sphere(values);
+            scene.add(new PenaltySphere(scene.particles(), sphere, values.get(SharedKeys.STIFFNESS),
+                    values.get(SharedKeys.LOSS)));
+            scene.show(sphere);
+        }
+
+        @Override
+        public boolean isRepeatable() {
+            return true;
+        }
     }
 }

@@ -1,11 +1,15 @@
 package particles.effects;
 
-import java.util.EnumSet;
 import java.util.Set;
-import particles.Effect;
+import particles.DifferentiableEffect;
 import particles.ForceDerivatives;
 import particles.Particles;
+import particles.PerParticleEffect;
 import particles.Vector3;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /**
  * Attraction by a fixed point, as of planets by the sun: with r the way from the point to the particle,
@@ -18,7 +22,7 @@ import particles.Vector3;
  *
  * <p>Potential energy -m mu / sqrt(|r|&sup2; + s&sup2;). Source of the softening: H. Plummer (1911), S. Aarseth (1963).
  */
-public final class PointAttraction implements Effect {
+public final class PointAttraction implements PerParticleEffect, DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
 
     private final Particles particles;
@@ -58,22 +62,7 @@ public final class PointAttraction implements Effect {
 
     @Override
     public Set<Trait> getTraits() {
-        return EnumSet.of(Trait.CONSERVATIVE);
-    }
-
-    @Override
-    public int size() {
-        return particles.count();
-    }
-
-    @Override
-    public boolean isPerParticle() {
-        return true;
-    }
-
-    @Override
-    public boolean isConcurrent() {
-        return true;
+        return Set.of(Trait.CONSERVATIVE);
     }
 
     @Override
@@ -94,11 +83,6 @@ public final class PointAttraction implements Effect {
             force[x + 4] -= pull * ry;
             force[x + 5] -= pull * rz;
         }
-    }
-
-    @Override
-    public boolean hasForceDerivatives() {
-        return true;
     }
 
     /** {@inheritDoc} dF/dx = -m mu (1 - 3 r r<sup>T</sup>/q&sup2;)/q&sup3; with q&sup2; = |r|&sup2; + s&sup2;. */
@@ -130,5 +114,30 @@ public final class PointAttraction implements Effect {
             }
         }
         return energy;
+    }
+
+    /** Attraction by a point in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.any("m^3/s^2"),
+                "mu, the acceleration at 1 m (m^3/s^2); negative repels.");
+        private static final Key<Vector3> CENTRE = Key.withDefault("centre", VectorType.of("m"), Vector3.ZERO,
+                "The point that attracts (m).");
+        private static final Key<Double> SOFTENING = Key.withDefault("softening", NumberType.notNegative("m"), 0.0,
+                "s: the force is that of a point at the distance sqrt(r^2 + s^2), and particles may pass through the point (m).");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("attraction", "A point attracts every particle as the sun does.", STRENGTH, CENTRE, SOFTENING);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.add(new PointAttraction(scene.particles(), values.get(CENTRE), values.get(STRENGTH), values.get(SOFTENING)));
+        }
+
+        @Override
+        public boolean isRepeatable() {
+            return true;
+        }
     }
 }

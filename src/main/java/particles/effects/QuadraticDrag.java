@@ -1,27 +1,29 @@
 package particles.effects;
 
 import particles.Particles;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
 
 /**
  * Quadratic air drag, that of things larger than dust and faster than a crawl: F = -c |v - u| (v - u), where u is the
  * velocity of the air and c = rho A C<sub>d</sub>/2, half the air's density times cross-section times drag coefficient.
  *
  * <p>From rest under gravity v = v<sub>t</sub> tanh(g t/v<sub>t</sub>) with the terminal speed v<sub>t</sub> = sqrt(m g/c).
- * The force's derivative is continuous at w = 0, its second derivative is not.
+ * The force's derivative is continuous at v = u, its second derivative is not.
  */
 public final class QuadraticDrag extends AirDrag {
-    private final double coefficient;
+    private final double c;
 
     /**
-     * @param particles   on whom it acts
-     * @param coefficient c (N s&sup2;/m&sup2;, which is kg/m), 0 or more
-     * @param wind        how the air moves
+     * @param particles the particles in the air
+     * @param c         the drag coefficient (N s&sup2;/m&sup2;, which is kg/m), 0 or more
+     * @param wind      how the air moves
      * @throws IllegalArgumentException if c is negative or not finite
      */
-    public QuadraticDrag(Particles particles, double coefficient, Wind wind) {
-        super(particles, wind);
-        requireCoefficient(coefficient);
-        this.coefficient = coefficient;
+    public QuadraticDrag(Particles particles, double c, Wind wind) {
+        super(particles, c, wind);
+        this.c = c;
     }
 
     @Override
@@ -30,26 +32,41 @@ public final class QuadraticDrag extends AirDrag {
     }
 
     @Override
+    public void addForces(double[] state, double time, double[] force, int from, int to) {
+        double[] w = velocityThroughAir(state, time, from, to);
+        for (int v = 6 * from + 3; v < 6 * to; v += 6) {
+            double speed = Math.sqrt(w[v] * w[v] + w[v + 1] * w[v + 1] + w[v + 2] * w[v + 2]);
+            force[v] -= c * speed * w[v];
+            force[v + 1] -= c * speed * w[v + 1];
+            force[v + 2] -= c * speed * w[v + 2];
+        }
+    }
+
+    @Override
     double coefficientAt(double speed) {
-        return coefficient * speed;
+        return c * speed;
     }
 
     @Override
     double coefficientGrowth(double speed) {
-        return coefficient * speed;
+        return c * speed;
     }
 
-    @Override
-    public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double[] air = airAt(state, time, from, to);
-        for (int v = STRIDE * from + 3, u = 3 * from; v < STRIDE * to; v += STRIDE, u += 3) {
-            double wx = state[v] - air[u];
-            double wy = state[v + 1] - air[u + 1];
-            double wz = state[v + 2] - air[u + 2];
-            double c = coefficient * Math.sqrt(wx * wx + wy * wy + wz * wz);
-            force[v] -= c * wx;
-            force[v + 1] -= c * wy;
-            force[v + 2] -= c * wz;
+    /** Quadratic drag in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("kg/m"),
+                "c, the force on a particle over the square of its speed through the air: half the air's density times"
+                        + " cross-section times drag coefficient (kg/m).");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("quadraticDrag", "Air resists every particle in proportion to the square of its speed through the air.",
+                    COEFFICIENT);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.add(new QuadraticDrag(scene.particles(), values.get(COEFFICIENT), scene.wind()));
         }
     }
 }

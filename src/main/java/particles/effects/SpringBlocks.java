@@ -1,7 +1,6 @@
 package particles.effects;
 
 import particles.DivisibleEffect;
-import particles.Memory;
 import particles.Particles;
 
 /**
@@ -97,12 +96,6 @@ final class SpringBlocks {
             }
             stay += i < newIndex.length && newIndex[i] >= 0 ? 1 : 0;
         }
-    }
-
-    void remember(Memory memory) {
-        count = memory.keep(count);
-        starts = memory.keep(starts, 2 * MOST);
-        firstParticles = memory.keep(firstParticles, MOST);
     }
 
     /** How many blocks there are, a power of two. */

@@ -1,10 +1,10 @@
 package particles.effects;
 
-import java.util.EnumSet;
 import java.util.Set;
+import particles.DifferentiableEffect;
 import particles.DivisibleEffect;
 import particles.ForceDerivatives;
-import particles.Memory;
+import particles.IndexedEffect;
 import particles.Particles;
 import particles.SpringView;
 import particles.Vector3;
@@ -26,7 +26,7 @@ import particles.Vector3;
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides "Spring
  * Force" and "Damped Spring Force".
  */
-public final class SpringForce implements DivisibleEffect, SpringView {
+public final class SpringForce implements DivisibleEffect, DifferentiableEffect, IndexedEffect, SpringView {
     private final Particles particles;
     private final SpringTable table = new SpringTable();
     private boolean damped;
@@ -75,8 +75,8 @@ public final class SpringForce implements DivisibleEffect, SpringView {
 
     @Override
     public Set<Trait> getTraits() {
-        return damped ? EnumSet.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT, Trait.DISSIPATIVE)
-                : EnumSet.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT, Trait.CONSERVATIVE);
+        return Set.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT,
+                damped ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
     }
 
     @Override
@@ -95,9 +95,9 @@ public final class SpringForce implements DivisibleEffect, SpringView {
         return table.blocks().count();
     }
 
-    @Override
-    public int getBlockStart(int block) {
-        return table.blocks().start(block);
+    /** @return the first spring of a block or joint; it ends where the next one begins */
+    public int getPartStart(int part) {
+        return table.blocks().start(part);
     }
 
     @Override
@@ -105,21 +105,17 @@ public final class SpringForce implements DivisibleEffect, SpringView {
         return block == table.blocks().count() ? particles.count() : table.blocks().firstParticle(block);
     }
 
-    /** The joints one by one, as several threads do: a particle with springs in two of them has the same bits then. */
     @Override
-    public void addForces(double[] state, double time, double[] force, int from, int to) {
-        table.arrange();
-        SpringBlocks blocks = table.blocks();
-        int joint = blocks.count();
-        SpringKernel.addForces(table, state, force, from, Math.min(to, blocks.start(joint)));
-        for (; joint < 2 * blocks.count() - 1 && blocks.start(joint) < to; joint++) {
-            SpringKernel.addForces(table, state, force, Math.max(from, blocks.start(joint)), Math.min(to, blocks.start(joint + 1)));
-        }
+    public void addPart(int part, double[] state, double time, double[] force) {
+        SpringKernel.addForces(table, state, force, getPartStart(part), getPartStart(part + 1));
     }
 
     @Override
-    public boolean hasForceDerivatives() {
-        return true;
+    public void addForces(double[] state, double time, double[] force) {
+        int parts = 2 * countBlocks() - 1;
+        for (int part = 0; part < parts; part++) {
+            addPart(part, state, time, force);
+        }
     }
 
     @Override
@@ -189,11 +185,6 @@ public final class SpringForce implements DivisibleEffect, SpringView {
     @Override
     public void reindex(int[] newIndex) {
         table.reindex(newIndex);
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        table.remember(memory);
     }
 
     /**

@@ -1,7 +1,6 @@
 package particles.effects;
 
 import java.util.Arrays;
-import particles.Memory;
 import particles.Particles;
 
 /**
@@ -69,19 +68,6 @@ final class SpringTable {
             }
         }
         count = stay;
-        owners = NOT_COUNTED;
-    }
-
-    void remember(Memory memory) {
-        count = memory.keep(count);
-        from = memory.keep(from, count);
-        to = memory.keep(to, count);
-        stiffness = memory.keep(stiffness, count);
-        restLength = memory.keep(restLength, count);
-        damping = memory.keep(damping, count);
-        arranged = memory.keep(arranged);
-        sorted = memory.keep(sorted);
-        blocks.remember(memory);
         owners = NOT_COUNTED;
     }
 

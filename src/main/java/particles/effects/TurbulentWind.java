@@ -1,9 +1,14 @@
 package particles.effects;
 
 import java.util.Arrays;
+import java.util.List;
 import particles.Particles;
 import particles.SeededRandom;
 import particles.Vector3;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /**
  * Turbulent air: a steady wind that carries eddies of many sizes along, smooth in space and time,
@@ -85,9 +90,9 @@ public final class TurbulentWind implements Wind {
                 uy += amplitude[a + 1] * wave;
                 uz += amplitude[a + 2] * wave;
             }
-            wind[3 * i] = ux;
-            wind[3 * i + 1] = uy;
-            wind[3 * i + 2] = uz;
+            wind[STRIDE * i + 3] = ux;
+            wind[STRIDE * i + 4] = uy;
+            wind[STRIDE * i + 5] = uz;
         }
     }
 
@@ -105,6 +110,39 @@ public final class TurbulentWind implements Wind {
             for (int e = 0; e < 9; e++) {
                 gradient[e] += slope * amplitude[a + e / 3] * k[a + e % 3];
             }
+        }
+    }
+
+    /** Turbulence in scenes. */
+    public static final class Keys extends EffectKind {
+        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.notNegative("m/s"),
+                "The root mean square of the eddies' speed (m/s).");
+        private static final Key<Double> EDDY_SIZE = Key.withDefault("eddySize", NumberType.positive("m"), 1.0,
+                "How large the largest eddies are (m); the smallest are an eighth of that.");
+        private static final Key<Vector3> MEAN = Key.withDefault("mean", VectorType.of("m/s"), Vector3.ZERO,
+                "The steady wind that carries the eddies along (m/s).");
+
+        /** The one for all scenes. */
+        public Keys() {
+            super("turbulence", "The air moves in eddies of many sizes, and drag carries particles with it.", STRENGTH,
+                    EDDY_SIZE, MEAN, SharedKeys.SEED);
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.setWind(new TurbulentWind(values.get(MEAN), values.get(STRENGTH), values.get(EDDY_SIZE),
+                    values.get(SharedKeys.SEED)));
+            scene.noteSpeed(values.get(MEAN).length() + values.get(STRENGTH));
+        }
+
+        @Override
+        public List<String> needs() {
+            return List.of("drag", "quadraticDrag");
+        }
+
+        @Override
+        public List<String> excludes() {
+            return List.of("wind");
         }
     }
 }

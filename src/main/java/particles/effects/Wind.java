@@ -7,14 +7,14 @@ import java.util.Arrays;
  */
 public interface Wind {
     /** Air at rest. */
-    Wind STILL = (state, time, wind, from, to) -> Arrays.fill(wind, 3 * from, 3 * to, 0.0);
+    Wind STILL = (state, time, wind, from, to) -> Arrays.fill(wind, 6 * from, 6 * to, 0.0);
 
     /**
      * The velocity of the air where particles are.
      *
      * @param state the particles' state, to be read only; several threads may ask at once, for different particles
      * @param time  t (s)
-     * @param wind  receives the air's velocity at particle i in the entries 3 i, 3 i + 1, 3 i + 2 (m/s)
+     * @param wind  receives the air's velocity at each particle where its own stands in the state (m/s)
      * @param from  first particle
      * @param to    one past the last particle
      */

@@ -8,7 +8,6 @@ import particles.ChartData;
 import particles.ChartData.Mark;
 import particles.ChartData.Series;
 import particles.EnergyLedger;
-import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -63,19 +62,6 @@ public final class EnergyBooks implements Observer {
         if (step % stride != 0) {
             record(system.getTime());
         }
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        ledger.remember(memory);
-        error.remember(memory);
-        List<String> names = new ArrayList<>(work.keySet());
-        int count = memory.keep(names.size());
-        for (int k = 0; k < count; k++) {
-            String name = memory.keep(memory.isReading() ? "" : names.get(k));
-            work.computeIfAbsent(name, unknown -> new Extremes(BUCKETS)).remember(memory);
-        }
-        step = memory.keep(step);
     }
 
     private void record(double time) {

@@ -6,7 +6,6 @@ import particles.ChartData;
 import particles.ChartData.Mark;
 import particles.ChartData.Series;
 import particles.Effect;
-import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -75,16 +74,6 @@ public final class EnergyHistory implements Observer {
         if (step % stride != 0) {
             record(system, system.getOwnState(), system.getTime());
         }
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        kinetic.remember(memory);
-        total.remember(memory);
-        potential.remember(memory);
-        stored.forEach(energy -> energy.remember(memory));
-        step = memory.keep(step);
-        largestOfMotionAndSprings = memory.keep(largestOfMotionAndSprings);
     }
 
     private void record(ParticleSystem system, double[] state, double time) {

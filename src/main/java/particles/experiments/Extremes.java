@@ -1,7 +1,6 @@
 package particles.experiments;
 
 import java.util.Arrays;
-import particles.Memory;
 
 /**
  * A quantity over time, thinned to a few thousand points without losing an extreme: neighbouring samples share a
@@ -78,22 +77,6 @@ final class Extremes {
         }
         buckets /= 2;
         perBucket *= 2;
-    }
-
-    void remember(Memory memory) {
-        buckets = memory.keep(buckets);
-        perBucket = memory.keep(perBucket);
-        samples = memory.keep(samples);
-        firstTime = memory.keep(firstTime);
-        first = memory.keep(first);
-        lastTime = memory.keep(lastTime);
-        last = memory.keep(last);
-        for (double[] values : new double[][] {lowTime, low, highTime, high}) {
-            System.arraycopy(memory.keep(values, buckets), 0, values, 0, buckets);
-        }
-        for (long[] places : new long[][] {lowIndex, highIndex}) {
-            System.arraycopy(memory.keep(places, buckets), 0, places, 0, buckets);
-        }
     }
 
     boolean isEmpty() {

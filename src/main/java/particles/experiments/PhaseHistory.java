@@ -5,7 +5,6 @@ import java.util.List;
 import particles.ChartData;
 import particles.ChartData.Mark;
 import particles.ChartData.Series;
-import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -47,15 +46,6 @@ public final class PhaseHistory implements Observer {
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         add(system, system.getOwnState());
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        count = memory.keep(count);
-        int length = Math.max(path.length, Particles.STRIDE * count);
-        path = Arrays.copyOf(memory.keep(path, Particles.STRIDE * count), length);
-        every = memory.keep(every);
-        states = memory.keep(states);
     }
 
     /** Particles that come and go may move this one to another index; once it is gone, its path has ended. */

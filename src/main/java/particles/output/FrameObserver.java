@@ -1,7 +1,6 @@
 package particles.output;
 
 import java.util.List;
-import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -73,19 +72,6 @@ public final class FrameObserver implements Observer, AutoCloseable {
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         structure++;
-    }
-
-    /** All frames so far are written before they are counted as made; films are made of them again. */
-    @Override
-    public void remember(Memory memory) {
-        int drawn = index;
-        worker.await();
-        index = memory.keep(index);
-        structure = memory.keep(structure);
-        trails.remember(memory);
-        if (memory.isReading()) {
-            worker.resume(drawn, index);
-        }
     }
 
     @Override

@@ -13,19 +13,6 @@ public interface FrameSink extends AutoCloseable {
     void add(int index, int[] rgb);
 
     /**
-     * The run is continued: takes frames again that an earlier run of the program has made.
-     *
-     * @param first   the first of them
-     * @param next    the number of the frame after the last of them
-     * @param earlier what they were
-     */
-    default void resume(int first, int next, EarlierFrames earlier) {
-        for (int index = first; index < next; index++) {
-            add(index, earlier.read(index));
-        }
-    }
-
-    /**
      * No frame follows: what came so far is completed.
      *
      * @throws OutputException if it cannot be

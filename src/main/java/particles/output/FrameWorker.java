@@ -3,7 +3,6 @@ package particles.output;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CountDownLatch;
 
 /**
  * Draws and writes frames on a thread of its own, beside the simulation. A few copies of states go round between the
@@ -17,7 +16,7 @@ final class FrameWorker implements AutoCloseable {
     private final FrameRenderer renderer;
     private final List<FrameSink> sinks;
     private final BlockingQueue<FrameState> free = new ArrayBlockingQueue<>(STATES);
-    private final BlockingQueue<Runnable> waiting = new ArrayBlockingQueue<>(STATES + 2);
+    private final BlockingQueue<Runnable> waiting = new ArrayBlockingQueue<>(STATES + 1);
     private final Thread thread;
     private volatile Throwable failure;
     private boolean reported;
@@ -51,30 +50,6 @@ final class FrameWorker implements AutoCloseable {
             }
             free.add(state);
         });
-    }
-
-    /** Waits until the frames so far are drawn and written. */
-    void await() {
-        CountDownLatch done = new CountDownLatch(1);
-        waiting.add(done::countDown);
-        await(done);
-        reportFailure();
-    }
-
-    /** Gives frames that are there from an earlier run to those who need them. */
-    void resume(int first, int next) {
-        EarlierFrames earlier = sinks.stream().filter(EarlierFrames.class::isInstance).map(EarlierFrames.class::cast)
-                .findFirst().orElseThrow();
-        waiting.add(() -> sinks.forEach(sink -> attempt(() -> sink.resume(first, next, earlier))));
-        await();
-    }
-
-    private static void await(CountDownLatch done) {
-        try {
-            done.await();
-        } catch (InterruptedException e) {
-            throw interrupted(e);
-        }
     }
 
     /** Waits until all frames are drawn and written. */

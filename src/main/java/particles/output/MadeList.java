@@ -54,19 +54,6 @@ final class MadeList {
         list.commit();
     }
 
-    /** Takes over what the list names: the files of a run that is to be continued. */
-    void readOldRun() {
-        Path list = folder.resolve(NAME);
-        try {
-            if (Files.isRegularFile(list, LinkOption.NOFOLLOW_LINKS)) {
-                Files.readAllLines(list, StandardCharsets.UTF_8).stream().filter(name -> PLAIN_NAME.matcher(name).matches())
-                        .forEach(names::add);
-            }
-        } catch (IOException e) {
-            throw new OutputException(list, "read", e);
-        }
-    }
-
     /** Removes what the list names. The list itself stays until the new one replaces it. */
     void removeOldRun() {
         Path list = folder.resolve(NAME);

@@ -23,14 +23,6 @@ public final class OutputFile extends OutputStream {
     @FunctionalInterface
     interface Opener {
         OutputStream open(Path file) throws IOException;
-
-        /** Opens a file that is there, to go on after its first bytes. */
-        default OutputStream openAfter(Path file, long length) throws IOException {
-            try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS)) {
-                channel.truncate(length);
-            }
-            return Files.newOutputStream(file, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);
-        }
     }
 
     /** Never through a link: a file of that name that was there is removed, not written to. */
@@ -43,23 +35,14 @@ public final class OutputFile extends OutputStream {
     private final Path part;
     private final Runnable whenDone;
     private final OutputStream stream;
-    private long written;
-    private long safe;                                  // bytes from which the writing can be continued, 0 for none
     private boolean open = true;
 
     OutputFile(Path file, Opener opener, Runnable whenDone) {
-        this(file, opener, 0, whenDone);
-    }
-
-    /** Goes on with what an earlier run has written under the temporary name, after its first bytes. */
-    OutputFile(Path file, Opener opener, long written, Runnable whenDone) {
         this.file = file;
         this.part = partOf(file);
-        this.written = written;
-        this.safe = written;
         this.whenDone = whenDone;
         try {
-            stream = new BufferedOutputStream(written == 0 ? opener.open(part) : opener.openAfter(part, written), BUFFER);
+            stream = new BufferedOutputStream(opener.open(part), BUFFER);
         } catch (IOException e) {
             whenDone.run();
             throw new OutputException(file, "write", e);
@@ -79,13 +62,11 @@ public final class OutputFile extends OutputStream {
     @Override
     public synchronized void write(int b) {
         attempt(() -> stream.write(b));
-        written++;
     }
 
     @Override
     public synchronized void write(byte[] bytes, int offset, int length) {
         attempt(() -> stream.write(bytes, offset, length));
-        written += length;
     }
 
     /**
@@ -112,44 +93,12 @@ public final class OutputFile extends OutputStream {
     }
 
     /**
-     * Brings what was written so far safely to the disk, also for the case that the power fails. From now on so much stays
-     * under the temporary name when the file is closed without commit, so that the writing can be continued.
-     *
-     * @return how many bytes that are
-     */
-    public synchronized long sync() {
-        attempt(() -> {
-            stream.flush();
-            force();
-        });
-        safe = written;
-        return written;
-    }
-
-    /**
      * The file is complete: gives it its name, in one move that replaces what was there.
      *
      * @throws OutputException if that fails; nothing is left then
      */
     public synchronized void commit() {
-        commit(false);
-    }
-
-    /**
-     * The same, with the file on the disk before it has its name, also for the case that the power fails.
-     *
-     * @throws OutputException if that fails; nothing is left then
-     */
-    public synchronized void commitSafely() {
-        commit(true);
-    }
-
-    private void commit(boolean safely) {
         attempt(() -> {
-            stream.flush();
-            if (safely) {
-                force();
-            }
             stream.close();
             if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS)) {
                 throw new IOException("a folder is where the file should be");
@@ -172,26 +121,10 @@ public final class OutputFile extends OutputStream {
             try {
                 stream.close();
             } finally {
-                discard();
+                Files.deleteIfExists(part);
             }
         } catch (IOException e) {
             throw new OutputException(part, "remove", e);
-        }
-    }
-
-    private void force() throws IOException {
-        try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
-            channel.force(false);
-        }
-    }
-
-    private void discard() throws IOException {
-        if (safe == 0) {
-            Files.deleteIfExists(part);
-        } else if (Files.exists(part)) {
-            try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
-                channel.truncate(safe);
-            }
         }
     }
 

@@ -2,9 +2,7 @@ package particles.output;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -24,11 +22,9 @@ public final class OutputFolder implements AutoCloseable {
     private final OutputFile.Opener opener;
     private final MadeList made;
     private final Set<OutputFile> unfinished = new LinkedHashSet<>();
-    private final boolean reopened;
     private boolean closed;
 
-    private OutputFolder(Path path, OutputFile.Opener opener, boolean reopened) {
-        this.reopened = reopened;
+    private OutputFolder(Path path, OutputFile.Opener opener) {
         this.path = path;
         this.opener = opener;
         this.made = new MadeList(path, opener);
@@ -49,35 +45,16 @@ public final class OutputFolder implements AutoCloseable {
 
     static OutputFolder open(Path path, OutputFile.Opener opener, String... names) {
         createFolder(path);
-        OutputFolder folder = new OutputFolder(path, opener, false);
+        OutputFolder folder = new OutputFolder(path, opener);
         folder.made.removeOldRun();
-        folder.claimAll(names);
-        return folder;
-    }
-
-    /**
-     * Opens the folder of a run that is to be continued; nothing is removed from it.
-     *
-     * @param path  where
-     * @param names the files that are going to be written
-     * @return the folder, ready to be written to
-     * @throws OutputException if it cannot be written, or holds a file of these names that no run made
-     */
-    public static OutputFolder reopen(Path path, String... names) {
-        OutputFolder folder = new OutputFolder(path, OutputFile.ON_DISK, true);
-        folder.made.readOldRun();
-        folder.claimAll(names);
-        return folder;
-    }
-
-    private void claimAll(String... names) {
         for (String name : names) {
-            made.claim(name);
+            folder.made.claim(name);
         }
-        made.write();
-        if (made.contains(FRAMES)) {
+        folder.made.write();
+        if (folder.made.contains(FRAMES)) {
             createFolder(path.resolve(FRAMES));
         }
+        return folder;
     }
 
     private static void createFolder(Path path) {
@@ -86,11 +63,6 @@ public final class OutputFolder implements AutoCloseable {
         } catch (IOException e) {
             throw new OutputException(path, "create the folder", e);
         }
-    }
-
-    /** @return whether it holds a run that is to be continued */
-    public boolean isReopened() {
-        return reopened;
     }
 
     /** @return where the folder is */
@@ -107,52 +79,7 @@ public final class OutputFolder implements AutoCloseable {
      */
     public OutputFile create(String name) {
         claim(name);
-        return begin(path.resolve(name), 0);
-    }
-
-    /**
-     * Goes on with a file that an earlier run began: whether that run was stopped and completed the file, or was killed and
-     * did not.
-     *
-     * @param name   its name
-     * @param length how many of its bytes stand; what follows them is taken back
-     * @return the file, to be written on and committed
-     * @throws OutputException if it cannot be written, or is not as long as that
-     */
-    public OutputFile goOn(String name, long length) {
-        claim(name);
-        Path file = path.resolve(name);
-        Path part = OutputFile.partOf(file);
-        try {
-            if (size(part) < length) {
-                if (size(file) < length) {
-                    throw new OutputException(file, "continue", "it is not as long any more as when the run was interrupted",
-                            null);
-                }
-                Files.copy(file, part, StandardCopyOption.REPLACE_EXISTING);
-            }
-        } catch (IOException e) {
-            throw new OutputException(file, "continue", e);
-        }
-        return begin(file, length);
-    }
-
-    private static long size(Path file) throws IOException {
-        return Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) ? Files.size(file) : -1;
-    }
-
-    /**
-     * Removes a file of this run.
-     *
-     * @param name its name
-     * @throws OutputException if it cannot be removed
-     */
-    public void remove(String name) {
-        try {
-            Files.deleteIfExists(path.resolve(name));
-        } catch (IOException e) {
-            throw new OutputException(path.resolve(name), "remove", e);
-        }
+        return begin(path.resolve(name));
     }
 
     /**
@@ -166,12 +93,7 @@ public final class OutputFolder implements AutoCloseable {
         if (claim(FRAMES)) {
             createFolder(path.resolve(FRAMES));
         }
-        return begin(frameFile(index), 0);
-    }
-
-    /** Where a frame is. */
-    Path frameFile(int index) {
-        return path.resolve(FRAMES).resolve(String.format(Locale.ROOT, "frame-%05d.png", index));
+        return begin(path.resolve(FRAMES).resolve(String.format(Locale.ROOT, "frame-%05d.png", index)));
     }
 
     /**
@@ -198,12 +120,12 @@ public final class OutputFolder implements AutoCloseable {
         return true;
     }
 
-    private synchronized OutputFile begin(Path file, long length) {
+    private synchronized OutputFile begin(Path file) {
         if (closed) {
             throw new OutputException(file, "write", "the run is being stopped", null);
         }
         OutputFile[] self = new OutputFile[1];
-        self[0] = new OutputFile(file, opener, length, () -> done(self[0]));
+        self[0] = new OutputFile(file, opener, () -> done(self[0]));
         unfinished.add(self[0]);
         return self[0];
     }

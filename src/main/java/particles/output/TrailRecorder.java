@@ -1,11 +1,9 @@
 package particles.output;
 
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
-import particles.Memory;
 import particles.ParticleSystem;
 import particles.Particles;
 
@@ -62,22 +60,6 @@ final class TrailRecorder {
             samples.removeFirst();
         }
         next = time + interval;
-    }
-
-    void remember(Memory memory) {
-        next = memory.keep(next);
-        structure = memory.keep(structure);
-        ids = Arrays.copyOf(ids, memory.keep(ids.length));
-        for (int i = 0; i < ids.length; i++) {
-            ids[i] = memory.keep(memory.isReading() ? "" : ids[i]);
-        }
-        TrailSample[] known = samples();
-        int count = memory.keep(known.length);
-        samples.clear();
-        for (int k = 0; k < count; k++) {
-            samples.addLast(TrailSample.remembered(memory, memory.isReading() ? new TrailSample(0, new float[0], SAME)
-                    : known[k]));
-        }
     }
 
     /** Who is who: ids stay when indices do not. */

@@ -5,7 +5,6 @@ import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import particles.Memory;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -26,12 +25,11 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     public static final String FILE = "trajectory.csv";
     private static final String HEADER = "time,particle,x,y,z,vx,vy,vz\n";
 
-    private final OutputFolder folder;
     private final long stride;
-    private OutputFile file;
-    private Writer out;
+    private final OutputFile file;
+    private final Writer out;
     private long step;
-    private boolean open;
+    private boolean open = true;
     private ParticleSystem unwritten;       // whose present state is not in the file yet
 
     /**
@@ -43,18 +41,10 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         if (stride < 1) {
             throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
         }
-        this.folder = folder;
         this.stride = stride;
-        if (!folder.isReopened()) {             // there the file is opened when it is known how much of it stands
-            begin(folder.create(FILE));
-            attempt(() -> out.write(HEADER));
-        }
-    }
-
-    private void begin(OutputFile whole) {
-        open = true;
-        file = whole;
+        file = folder.create(FILE);
         out = new OutputStreamWriter(file, StandardCharsets.UTF_8);
+        attempt(() -> out.write(HEADER));
     }
 
     /**
@@ -81,17 +71,6 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
             write(motion.getSystem(), motion.getStartState(), motion.getStartTime());
         }
         step++;
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        step = memory.keep(step);
-        if (memory.isReading()) {
-            begin(folder.goOn(FILE, memory.keep(0L)));
-        } else {
-            attempt(out::flush);
-            memory.keep(file.sync());
-        }
     }
 
     @Override

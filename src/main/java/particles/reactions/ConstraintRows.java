@@ -1,7 +1,6 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.Memory;
 import particles.Particles;
 
 /**
@@ -19,7 +18,6 @@ final class ConstraintRows {
     private int[] to = new int[4];
     private double[] length = new double[4];
     private int[] bead = new int[4];                    // by bead: its particle
-    private int[] number = new int[4];                  // of the bead as it was added
     private Curve[] curve = new Curve[4];
 
     double[] value = {};                                // by row: rods first, then two of each bead
@@ -45,11 +43,9 @@ final class ConstraintRows {
     void addBead(int particle, Curve along) {
         if (beads == bead.length) {
             bead = Arrays.copyOf(bead, 2 * beads);
-            number = Arrays.copyOf(number, 2 * beads);
             curve = Arrays.copyOf(curve, 2 * beads);
         }
         bead[beads] = particle;
-        number[beads] = beads;
         curve[beads++] = along;
         fit();
     }
@@ -76,27 +72,10 @@ final class ConstraintRows {
         for (int b = 0; b < beads; b++) {
             if (newIndex[bead[b]] >= 0) {
                 bead[kept] = newIndex[bead[b]];
-                number[kept] = number[b];
                 curve[kept++] = curve[b];
             }
         }
         beads = kept;
-        fit();
-    }
-
-    /** The curves follow from the scene; which beads are left, and which particles they are by now, does not. */
-    void remember(Memory memory) {
-        rods = memory.keep(rods);
-        from = memory.keep(from, rods);
-        to = memory.keep(to, rods);
-        length = memory.keep(length, rods);
-        beads = memory.keep(beads);
-        bead = memory.keep(bead, beads);
-        number = memory.keep(number, beads);
-        Curve[] before = curve.clone();
-        for (int b = 0; b < beads && memory.isReading(); b++) {
-            curve[b] = before[number[b]];
-        }
         fit();
     }
 

@@ -1,7 +1,6 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.Memory;
 import particles.Particles;
 
 /**
@@ -88,17 +87,6 @@ public final class ContactModes {
                 for (Mode mode : before[i]) {
                     touching += mode == Mode.FREE ? 0 : 1;
                 }
-            }
-        }
-    }
-
-    /** As the number of each mode; particles that never touched anything are written like free ones. */
-    void remember(Memory memory) {
-        int end = memory.keep(modes.length);
-        modes = Arrays.copyOf(modes, end);
-        for (int i = 0; i < end; i++) {
-            for (int p = 0; p < surfaces; p++) {
-                set(p, i, Mode.values()[memory.keep(get(p, i).ordinal())]);
             }
         }
     }

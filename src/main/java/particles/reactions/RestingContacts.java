@@ -3,7 +3,6 @@ package particles.reactions;
 import java.util.List;
 import java.util.Optional;
 import particles.ForceDerivatives;
-import particles.Memory;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
@@ -230,12 +229,6 @@ public final class RestingContacts implements Reaction {
             power = isCoupled(i) ? power : response.addPower(power, i, state, force);
         }
         return power;
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        modes.remember(memory);
-        sliding.forget();
     }
 
     @Override

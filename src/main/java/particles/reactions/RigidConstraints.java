@@ -1,7 +1,6 @@
 package particles.reactions;
 
 import java.util.Optional;
-import particles.Memory;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Reaction;
@@ -252,12 +251,6 @@ public final class RigidConstraints implements Reaction, SpringView {
         arrange();
         boolean moved = projection.positions(state, time, particles.inverseMasses());
         return projection.velocities(state, particles.inverseMasses()) | moved;
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        rows.remember(memory);
-        arranged = false;
     }
 
     @Override

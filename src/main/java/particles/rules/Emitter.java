@@ -1,6 +1,5 @@
 package particles.rules;
 
-import particles.Memory;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.SeededRandom;
@@ -71,13 +70,6 @@ public final class Emitter implements Rule {
             any = true;
         }
         return any;
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        startTime = memory.keep(startTime);
-        born = memory.keep(born);
-        random.remember(memory);
     }
 
     private double nextBirth() {

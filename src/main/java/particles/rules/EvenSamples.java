@@ -1,7 +1,6 @@
 package particles.rules;
 
 import java.util.Arrays;
-import particles.Memory;
 import particles.ParticleSystem;
 import particles.Particles;
 import particles.Rule;
@@ -89,12 +88,6 @@ public final class EvenSamples implements Rule {
         }
         system.removeParticles(Arrays.copyOf(gone, system.getParticles().count()));
         return true;
-    }
-
-    @Override
-    public void remember(Memory memory) {
-        made = memory.keep(made);
-        random.remember(memory);
     }
 
     private boolean mayChange(ParticleSystem system, int i) {

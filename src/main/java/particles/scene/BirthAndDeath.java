@@ -3,14 +3,15 @@ package particles.scene;
 import java.util.Optional;
 import particles.Plane;
 import particles.Vector3;
+import particles.effects.SharedKeys;
 import particles.rules.Emitter;
 import particles.rules.EvenSamples;
 import particles.rules.KillPlane;
 import particles.rules.SpringTear;
-import particles.scene.spec.Key;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** The rules by which springs end and particles begin and end; {@link RuleKind#ALL} lists them. */
 final class BirthAndDeath {
@@ -50,13 +51,13 @@ final class BirthAndDeath {
 
     static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION,
             SPREAD, SPEED,
-            RATE, MASS, LIFETIME, MoreEffects.SEED) {
+            RATE, MASS, LIFETIME, SharedKeys.SEED) {
         @Override
         void build(Values values, SceneAssembly assembly) {
             double lifetime = values.find(LIFETIME).orElse(Double.POSITIVE_INFINITY);
             assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), values.get(POSITION), values.get(RADIUS),
                     values.get(DIRECTION), StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED), values.get(RATE),
-                    values.get(MASS), lifetime, values.get(MoreEffects.SEED))));
+                    values.get(MASS), lifetime, values.get(SharedKeys.SEED))));
             if (lifetime < Double.POSITIVE_INFINITY) {
                 assembly.letDie();
             }
@@ -102,12 +103,12 @@ final class BirthAndDeath {
             "No particle becomes lighter than this by becoming two (kg).");
 
     static final RuleKind SAMPLES = new RuleKind("samples", "Particles merge and split so that they are spread evenly.", FARTHEST,
-            CLOSEST, LIGHTEST, SAMPLE_ID, MoreEffects.SEED) {
+            CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED) {
         @Override
         void build(Values values, SceneAssembly assembly) {
             double farthest = values.get(FARTHEST);
             assembly.add(new EvenSamples(values.get(SAMPLE_ID), assembly.springs(), farthest * values.get(CLOSEST), farthest,
-                    values.get(LIGHTEST), values.get(MoreEffects.SEED)));
+                    values.get(LIGHTEST), values.get(SharedKeys.SEED)));
         }
 
         @Override

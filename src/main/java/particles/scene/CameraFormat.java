@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 import particles.Camera;
 import particles.Vector3;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Problems;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** What a scene says of its camera. */
 final class CameraFormat {

@@ -6,12 +6,12 @@ import java.util.Optional;
 import java.util.function.BiPredicate;
 import particles.Vector3;
 import particles.reactions.Curve;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.Key;
-import particles.scene.spec.Place;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
-import particles.scene.spec.Wording;
+import particles.spec.Chosen;
+import particles.spec.Key;
+import particles.spec.Place;
+import particles.spec.Problems;
+import particles.spec.Values;
+import particles.spec.Wording;
 
 /** What has to hold for a scene's rods and wires: ends that are known and free, and nothing that moves against them. */
 final class ConstraintChecks {

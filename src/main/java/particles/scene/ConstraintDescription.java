@@ -8,12 +8,12 @@ import particles.reactions.Curve;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.rules.ConstraintProjection;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.FlagType;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
+import particles.spec.Chosen;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Values;
 
 /**
  * The rods and wires of a scene and how they are kept.

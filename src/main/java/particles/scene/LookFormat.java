@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Locale;
 import particles.Look;
 import particles.Style;
-import particles.scene.spec.Key;
-import particles.scene.spec.ListType;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Problems;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
+import particles.spec.Key;
+import particles.spec.ListType;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Problems;
+import particles.spec.TextType;
+import particles.spec.Values;
 
 /** What a scene says of how it is drawn. */
 final class LookFormat {

@@ -3,7 +3,7 @@ package particles.scene;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.Locale;
-import particles.scene.spec.Problems;
+import particles.spec.Problems;
 
 /**
  * How much memory a scene takes while it runs, told from its numbers before anything is built. The bytes are those that were

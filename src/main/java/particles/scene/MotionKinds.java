@@ -6,11 +6,11 @@ import particles.Vector3;
 import particles.rules.CircleMotion;
 import particles.rules.GlideMotion;
 import particles.rules.SineMotion;
-import particles.scene.spec.Key;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** The given motions of fixed particles; {@link RuleKind#ALL} lists them. */
 abstract class MotionKinds extends RuleKind {

@@ -4,14 +4,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import particles.scene.spec.FlagType;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Place;
-import particles.scene.spec.Values;
-import particles.scene.spec.WholeNumberType;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Place;
+import particles.spec.Values;
+import particles.spec.WholeNumberType;
 
 /**
  * What a run of a scene writes.

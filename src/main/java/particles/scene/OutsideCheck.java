@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import particles.Obstacle;
 import particles.Vector3;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
-import particles.scene.spec.Wording;
+import particles.spec.Chosen;
+import particles.spec.Problems;
+import particles.spec.Values;
+import particles.spec.Wording;
 
 /** Whether everything begins outside of the ground and the other solids; what is fixed may stand in them. */
 final class OutsideCheck {

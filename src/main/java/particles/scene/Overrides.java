@@ -4,9 +4,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import particles.scene.spec.Key;
-import particles.scene.spec.Place;
-import particles.scene.spec.Problems;
+import particles.spec.Key;
+import particles.spec.Place;
+import particles.spec.Problems;
 
 /** What was said beside a scene's file, in options, and goes before it; checked in the same way. */
 public final class Overrides {

@@ -1,14 +1,14 @@
 package particles.scene;
 
 import particles.Vector3;
-import particles.scene.spec.FlagType;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Place;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Place;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /**
  * One particle of a scene.

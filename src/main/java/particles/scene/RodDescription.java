@@ -1,9 +1,9 @@
 package particles.scene;
 
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.Place;
-import particles.scene.spec.Values;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.Place;
+import particles.spec.Values;
 
 /**
  * One rigid rod of a scene, as long as the initial distance.

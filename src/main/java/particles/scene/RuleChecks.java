@@ -6,12 +6,12 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.Key;
-import particles.scene.spec.Place;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
-import particles.scene.spec.Wording;
+import particles.spec.Chosen;
+import particles.spec.Key;
+import particles.spec.Place;
+import particles.spec.Problems;
+import particles.spec.Values;
+import particles.spec.Wording;
 
 /** What has to hold between rules and the particles and springs that they name or act on. */
 final class RuleChecks {

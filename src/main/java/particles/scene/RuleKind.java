@@ -6,15 +6,16 @@ import java.util.Optional;
 import particles.Obstacle;
 import particles.Plane;
 import particles.Vector3;
+import particles.effects.SharedKeys;
 import particles.reactions.ContactSurface;
 import particles.reactions.Friction;
-import particles.scene.spec.Key;
-import particles.scene.spec.Kind;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** The rules that a scene can name: each is one entry of {@link #ALL}, with its keys and what it builds. */
 public abstract class RuleKind implements Kind {
@@ -146,10 +147,10 @@ public abstract class RuleKind implements Kind {
 
     private static final RuleKind SPHERE = new OfSolid("sphere",
             "A ball, or the inside of a hollow one, that particles bounce off, rest on and slide along.",
-            MoreEffects.SPHERE_CENTRE, MoreEffects.RADIUS, MoreEffects.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
+            SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
         @Override
         Optional<Obstacle> obstacle(Values values) {
-            return Optional.of(MoreEffects.sphere(values));
+            return Optional.of(SharedKeys.sphere(values));
         }
     };
 

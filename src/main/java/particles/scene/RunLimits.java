@@ -1,10 +1,10 @@
 package particles.scene;
 
 import java.util.Map;
-import particles.scene.spec.Key;
-import particles.scene.spec.Place;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Wording;
+import particles.spec.Key;
+import particles.spec.Place;
+import particles.spec.Problems;
+import particles.spec.Wording;
 
 /** How long a run may be, in steps and pictures, before it can only be a slip of the finger. */
 final class RunLimits {

@@ -14,13 +14,14 @@ import particles.Scenery;
 import particles.Sphere;
 import particles.Surface;
 import particles.Vector3;
+import particles.effects.EffectContext;
 import particles.effects.SpringForce;
 import particles.effects.Wind;
 import particles.reactions.ContactSurface;
 import particles.rules.Lifetimes;
 
 /** A scene's system while effects and rules are being added to it, and what they share. */
-final class SceneAssembly {
+final class SceneAssembly implements EffectContext {
     private final ParticleSystem system;
     private final SpringForce springs;
     private final ParticleIndex index;
@@ -82,11 +83,13 @@ final class SceneAssembly {
         return births;
     }
 
-    Particles particles() {
+    @Override
+    public Particles particles() {
         return system.getParticles();
     }
 
-    void add(Effect effect) {
+    @Override
+    public void add(Effect effect) {
         system.addEffect(effect);
     }
 
@@ -95,8 +98,8 @@ final class SceneAssembly {
         show(surface.obstacle());
     }
 
-    /** @param solid to be drawn */
-    void show(Obstacle solid) {
+    @Override
+    public void show(Obstacle solid) {
         solids.add(solid);
     }
 
@@ -115,17 +118,18 @@ final class SceneAssembly {
         return surfaces;
     }
 
-    /** @param moving the wind that drag is to ask */
-    void blow(Wind moving) {
-        wind = moving;
+    @Override
+    public void setWind(Wind wind) {
+        this.wind = wind;
     }
 
-    Wind wind() {
+    @Override
+    public Wind wind() {
         return wind;
     }
 
-    /** @param g an acceleration that every particle feels (m/s&sup2;); for the energy scale */
-    void noteAcceleration(Vector3 g) {
+    @Override
+    public void noteAcceleration(Vector3 g) {
         acceleration = acceleration.plus(g);
     }
 
@@ -133,8 +137,8 @@ final class SceneAssembly {
         return acceleration;
     }
 
-    /** @param fastest a speed up to which particles are carried (m/s); for the energy scale */
-    void noteSpeed(double fastest) {
+    @Override
+    public void noteSpeed(double fastest) {
         speed = Math.max(speed, fastest);
     }
 

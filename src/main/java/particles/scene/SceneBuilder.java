@@ -11,11 +11,14 @@ import particles.Scenery;
 import particles.Simulation;
 import particles.Surface;
 import particles.Vector3;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectKind;
 import particles.effects.SpringForce;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
-import particles.scene.spec.Problems;
+import particles.spec.Chosen;
+import particles.spec.Problems;
 
 /** From a description to a simulation: what it names is built, and nothing else. */
 public final class SceneBuilder {
@@ -55,7 +58,7 @@ public final class SceneBuilder {
             system.addEffect(springs);
         }
         SceneAssembly assembly = new SceneAssembly(system, springs, index);
-        scene.effects().stream().sorted(Comparator.comparingInt(effect -> EffectKind.ALL.indexOf(effect.kind())))
+        scene.effects().stream().sorted(Comparator.comparingInt(SceneBuilder::turn))
                 .forEach(effect -> effect.kind().build(effect.values(), assembly));
         scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
@@ -78,6 +81,12 @@ public final class SceneBuilder {
                 .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis()));
         return new Scene(scene, simulation, system, solver, springs, assembly.scenery(surfaces), scene.camera(),
                 scene.look(), scene.output(), phase, scale);
+    }
+
+    /** Effects are built in the order of the catalogue, and then those that it does not have. */
+    private static int turn(Chosen<EffectKind> effect) {
+        int index = EffectCatalog.ALL.indexOf(effect.kind());
+        return index < 0 ? EffectCatalog.ALL.size() : index;
     }
 
     /** In the order of {@link ParticleIndex}. */

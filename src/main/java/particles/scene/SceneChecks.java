@@ -7,12 +7,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import particles.Camera;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.Key;
-import particles.scene.spec.Place;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
-import particles.scene.spec.Wording;
+import particles.effects.EffectKind;
+import particles.spec.Chosen;
+import particles.spec.Key;
+import particles.spec.Place;
+import particles.spec.Problems;
+import particles.spec.Values;
+import particles.spec.Wording;
 
 /** What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go. */
 final class SceneChecks {
@@ -174,22 +175,22 @@ final class SceneChecks {
 
     private void checkEffects() {
         List<Chosen<EffectKind>> effects = scene.find(SceneFormat.EFFECTS).orElse(List.of());
-        Map<EffectKind, Place> named = new HashMap<>();
+        Map<String, Place> named = new HashMap<>();
         for (Chosen<EffectKind> effect : effects) {
-            Place first = named.putIfAbsent(effect.kind(), effect.place());
+            Place first = named.putIfAbsent(effect.kind().name(), effect.place());
             if (first != null && !effect.kind().isRepeatable()) {
                 problems.add(effect.place(), "'" + effect.kind().name() + "' is named twice, first at line " + first.line());
             }
         }
         for (Chosen<EffectKind> effect : effects) {
-            List<EffectKind> needs = effect.kind().needs();
+            List<String> needs = effect.kind().needs();
             if (!needs.isEmpty() && needs.stream().noneMatch(named::containsKey)) {
                 problems.add(effect.place(), "'" + effect.kind().name() + "' acts only through '"
-                        + String.join("' or '", needs.stream().map(EffectKind::name).toList())
-                        + "', which the scene does not name; add '- " + needs.get(0).name() + ": ...' to 'effects'");
+                        + String.join("' or '", needs)
+                        + "', which the scene does not name; add '- " + needs.get(0) + ": ...' to 'effects'");
             }
-            effect.kind().excludes().filter(named::containsKey).ifPresent(other -> problems.add(effect.place(), "'"
-                    + effect.kind().name() + "' and '" + other.name() + "' are two answers to one question; keep one of them"));
+            effect.kind().excludes().stream().filter(named::containsKey).forEach(other -> problems.add(effect.place(), "'"
+                    + effect.kind().name() + "' and '" + other + "' cannot be combined; keep one of them"));
         }
     }
 

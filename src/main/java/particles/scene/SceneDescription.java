@@ -5,9 +5,10 @@ import java.util.Map;
 import java.util.Optional;
 import particles.Camera;
 import particles.Look;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.Key;
-import particles.scene.spec.Place;
+import particles.effects.EffectKind;
+import particles.spec.Chosen;
+import particles.spec.Key;
+import particles.spec.Place;
 
 /**
  * What a scene file says, checked as a whole.

@@ -1,18 +1,20 @@
 package particles.scene;
 
 import java.util.List;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.JsonSchema;
-import particles.scene.spec.Key;
-import particles.scene.spec.KindType;
-import particles.scene.spec.ListType;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Reference;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
-import particles.scene.spec.WholeNumberType;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectKind;
+import particles.spec.Chosen;
+import particles.spec.JsonSchema;
+import particles.spec.Key;
+import particles.spec.KindType;
+import particles.spec.ListType;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Reference;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.WholeNumberType;
 
 /** What a scene file may say: the root of everything that reading, messages, schema and reference are made from. */
 public final class SceneFormat {
@@ -41,7 +43,8 @@ public final class SceneFormat {
     static final Key<Values> CONSTRAINTS = Key.optional("constraints", ConstraintDescription.TYPE,
             "How rods and wires are kept.");
     static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
-            ListType.of("an effect", new KindType<>("effect", EffectKind.ALL)), List.of(),
+            ListType.of("an effect", new KindType<>("effect", EffectCatalog.ALL)
+                    .orByClass(EffectKind.class, "exercises.MyForce")), List.of(),
             "Forces that act on all particles; what is not named does not act.");
     static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
             ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),

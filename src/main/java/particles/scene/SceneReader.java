@@ -5,11 +5,12 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Optional;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Reading;
-import particles.scene.spec.SourceText;
-import particles.scene.spec.Values;
-import particles.scene.spec.YamlText;
+import particles.spec.ClassNames;
+import particles.spec.Problems;
+import particles.spec.Reading;
+import particles.spec.SourceText;
+import particles.spec.Values;
+import particles.spec.YamlText;
 
 /** Reads scene files. */
 public final class SceneReader {
@@ -24,13 +25,25 @@ public final class SceneReader {
      * @throws SceneException with everything that is wrong with it
      */
     public static SceneDescription read(Path file) {
+        return read(file, ClassNames.none());
+    }
+
+    /**
+     * Reads a file that may name students' classes.
+     *
+     * @param file    a scene
+     * @param classes finds the classes that it names
+     * @return what it says
+     * @throws SceneException with everything that is wrong with it
+     */
+    public static SceneDescription read(Path file, ClassNames classes) {
         String source = file.toString().replace('\\', '/');
         Problems problems = new Problems();
         Optional<byte[]> bytes = SourceText.read(file, new Reading(source, problems));
         if (bytes.isEmpty()) {
             throw new SceneException(problems.lines());
         }
-        return read(source, bytes.get());
+        return read(source, bytes.get(), classes);
     }
 
     /**
@@ -42,8 +55,13 @@ public final class SceneReader {
      * @throws SceneException with everything that is wrong with it
      */
     public static SceneDescription read(String source, byte[] bytes) {
+        return read(source, bytes, ClassNames.none());
+    }
+
+    /** As {@link #read(String, byte[])}, with classes as in {@link #read(Path, ClassNames)}. */
+    public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
         Problems problems = new Problems();
-        return readValues(bytes, new Reading(source, problems))
+        return readValues(bytes, new Reading(source, problems, classes))
                 .flatMap(values -> new SceneChecks(values, problems).describe(source, sha256(bytes)))
                 .orElseThrow(() -> new SceneException(problems.lines()));
     }

@@ -9,11 +9,11 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import particles.Vector3;
 import particles.scene.SpringFamily.Sort;
-import particles.scene.spec.Chosen;
-import particles.scene.spec.Place;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
-import particles.scene.spec.Wording;
+import particles.spec.Chosen;
+import particles.spec.Place;
+import particles.spec.Problems;
+import particles.spec.Values;
+import particles.spec.Wording;
 
 /**
  * A rope, a cloth or a block of jelly.

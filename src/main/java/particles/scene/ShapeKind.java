@@ -6,17 +6,17 @@ import java.util.List;
 import java.util.stream.Stream;
 import particles.Vector3;
 import particles.scene.SpringFamily.Sort;
-import particles.scene.spec.FlagType;
-import particles.scene.spec.Key;
-import particles.scene.spec.Kind;
-import particles.scene.spec.ListType;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
-import particles.scene.spec.WholeNumberType;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.ListType;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+import particles.spec.WholeNumberType;
 
 /** The shapes that a scene can name: each is one entry of {@link #ALL}, with its keys and where it puts its particles. */
 public abstract class ShapeKind implements Kind {

@@ -1,8 +1,8 @@
 package particles.scene;
 
 import java.util.List;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Values;
+import particles.spec.Problems;
+import particles.spec.Values;
 
 /** Whether a scene has no more than a scene may have, before anything is built. */
 final class SizeCheck {

@@ -5,19 +5,18 @@ import deSolvers.catalog.SolverCatalog;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NameType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Problems;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
+import particles.spec.ClassNames;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Problems;
+import particles.spec.Values;
 
 /** What a scene says of its solver: a name, or a name with tolerances. */
 final class SolverFormat {
     static final Key<String> NAME = Key.required("name", NameType.or("solver", SolverCatalog.names(),
-            TextType.of("the full name of a class, such as exercises.MySolver",
-                    "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$")),
+            ClassNames.form("exercises.MySolver")),
             "The method that solves the equations of motion.");
     static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 0.1, ""), 
             "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 where only the other is"

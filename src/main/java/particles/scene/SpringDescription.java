@@ -1,12 +1,12 @@
 package particles.scene;
 
 import java.util.Optional;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Place;
-import particles.scene.spec.TextType;
-import particles.scene.spec.Values;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Place;
+import particles.spec.TextType;
+import particles.spec.Values;
 
 /**
  * One spring of a scene.

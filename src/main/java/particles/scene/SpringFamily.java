@@ -2,10 +2,10 @@ package particles.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Values;
 
 /**
  * Springs of one sort in a shape, all with the same constants, each as long at rest as it is at the start.

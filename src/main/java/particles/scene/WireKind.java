@@ -6,12 +6,12 @@ import particles.reactions.CircularWire;
 import particles.reactions.Curve;
 import particles.reactions.GraphWire;
 import particles.reactions.StraightWire;
-import particles.scene.spec.Key;
-import particles.scene.spec.Kind;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.NumberType;
-import particles.scene.spec.Values;
-import particles.scene.spec.VectorType;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
 
 /** The wires that a bead can slide along: each is one entry of {@link #ALL}, with its keys and the curve it is. */
 public abstract class WireKind implements Kind {

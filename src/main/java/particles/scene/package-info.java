@@ -4,6 +4,6 @@
  * <p>{@link particles.scene.SceneReader} reads a file into a {@link particles.scene.SceneDescription}, or says everything
  * that is wrong with it, each with its place; {@link particles.scene.SceneBuilder} builds what the description names
  * and nothing else. What may stand in a file is said once, in {@link particles.scene.SceneFormat} and the catalogues
- * {@link particles.scene.ShapeKind}, {@link particles.scene.EffectKind} and {@link particles.scene.RuleKind}.
+ * {@link particles.scene.ShapeKind}, {@link particles.effects.EffectCatalog} and {@link particles.scene.RuleKind}.
  */
 package particles.scene;

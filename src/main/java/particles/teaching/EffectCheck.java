@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import particles.Effect;
@@ -64,9 +65,9 @@ public final class EffectCheck {
         findings.add(new Finding(kind, text));
     }
 
-    private double[] force(double[] at, int from, int to) {
+    private double[] force(double[] at) {
         double[] force = new double[n];
-        effect.addForces(at, 0, force, from, to);
+        effect.addForces(at, 0, force);
         return force;
     }
 
@@ -74,56 +75,55 @@ public final class EffectCheck {
         return EffectWriting.entry(system, k);
     }
 
-    /** Newton's third law, item by item. */
+    /** Newton's third law: the forces add up to 0. Where they do not, it looks for a pair of particles that breaks the law. */
     private void partners() {
         if (!effect.getTraits().contains(Trait.INTERNAL)) {
             return;
         }
-        for (int item = 0; item < effect.size(); item++) {
-            double[] force = force(state, item, item + 1);
-            Set<Integer> pushed = new LinkedHashSet<>();
-            double size = 0;
-            double[] sum = new double[3];
-            for (int k = 0; k < n; k++) {
-                if (force[k] != 0) {
-                    pushed.add(k / 6);
-                    sum[k % 3] += force[k];
-                    size = Math.max(size, Math.abs(force[k]));
-                }
-            }
-            double rest = Math.max(Math.abs(sum[0]), Math.max(Math.abs(sum[1]), Math.abs(sum[2])));
-            if (rest <= 1e-10 * size) {
-                continue;
-            }
-            List<String> names = pushed.stream().map(i -> "'" + system.getParticles().id(i) + "'").toList();
-            if (pushed.size() == 1) {
-                wrong(Kind.METHOD, "item " + item + " pushes particle " + names.get(0)
-                        + " and forgets the partner: F_ji = -F_ij has to be added to"
-                        + " the other particle");
-            } else {
-                int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
-                wrong(Kind.METHOD, "item " + item + " pushes particles " + String.join(" and ", names)
-                        + " with forces that add up to "
-                        + Formula.number(rest) + " along " + EffectWriting.axis(axis) + " and not to 0"
-                        + (Math.abs(rest / 2) <= size * (1 + 1e-9) && sameForces(force, pushed)
-                                ? ": the partner gets the same force, and has to get the opposite one, F_ji = -F_ij"
-                                : ": F_ji has to be -F_ij"));
-            }
-            return;
+        double[] force = force(state);
+        double[] sum = new double[3];
+        double size = 0;
+        for (int k = 0; k < n; k++) {
+            sum[k % 3] += force[k];
+            size = Math.max(size, Math.abs(force[k]));
+        }
+        double rest = Math.max(Math.abs(sum[0]), Math.max(Math.abs(sum[1]), Math.abs(sum[2])));
+        if (rest > 1e-10 * size) {
+            int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
+            wrong(Kind.METHOD, wrongPair(force).orElse("the forces on all particles add up to " + Formula.number(rest) + " along "
+                    + EffectWriting.axis(axis) + " and not to 0: F_ji has to be -F_ij"));
         }
     }
 
-    private static boolean sameForces(double[] force, Set<Integer> pushed) {
-        if (pushed.size() != 2) {
-            return false;
-        }
-        List<Integer> two = List.copyOf(pushed);
-        for (int c = 3; c < 6; c++) {
-            if (Math.abs(force[6 * two.get(0) + c] - force[6 * two.get(1) + c]) > 1e-12) {
-                return false;
+    /** The force on i changes with the place of j as the force on j does with that of i, if they are opposite. */
+    private Optional<String> wrongPair(double[] force) {
+        double[][] change = new double[n / 6][];
+        for (int j = 0; j < change.length; j++) {
+            double[] moved = state.clone();
+            moved[6 * j] += STEP;
+            change[j] = force(moved);
+            for (int k = 0; k < n; k++) {
+                change[j][k] -= force[k];
             }
         }
-        return true;
+        for (int i = 0; i < change.length; i++) {
+            for (int j = 0; j < change.length; j++) {
+                double onI = change[j][6 * i + 3];
+                double onJ = change[i][6 * j + 3];
+                if (i != j && onI != 0 && Math.abs(onI - onJ) > 1e-3 * Math.abs(onI)) {
+                    return Optional.of("particle " + name(j) + " pushes " + name(i)
+                            + (onJ == 0 ? ", and is not pushed itself: the partner's force F_ji = -F_ij is missing"
+                            : Math.abs(onI + onJ) < 1e-3 * Math.abs(onI)
+                            ? ", and gets the same force itself: it has to get the opposite one, F_ji = -F_ij"
+                            : ", and their forces are not opposite: F_ji has to be -F_ij"));
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private String name(int i) {
+        return "'" + system.getParticles().id(i) + "'";
     }
 
     /** Force = -grad of the potential energy, of the particles that can move. */
@@ -131,7 +131,7 @@ public final class EffectCheck {
         if (!effect.getTraits().contains(Trait.CONSERVATIVE) || !findings.isEmpty()) {
             return;
         }
-        double[] force = force(state, 0, effect.size());
+        double[] force = force(state);
         double[] expected = new double[n];
         for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
             double[] moved = state.clone();
@@ -165,7 +165,7 @@ public final class EffectCheck {
                 || !findings.isEmpty()) {
             return;
         }
-        double[] force = force(state, 0, effect.size());
+        double[] force = force(state);
         double power = 0;
         double[] ahead = state.clone();
         double[] behind = state.clone();
@@ -198,8 +198,8 @@ public final class EffectCheck {
         for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
             other[k] += 1;
         }
-        double[] force = force(state, 0, effect.size());
-        double[] changed = force(other, 0, effect.size());
+        double[] force = force(state);
+        double[] changed = force(other);
         for (int k = 0; k < n; k++) {
             if (Math.abs(force[k] - changed[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
                 wrong(Kind.STATE, entry(k) + " changes with the velocity, and dependsOnVelocity() says false");

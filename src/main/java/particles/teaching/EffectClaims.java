@@ -3,6 +3,7 @@ package particles.teaching;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import particles.DifferentiableEffect;
 import particles.Effect;
 import particles.Effect.Trait;
 import particles.ForceDerivatives;
@@ -59,7 +60,7 @@ public final class EffectClaims {
 
     private double[] force(double[] state, double time) {
         double[] force = new double[n];
-        effect.addForces(state, time, force, 0, effect.size());
+        effect.addForces(state, time, force);
         return force;
     }
 
@@ -70,8 +71,8 @@ public final class EffectClaims {
             size = Math.max(size, Math.abs(f));
         }
         checkRanges(state, time, force, size);
-        if (effect.hasForceDerivatives()) {
-            checkDerivatives(state, time, size);
+        if (effect instanceof DifferentiableEffect differentiable && differentiable.hasForceDerivatives()) {
+            checkDerivatives(differentiable, state, time, size);
         }
         checkPower(state, time, force, size);
         if (effect.getTraits().contains(Trait.CONSERVATIVE)) {
@@ -102,13 +103,10 @@ public final class EffectClaims {
     }
 
     private void checkRanges(double[] state, double time, double[] force, double size) {
-        double[] parts = new double[n];
-        int middle = effect.size() / 2;
-        effect.addForces(state, time, parts, 0, middle);
-        effect.addForces(state, time, parts, middle, effect.size());
+        double[] parts = EffectWriting.inTwoRanges(effect, state, time).orElse(force);
         for (int k = 0; k < n; k++) {
             if (!(Math.abs(parts[k] - force[k]) <= 1e-14 * size)) {
-                broken.add("ranges: entry " + k + " is " + parts[k] + " in two parts and " + force[k] + " at once");
+                broken.add("ranges: entry " + k + " is " + parts[k] + " in two ranges and " + force[k] + " at once");
             }
             if (k % 6 < 3 && force[k] != 0) {
                 broken.add("force written to position entry " + k);
@@ -170,9 +168,9 @@ public final class EffectClaims {
     /**
      * Every entry of the force's derivative by positions and velocities; differences of positions and velocities of 1e-5.
      */
-    private void checkDerivatives(double[] state, double time, double size) {
+    private void checkDerivatives(DifferentiableEffect differentiable, double[] state, double time, double size) {
         double[][] exact = new double[n][n];
-        effect.addForceDerivatives(state, time, new ForceDerivatives() {
+        differentiable.addForceDerivatives(state, time, new ForceDerivatives() {
             @Override
             public void add(int i, int j, double[] dFdX, double[] dFdV) {
                 put(i, j, dFdX, dFdV, 1);

@@ -1,48 +1,27 @@
 package particles.teaching;
 
-import java.lang.reflect.InvocationTargetException;
-import java.util.Map;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Optional;
 import java.util.Random;
 import java.util.TreeSet;
-import java.util.function.Function;
 import particles.Effect;
+import particles.Obstacle;
 import particles.ParticleSystem;
 import particles.Particles;
-import particles.Plane;
-import particles.Sphere;
 import particles.Vector3;
-import particles.effects.Cohesion;
-import particles.effects.Gravity;
-import particles.effects.GustyWind;
-import particles.effects.LinearDrag;
-import particles.effects.PenaltyPlane;
-import particles.effects.PenaltySphere;
-import particles.effects.PointAttraction;
-import particles.effects.QuadraticDrag;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectContext;
+import particles.effects.EffectKind;
 import particles.effects.SpringForce;
-import particles.effects.TurbulentWind;
 import particles.effects.Wind;
+import particles.spec.ClassNames;
 
 /** A handful of particles for an effect to act on, and effects by name. */
 public final class EffectSample {
-    /** By the names that scenes have for them, and springs, which scenes have elsewhere. */
-    private static final Map<String, Function<Particles, Effect>> NAMED = Map.ofEntries(
-            Map.entry("gravity", p -> new Gravity(p, new Vector3(0, -9.81, 0))),
-            Map.entry("wind", p -> new LinearDrag(p, 0.4, new GustyWind(new Vector3(2, 0, 1), new Vector3(1, 0.5, 0), 1.7))),
-            Map.entry("turbulence", p -> new QuadraticDrag(p, 0.4, new TurbulentWind(Vector3.ZERO, 1.5, 2, 42))),
-            Map.entry("drag", p -> new LinearDrag(p, 0.4, Wind.STILL)),
-            Map.entry("quadraticDrag", p -> new QuadraticDrag(p, 0.4, Wind.STILL)),
-            Map.entry("attraction", p -> new PointAttraction(p, new Vector3(0.5, -2, 0.4), 3, 0.1)),
-            Map.entry("cohesion", p -> new Cohesion(p, 1.9, 1.1, 2, 0.5)),
-            Map.entry("penaltyPlane",
-                    p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30, 0.8)),
-            Map.entry("penaltySphere", p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 1.2, false), 30, 0.8)),
-            Map.entry("springs", p -> springs(p, 0)), Map.entry("damped-springs", p -> springs(p, 0.8)));
-
-    /** As they were called before. */
-    private static final Map<String, String> ALSO = Map.of("linear-drag", "drag", "quadratic-drag", "quadraticDrag",
-            "penalty-plane", "penaltyPlane");
+    private static final String SPRINGS = "springs";
+    private static final String DAMPED_SPRINGS = "damped-springs";
 
     private EffectSample() {
     }
@@ -66,40 +45,86 @@ public final class EffectSample {
     }
 
     /**
-     * Makes an effect.
+     * Makes an effect as a scene would, from the defaults of its keys and samples of those that are required.
      *
-     * @param name      of ours the one that scenes have; wind and turbulence are drag in them; or a class of one's own with
-     *                  a public constructor that takes {@link Particles}
-     * @param particles on whom it acts
+     * @param name      the effect's name in scenes; wind and turbulence are tried out through drag; or springs,
+     *                  damped-springs, or a class of one's own
+     * @param particles the particles
+     * @param classes   finds the class
      * @return the effect
-     * @throws NoSuchElementException   if there is neither
-     * @throws IllegalArgumentException if the class is no effect or cannot be made
+     * @throws NoSuchElementException   if there is no such effect
+     * @throws IllegalArgumentException if there is no such class, or it cannot be made
      */
-    public static Effect create(String name, Particles particles) {
-        String scenesName = ALSO.getOrDefault(name, name);
-        if (NAMED.containsKey(scenesName)) {
-            return NAMED.get(scenesName).apply(particles);
+    public static Effect create(String name, Particles particles, ClassNames classes) {
+        if (name.equals(SPRINGS) || name.equals(DAMPED_SPRINGS)) {
+            return springs(particles, name.equals(SPRINGS) ? 0 : 0.8);
         }
-        String full = name.contains(".") ? name : "exercises." + name;
-        try {
-            Class<?> found = Class.forName(full, true, Thread.currentThread().getContextClassLoader());
-            if (!Effect.class.isAssignableFrom(found)) {
-                throw new IllegalArgumentException("class " + full + " is no effect: it has to implement "
-                        + Effect.class.getName());
-            }
-            return found.asSubclass(Effect.class).getConstructor(Particles.class).newInstance(particles);
-        } catch (ClassNotFoundException e) {
-            throw new NoSuchElementException("no class is called '" + full + "', and no effect; known effects: "
-                    + String.join(", ", new TreeSet<>(NAMED.keySet())), e);
-        } catch (LinkageError e) {                      // a static field fails; at the second time there is no cause
-            throw new IllegalArgumentException("class " + full + " cannot be loaded: "
-                    + (e.getCause() == null ? e : e.getCause()), e);
-        } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
-            throw new IllegalArgumentException("class " + full
-                    + " cannot be made: it has to be public, not abstract, and have a public"
-                    + " constructor that takes particles.Particles", e);
-        } catch (InvocationTargetException e) {
-            throw new IllegalArgumentException("the constructor of " + full + " failed: " + e.getCause(), e);
+        EffectKind kind = named(name).orElseGet(() -> byClass(name, classes));
+        Sample scene = new Sample(particles);
+        kind.build(kind.keys().samples(), scene);
+        if (scene.effects.isEmpty()) {                  // wind has no force of its own
+            kind.needs().stream().limit(1).flatMap(other -> named(other).stream())
+                    .forEach(other -> other.build(other.keys().samples(), scene));
+        }
+        if (scene.effects.isEmpty()) {
+            throw new IllegalArgumentException("the Keys of " + name + " add no effect to the scene");
+        }
+        return scene.effects.get(0);
+    }
+
+    private static Optional<EffectKind> named(String name) {
+        return EffectCatalog.ALL.stream().filter(kind -> kind.name().equals(name)).findFirst();
+    }
+
+    private static EffectKind byClass(String name, ClassNames classes) {
+        if (Character.isLowerCase(name.charAt(0)) && !name.contains(".")) {
+            TreeSet<String> known = new TreeSet<>(List.of(SPRINGS, DAMPED_SPRINGS));
+            EffectCatalog.ALL.forEach(kind -> known.add(kind.name()));
+            throw new NoSuchElementException("no effect is called '" + name + "'; known effects: " + String.join(", ", known));
+        }
+        return classes.find(name.contains(".") ? name : "exercises." + name, EffectKind.class);
+    }
+
+    /** A scene of which only the effects matter. */
+    private static final class Sample implements EffectContext {
+        private final Particles particles;
+        private final List<Effect> effects = new ArrayList<>();
+        private Wind wind = Wind.STILL;
+
+        Sample(Particles particles) {
+            this.particles = particles;
+        }
+
+        @Override
+        public Particles particles() {
+            return particles;
+        }
+
+        @Override
+        public Wind wind() {
+            return wind;
+        }
+
+        @Override
+        public void add(Effect effect) {
+            effects.add(effect);
+        }
+
+        @Override
+        public void setWind(Wind wind) {
+            this.wind = wind;
+        }
+
+        @Override
+        public void show(Obstacle solid) {              // nothing is drawn
+        }
+
+        @Override
+        public void noteAcceleration(Vector3 g) {       // nothing is scaled
+        }
+
+        @Override
+        public void noteSpeed(double speed) {
         }
     }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Random;
 import particles.Effect;
 import particles.ParticleSystem;
+import particles.PerParticleEffect;
 import particles.teaching.Finding.Kind;
 
 /** Looks at how an effect writes its forces, before anybody asks what they are: added, where they belong, and some at all. */
@@ -35,7 +36,7 @@ final class EffectWriting {
 
     private double[] force(double[] at) {
         double[] force = new double[n];
-        effect.addForces(at, 0, force, 0, effect.size());
+        effect.addForces(at, 0, force);
         return force;
     }
 
@@ -63,7 +64,7 @@ final class EffectWriting {
         }
         double[] filled = new double[n];
         Arrays.fill(filled, 1);
-        effect.addForces(state, 0, filled, 0, effect.size());
+        effect.addForces(state, 0, filled);
         for (int k = 0; k < n; k++) {
             if (!Double.isFinite(force[k])) {
                 return wrong(Kind.METHOD, entry(system, k) + " is " + force[k]
@@ -79,18 +80,26 @@ final class EffectWriting {
                         + " the forces of other effects are lost");
             }
         }
-        double[] parts = new double[n];
-        int middle = effect.size() / 2;
-        effect.addForces(state, 0, parts, 0, middle);
-        effect.addForces(state, 0, parts, middle, effect.size());
+        double[] parts = inTwoRanges(effect, state, 0).orElse(force);
         for (int k = 0; k < n; k++) {
             if (Math.abs(parts[k] - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
-                return wrong(Kind.STATE, entry(system, k) + " is " + parts[k] + " when items 0 to " + middle
-                        + " and the rest are asked for one after the other, and "
-                        + force[k] + " at once: the loop has to go from 'from' to 'to', and over nothing else");
+                return wrong(Kind.STATE, entry(system, k) + " is " + parts[k] + " when the particles are asked for in two ranges, one"
+                        + " after the other, and " + force[k] + " at once: the loop has to go from 'from' to 'to', and over nothing else");
             }
         }
         return Optional.empty();
+    }
+
+    /** @return the forces of a law that takes ranges of particles, by two calls; empty for all other laws */
+    static Optional<double[]> inTwoRanges(Effect effect, double[] state, double time) {
+        if (!(effect instanceof PerParticleEffect law)) {
+            return Optional.empty();
+        }
+        double[] force = new double[state.length];
+        int count = state.length / 6;
+        law.addForces(state, time, force, 0, count / 2);
+        law.addForces(state, time, force, count / 2, count);
+        return Optional.of(force);
     }
 
     /** Whether there is a law at all. What acts only near by, far away or now and then is given the chance to. */
@@ -99,7 +108,7 @@ final class EffectWriting {
         double[] at = state.clone();
         for (int trial = 0; trial <= TRIALS; trial++) {
             double[] force = new double[n];
-            effect.addForces(at, 3.0 * trial / TRIALS, force, 0, effect.size());
+            effect.addForces(at, 3.0 * trial / TRIALS, force);
             if (Arrays.stream(force).anyMatch(entry -> entry != 0)) {
                 return Optional.empty();
             }
@@ -108,8 +117,7 @@ final class EffectWriting {
                 at[k] = k % 6 >= 3 && system.getParticles().isFixed(k / 6) ? 0 : spread * (random.nextDouble() - 0.5);
             }
         }
-        return wrong(Kind.METHOD, effect.size() == 0 ? "size() is 0: the law has no items, and adds no force to any particle"
-                : "addForces adds no force to any particle, in " + (TRIALS + 1) + " states of all sizes: F is still missing,"
-                        + " or the loop does not go from 'from' to 'to'");
+        return wrong(Kind.METHOD, "there is no force on any particle, in " + (TRIALS + 1)
+                + " states of all sizes: the law's formula is still missing");
     }
 }

@@ -83,54 +83,47 @@ public final class Skeleton {
         return """
                 package exercises;
 
-                import java.util.EnumSet;
-                import java.util.Set;
-                import particles.Effect;
+                import particles.ParticleForce;
                 import particles.Particles;
+                import particles.Vector3;
+                import particles.effects.EffectContext;
+                import particles.effects.EffectKind;
+                import particles.spec.Key;
+                import particles.spec.NumberType;
+                import particles.spec.Values;
 
                 /** My own force law. To see what is wrong with it: gradle checkEffect -Peffect=exercises.NAME */
-                public class NAME implements Effect {
-                    private final Particles particles;
+                public class NAME extends ParticleForce {
+                    private final double strength;
 
-                    /** @param particles on whom it acts */
-                    public NAME(Particles particles) {
-                        this.particles = particles;
+                    public NAME(Particles particles, double strength) {
+                        super(particles);
+                        this.strength = strength;
                     }
 
                     @Override
-                    public String getName() {
-                        return "NAME";
+                    protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                        // the total force on the particle, in newton, such as: return velocity.times(-strength);
+                        return Vector3.ZERO;
                     }
 
-                    /** What the law claims of itself; the check holds it to that. */
-                    @Override
-                    public Set<Trait> getTraits() {
-                        return EnumSet.noneOf(Trait.class);         // such as EnumSet.of(Trait.CONSERVATIVE)
-                    }
+                    // A conservative force also overrides getPotentialEnergy, and getTraits to claim Trait.CONSERVATIVE;
+                    // one that damps overrides getDissipatedPower.
 
-                    /** As many items as particles; a law of springs has as many as there are springs. */
-                    @Override
-                    public int size() {
-                        return particles.count();
-                    }
+                    /** In a scene: - exercises.NAME: {strength: 2} */
+                    public static final class Keys extends EffectKind {
+                        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.any("N"),
+                                "How strong the force is (N).");
 
-                    @Override
-                    public boolean dependsOnVelocity() {
-                        return false;                               // true for drag and damping
-                    }
+                        public Keys() {
+                            super("exercises.NAME", "My own force.", STRENGTH);
+                        }
 
-                    @Override
-                    public void addForces(double[] state, double time, double[] force, int from, int to) {
-                        for (int i = from; i < to; i++) {
-                            // 1. the position of particle i is at state[6 * i], its velocity at state[6 * i + 3], x, y and z each;
-                            //    its mass is particles.mass(i)
-                            // 2. compute total force F_i on it, in newton: mass times acceleration
-                            // 3. add it where the velocity stands: force[6 * i + 3] += ..., + 4 for y and + 5 for z
-                            // 4. of a pair, F_ij on i needs its partner F_ji = -F_ij on j
+                        @Override
+                        public void build(Values values, EffectContext scene) {
+                            scene.add(new NAME(scene.particles(), values.get(STRENGTH)));
                         }
                     }
-
-                    // A conservative law also overrides getPotentialEnergy (force = - its slope), one that damps getDissipatedPower.
                 }
                 """.replace("NAME", name);
     }

@@ -12,11 +12,15 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.Effect;
 import particles.Particles;
+import particles.effects.EffectContext;
+import particles.effects.EffectKind;
+import particles.spec.Values;
 
 /** The check of a force law through the program: its screen, its report, and classes that do not come back. */
 class CheckEffectCommandTest {
@@ -35,18 +39,23 @@ class CheckEffectCommandTest {
         }
 
         @Override
-        public Set<Trait> getTraits() {
-            return EnumSet.noneOf(Trait.class);
-        }
-
-        @Override
-        public int size() {
-            return particles.count();
-        }
-
-        @Override
         public boolean dependsOnVelocity() {
             return false;
+        }
+    }
+
+    /** What a scene would say of a planted law: nothing. */
+    public abstract static class PlantedKeys extends EffectKind {
+        private final Function<Particles, Effect> maker;
+
+        PlantedKeys(Class<?> law, Function<Particles, Effect> maker) {
+            super(law.getName(), "A law that goes wrong.");
+            this.maker = maker;
+        }
+
+        @Override
+        public void build(Values values, EffectContext scene) {
+            scene.add(maker.apply(scene.particles()));
         }
     }
 
@@ -57,8 +66,15 @@ class CheckEffectCommandTest {
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
+        public void addForces(double[] state, double time, double[] force) {
             System.exit(0);
+        }
+
+        /** For the check. */
+        public static final class Keys extends PlantedKeys {
+            public Keys() {
+                super(Exits.class, Exits::new);
+            }
         }
     }
 
@@ -69,10 +85,17 @@ class CheckEffectCommandTest {
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
-            int i = from;
-            while (i < to) {
+        public void addForces(double[] state, double time, double[] force) {
+            int i = 0;
+            while (i < particles.count()) {
                 force[6 * i + 4] -= 9.81 * particles.mass(i);
+            }
+        }
+
+        /** For the check. */
+        public static final class Keys extends PlantedKeys {
+            public Keys() {
+                super(Loops.class, Loops::new);
             }
         }
     }
@@ -89,8 +112,8 @@ class CheckEffectCommandTest {
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
-            for (int i = from; i < to; i++) {
+        public void addForces(double[] state, double time, double[] force) {
+            for (int i = 0; i < particles.count(); i++) {
                 force[6 * i + 4] -= 9.81 * particles.mass(i);
             }
         }
@@ -98,6 +121,13 @@ class CheckEffectCommandTest {
         @Override
         public double getPotentialEnergy(double[] state, double time) {
             return getPotentialEnergy(state, time) + 1;
+        }
+
+        /** For the check. */
+        public static final class Keys extends PlantedKeys {
+            public Keys() {
+                super(Overflows.class, Overflows::new);
+            }
         }
     }
 
@@ -110,9 +140,16 @@ class CheckEffectCommandTest {
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
-            while (kept.size() < to + 1_000_000) {
+        public void addForces(double[] state, double time, double[] force) {
+            while (kept.size() < 1_000_000) {
                 kept.add(new double[10_000_000]);
+            }
+        }
+
+        /** For the check. */
+        public static final class Keys extends PlantedKeys {
+            public Keys() {
+                super(Hoards.class, Hoards::new);
             }
         }
     }
@@ -125,8 +162,15 @@ class CheckEffectCommandTest {
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
-            force[6 * from + 3] += 1;
+        public void addForces(double[] state, double time, double[] force) {
+            force[3] += 1;
+        }
+
+        /** For the check. */
+        public static final class Keys extends PlantedKeys {
+            public Keys() {
+                super(ExitsAtOnce.class, ExitsAtOnce::new);
+            }
         }
     }
 
@@ -155,10 +199,10 @@ class CheckEffectCommandTest {
 
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
-        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity",
-                folder).contains("no class is called 'exercises.MyGravity', and no effect; known effects: attraction,"
-                        + " cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs, turbulence,"
-                        + " wind"));
+        assertTrue(here(ExitCode.BAD_INPUT, "gravty", folder).contains("no effect is called 'gravty'; known effects: attraction,"
+                + " cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs, turbulence, wind"));
+        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class exercises.MyGravity; a class of your"
+                + " own stands in src/main/java/exercises, and gradle newEffect writes one to begin with"));
     }
 
     @Test

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 @Tag("slow")
 class FaultsTest {
-    /** Long enough for two checkpoints at least. */
+    /** Long enough to be stopped in the middle (s of simulated time). */
     private static final double LONG = 12;
     private static final double SHORT = 0.6;
     private static final boolean KNOWS_ALL_LETTERS = "UTF-8".equals(System.getProperty("sun.jnu.encoding"));
@@ -81,25 +81,25 @@ class FaultsTest {
         Map<String, String> expected = unbroken(scene);
         ChildProgram child = child();
         Process process = child.start("run", "--scene=" + scene, "--out=" + out);
-        awaitFile(process, out.resolve("checkpoint"), child);
+        awaitFile(process, out.resolve("frames/frame-00003.png"), child);
         assertEquals(0, new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor());
         ChildProgram.End end = child.end(process);
         assertEquals(130, end.code(), end.lines());
-        assertOneLine("the run was stopped at t = [0-9.]+ s of 12 s; --resume=true continues it", end);
-        for (String name : List.of("trajectory.csv", "run.json", "energy.png", "animation.gif", "checkpoint")) {
+        assertOneLine("the run was stopped at t = [0-9.]+ s of 12 s", end);
+        for (String name : List.of("trajectory.csv", "run.json", "energy.png", "animation.gif")) {
             assertTrue(Files.size(out.resolve(name)) > 0, name);
         }
         WholeFiles.assertWhole(out);
         try (Stream<Path> files = Files.walk(out)) {
             assertEquals(List.of(), files.filter(file -> file.toString().endsWith(".part")).toList());
         }
-        assertEquals(0, child().run("run", "--scene=" + scene, "--out=" + out, "--resume").code());
+        assertEquals(0, child().run("run", "--scene=" + scene, "--out=" + out).code());
         assertEquals(expected, WholeFiles.sums(out));
     }
 
     /** The system lets no file grow beyond a size, as quotas and full disks do: the trajectory is what meets it. */
     @Test
-    void aFullDiskEndsTheRunWithALineAndItGoesOnWhenThereIsRoom() throws Exception {
+    void aFullDiskEndsTheRunWithALineAndNoHalfFile() throws Exception {
         assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "needs bash for its ulimit");
         Path scene = scene(LONG);
         Map<String, String> expected = unbroken(scene);
@@ -110,7 +110,7 @@ class FaultsTest {
         assertOneLine("cannot write .*/trajectory.csv: File too large.*", end);
         WholeFiles.assertWhole(out);
         assertFalse(Files.exists(out.resolve("trajectory.csv")), "the part that was written is not the file");
-        assertEquals(0, child().run("run", "--scene=" + scene, "--out=" + out, "--resume").code());
+        assertEquals(0, child().run("run", "--scene=" + scene, "--out=" + out).code());
         assertEquals(expected, WholeFiles.sums(out));
     }
 

@@ -79,13 +79,13 @@ class NewClassCommandTest {
 
     @Test
     void anEffectCompilesAndIsToldThatItAddsNoForce() throws ReflectiveOperationException, IOException {
-        run(ExitCode.DONE, "newEffect", "MyGravity");
+        assertTrue(run(ExitCode.DONE, "newEffect", "MyGravity").contains("- exercises.MyGravity: {strength: 2}"));
         ParticleSystem system = EffectSample.system();
-        Effect effect = compiled("MyGravity").asSubclass(Effect.class).getConstructor(Particles.class)
-                .newInstance(system.getParticles());
+        Effect effect = compiled("MyGravity").asSubclass(Effect.class).getConstructor(Particles.class, double.class)
+                .newInstance(system.getParticles(), 2);
         List<Finding> wrong = EffectCheck.check(system, effect);
         assertEquals(1, wrong.size(), wrong.toString());
-        assertTrue(wrong.get(0).toString().startsWith("method: addForces adds no force to any particle"), wrong.toString());
+        assertTrue(wrong.get(0).toString().startsWith("method: there is no force on any particle"), wrong.toString());
     }
 
     @Test

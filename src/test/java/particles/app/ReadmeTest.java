@@ -96,7 +96,7 @@ class ReadmeTest {
         String reference = SceneFormat.reference("###");
         List<String> rows = new ArrayList<>();
         for (String list : matches(Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|"), reference)) {
-            for (String name : list.replace("`", "").split(", ")) {
+            for (String name : list.replaceFirst(", or the full name.*", "").replace("`", "").split(", ")) {
                 rows.add("| `" + name + "` | " + matches(Pattern.compile("(?m)^### `" + name + "`\n(.*)$"), reference).get(0)
                         + " |");
             }

@@ -3,7 +3,6 @@ package particles.effects;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
@@ -11,6 +10,7 @@ import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.DifferentiableEffect;
 import particles.Effect;
 import particles.ForceDerivatives;
 import particles.ParticleSystem;
@@ -53,12 +53,7 @@ class EffectClaimsTest {
     /** Every check by itself: an effect that is wrong in one way only is found by the check for that way. */
     @Test
     void aWrongDerivativeIsFoundByNothingElse() {
-        assertEquals(List.of("derivative:"), kinds(broken(p -> new Altered(springs(p, 0.8), 1, 1) {
-            @Override
-            public boolean hasForceDerivatives() {
-                return true;
-            }
-
+        assertEquals(List.of("derivative:"), kinds(broken(p -> new WrongDerivative(springs(p, 0.8)) {
             @Override
             public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
                 springs(p, 0.8 * (1 + 1e-3)).addForceDerivatives(state, time, derivatives);
@@ -137,6 +132,13 @@ class EffectClaimsTest {
                 "a plane that sucks");
     }
 
+    /** An effect as it is, but for the derivatives of its forces. */
+    private abstract static class WrongDerivative extends Altered implements DifferentiableEffect {
+        WrongDerivative(Effect effect) {
+            super(effect, 1, 1);
+        }
+    }
+
     /** An effect with its forces multiplied: on the first particle by one factor, on the others by another. */
     private static class Altered implements Effect {
         private final Effect effect;
@@ -156,12 +158,7 @@ class EffectClaimsTest {
 
         @Override
         public Set<Trait> getTraits() {
-            return EnumSet.copyOf(effect.getTraits());
-        }
-
-        @Override
-        public int size() {
-            return effect.size();
+            return effect.getTraits();
         }
 
         @Override
@@ -170,13 +167,13 @@ class EffectClaimsTest {
         }
 
         @Override
-        public void addForces(double[] state, double time, double[] force, int from, int to) {
+        public void addForces(double[] state, double time, double[] force) {
             if (first == 1 && others == 1) {
-                effect.addForces(state, time, force, from, to);
+                effect.addForces(state, time, force);
                 return;
             }
             double[] right = new double[force.length];
-            effect.addForces(state, time, right, from, to);
+            effect.addForces(state, time, right);
             for (int k = 0; k < force.length; k++) {
                 force[k] += right[k] * (k < 6 ? first : others);
             }

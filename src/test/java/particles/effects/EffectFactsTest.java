@@ -10,9 +10,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
+import particles.DifferentiableEffect;
 import particles.Effect;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.PerParticleEffect;
 import particles.Plane;
 import particles.Sphere;
 import particles.Vector3;
@@ -27,16 +29,15 @@ class EffectFactsTest {
     private static final Plane GROUND = Plane.ground(0);
     private static final Sphere BALL = new Sphere(Vector3.ZERO, 1, false);
     /** Blows harder with the height, and does not say how. */
-    private static final Wind SHEAR = (state, time, wind, from, to) -> Arrays.fill(wind, 3 * from, 3 * to, state[6 * from + 1]);
+    private static final Wind SHEAR = (state, time, wind, from, to) -> Arrays.fill(wind, 6 * from, 6 * to, state[6 * from + 1]);
 
     private final Particles particles = new ParticleSystem().getParticles();
 
     private static void assertFacts(Effect effect, String name, boolean perParticle, boolean byVelocity, Effect.Trait trait) {
         assertEquals(name, effect.getName());
-        assertEquals(perParticle, effect.isPerParticle(), name + " acts on each particle by itself");
-        assertEquals(perParticle, effect.isConcurrent(), name + " may be evaluated by several threads in any division");
+        assertEquals(perParticle, effect instanceof PerParticleEffect, name + " acts on each particle by itself");
         assertEquals(byVelocity, effect.dependsOnVelocity(), name + " depends on velocity");
-        assertTrue(effect.hasForceDerivatives(), name + " knows its derivatives");
+        assertTrue(effect instanceof DifferentiableEffect known && known.hasForceDerivatives(), name + " knows its derivatives");
         assertTrue(effect.getTraits().contains(trait), name + " is " + effect.getTraits());
     }
 
@@ -93,11 +94,13 @@ class EffectFactsTest {
         GustyWind wind = new GustyWind(new Vector3(1, 2, 3), new Vector3(0.5, 0.25, -1), 4);
         double[][] expected = {{0, 1, 2, 3}, {1, 1.5, 2.25, 2}, {3, 0.5, 1.75, 4}, {1.0 / 3, 1.25, 2.125, 2.5}};
         for (double[] row : expected) {
-            double[] air = new double[9];
+            double[] air = new double[18];
             wind.getVelocities(new double[18], row[0], air, 1, 2);
-            assertArrayEquals(new double[] {0, 0, 0, row[1], row[2], row[3], 0, 0, 0}, air, 1e-15);     // measured 1.1e-16
+            double[] second = new double[18];
+            System.arraycopy(row, 1, second, 9, 3);
+            assertArrayEquals(second, air, 1e-15);      // measured 1.1e-16
             Vector3 told = wind.velocityAt(row[0]);
-            assertArrayEquals(Arrays.copyOfRange(air, 3, 6), new double[] {told.x(), told.y(), told.z()});
+            assertArrayEquals(Arrays.copyOfRange(air, 9, 12), new double[] {told.x(), told.y(), told.z()});
         }
     }
 
@@ -153,7 +156,7 @@ class EffectFactsTest {
         for (Effect effect : List.of(new PenaltyPlane(both, GROUND, 7, 0.5), new Cohesion(both, 1, 0.5, 7, 0.5),
                 new PenaltySphere(both, BALL, 7, 0.5))) {
             double[] force = new double[12];
-            effect.addForces(state, 0, force, 0, 2);
+            effect.addForces(state, 0, force);
             assertArrayEquals(new double[12], force, effect.getName());
         }
         // The particle at a ball's centre is as deep as can be, and there is no way out that would be nearer than another.

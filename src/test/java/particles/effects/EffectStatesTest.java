@@ -9,6 +9,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import particles.DifferentiableEffect;
 import particles.Effect;
 import particles.ForceDerivatives;
 import particles.ParticleSystem;
@@ -50,9 +51,9 @@ class EffectStatesTest {
     /** All that an effect says of a state: its force, energy, powers, and derivatives. */
     private static double[] all(Effect effect, double[] state) {
         double[] force = new double[6 * COUNT];
-        effect.addForces(state, 0.3, force, 0, effect.size());
+        effect.addForces(state, 0.3, force);
         Sum sum = new Sum();
-        effect.addForceDerivatives(state, 0.3, sum);
+        ((DifferentiableEffect) effect).addForceDerivatives(state, 0.3, sum);
         double[] all = {effect.getPotentialEnergy(state, 0.3), effect.getDissipatedPower(state, 0.3),
             effect.getDrivenPower(state, 0.3)};
         return Stream.of(force, all, sum.values).flatMapToDouble(Arrays::stream).toArray();
@@ -92,14 +93,14 @@ class EffectStatesTest {
             double[] state = state();
             double[] expected = all(maker.apply(system.getParticles()), state);
             Sum derivatives = new Sum();
-            used.addForceDerivatives(state, 0.3, derivatives);
+            ((DifferentiableEffect) used).addForceDerivatives(state, 0.3, derivatives);
             for (int e = 0; e < COUNT * COUNT; e++) {
                 assertEquals(expected[6 * COUNT + 3 + e], derivatives.values[e], 1e-12, "asked for first: block " + e);
             }
             assertArrayEquals(expected, all(used, state), 1e-12, used.getName());   // sorted springs add up otherwise
-            used.addForces(state(), 0.3, new double[6 * COUNT], 0, used.size());
+            used.addForces(state(), 0.3, new double[6 * COUNT]);
             assertEquals(expected[6 * COUNT], used.getPotentialEnergy(state, 0.3), 1e-12);
-            used.addForces(state(), 0.3, new double[6 * COUNT], 0, used.size());
+            used.addForces(state(), 0.3, new double[6 * COUNT]);
             assertEquals(expected[6 * COUNT + 1], used.getDissipatedPower(state, 0.3), 1e-12);
         }
     }

@@ -42,17 +42,19 @@ class SpringBlocksTest {
         SpringForce springs = springs(network);
         double[] state = new Random(4).doubles(network.getStateSize()).toArray();
         double[] together = new double[state.length];
-        springs.addForces(state, 0, together, 0, springs.size());
-        double[] oneByOne = new double[state.length];
+        springs.addForces(state, 0, together);
+        double[] inParts = new double[state.length];
+        for (int part = 2 * springs.countBlocks() - 2; part >= 0; part--) {
+            springs.addPart(part, state, 0, inParts);
+        }
         double[] bySprings = new double[state.length];
         for (int s = springs.size() - 1; s >= 0; s--) {
-            springs.addForces(state, 0, oneByOne, s, s + 1);
             SpringForce one = new SpringForce(network.getParticles());
             one.addSpring(springs.from(s), springs.to(s), springs.stiffness(s), springs.restLength(s), springs.damping(s));
-            one.addForces(state, 0, bySprings, 0, 1);
+            one.addForces(state, 0, bySprings);
         }
         assertArrayEquals(bySprings, together, 1e-14);          // measured 8.9e-16
-        assertArrayEquals(bySprings, oneByOne, 1e-14);          // measured 4.4e-16
+        assertArrayEquals(bySprings, inParts, 1e-14);           // measured 8.9e-16
     }
 
     /** A block touches its range of particles only, a joint those of its blocks, and no half of it by itself. */
@@ -60,15 +62,15 @@ class SpringBlocksTest {
         assertEquals(blocks, springs.countBlocks());
         assertEquals(0, springs.getFirstParticle(0));
         assertEquals(particles, springs.getFirstParticle(blocks));
-        assertEquals(0, springs.getBlockStart(0));
-        assertEquals(springs.size(), springs.getBlockStart(2 * blocks - 1));
+        assertEquals(0, springs.getPartStart(0));
+        assertEquals(springs.size(), springs.getPartStart(2 * blocks - 1));
         for (int length = 1, home = 0; length <= blocks; length *= 2) {
             for (int block = 0; block < blocks; block += length, home++) {
                 int first = springs.getFirstParticle(block);
                 int middle = springs.getFirstParticle(block + length / 2);
                 int end = springs.getFirstParticle(block + length);
                 assertTrue(first < end, "block " + home);
-                for (int s = springs.getBlockStart(home); s < springs.getBlockStart(home + 1); s++) {
+                for (int s = springs.getPartStart(home); s < springs.getPartStart(home + 1); s++) {
                     int low = Math.min(springs.from(s), springs.to(s));
                     int high = Math.max(springs.from(s), springs.to(s));
                     assertTrue(first <= low && high < end, "spring " + s + " of block " + home);
@@ -86,10 +88,10 @@ class SpringBlocksTest {
         SpringForce springs = springs(network);
         assertRanges(springs, 4, 3000);
         for (int b = 0; b < 4; b++) {
-            assertTrue(springs.getBlockStart(b + 1) - springs.getBlockStart(b) > 3000, "block " + b);     // of 20,000/4
+            assertTrue(springs.getPartStart(b + 1) - springs.getPartStart(b) > 3000, "block " + b);     // of 20,000/4
         }
         for (int joint = 4; joint < 7; joint++) {
-            assertTrue(springs.getBlockStart(joint) < springs.getBlockStart(joint + 1), "joint " + joint);
+            assertTrue(springs.getPartStart(joint) < springs.getPartStart(joint + 1), "joint " + joint);
         }
         boolean[] gone = new boolean[3000];
         for (int i = 0; i < gone.length; i++) {

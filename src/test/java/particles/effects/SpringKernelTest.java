@@ -57,7 +57,7 @@ class SpringKernelTest {
         SpringForce effect = new SpringForce(system.getParticles());
         springs.forEach(s -> effect.addSpring(s.from(), s.to(), s.stiffness(), s.restLength(), s.damping()));
         double[] force = new double[state.length];
-        effect.addForces(state, 0, force, 0, effect.size());
+        effect.addForces(state, 0, force);
         return force;
     }
 

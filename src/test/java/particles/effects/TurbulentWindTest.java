@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import particles.SeededRandom;
 import particles.Vector3;
@@ -13,9 +14,9 @@ class TurbulentWindTest {
     private static final Vector3 MEAN = new Vector3(3, 0, -1);
 
     private static double[] velocity(TurbulentWind wind, double x, double y, double z, double time) {
-        double[] u = new double[3];
+        double[] u = new double[6];
         wind.getVelocities(new double[] {x, y, z, 0, 0, 0}, time, u, 0, 1);
-        return u;
+        return Arrays.copyOfRange(u, 3, 6);
     }
 
     /** By central differences of 1e-5 m; measured at most 4e-9 /s where the rates are about 5 /s. */

@@ -1,6 +1,5 @@
 package particles.output;
 
-import java.util.Set;
 import particles.Effect;
 import particles.ParticleSystem;
 
@@ -22,16 +21,6 @@ final class TestEffects {
         }
 
         @Override
-        public Set<Trait> getTraits() {
-            return Set.of();
-        }
-
-        @Override
-        public int size() {
-            return 1;
-        }
-
-        @Override
         public boolean dependsOnVelocity() {
             return false;
         }
@@ -41,13 +30,8 @@ final class TestEffects {
     static Effect gravity(ParticleSystem system, double g) {
         return new Base("gravity") {
             @Override
-            public int size() {
-                return system.getParticles().count();
-            }
-
-            @Override
-            public void addForces(double[] state, double time, double[] force, int from, int to) {
-                for (int i = from; i < to; i++) {
+            public void addForces(double[] state, double time, double[] force) {
+                for (int i = 0; i < system.getParticles().count(); i++) {
                     force[6 * i + 4] -= system.getParticles().mass(i) * g;
                 }
             }
@@ -55,7 +39,7 @@ final class TestEffects {
             @Override
             public double getPotentialEnergy(double[] state, double time) {
                 double energy = 0;
-                for (int i = 0; i < size(); i++) {
+                for (int i = 0; i < system.getParticles().count(); i++) {
                     energy += system.getParticles().mass(i) * g * state[6 * i + 1];
                 }
                 return energy;
@@ -67,7 +51,7 @@ final class TestEffects {
     static Effect failingAt(double when) {
         return new Base("failing") {
             @Override
-            public void addForces(double[] state, double time, double[] force, int from, int to) {
+            public void addForces(double[] state, double time, double[] force) {
                 if (time > when) {
                     force[3] = Double.NaN;
                 }

@@ -10,10 +10,12 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectKind;
 
 /** What is wrong in a scene file is said in one line each, with its place, what was found and what is allowed. */
 class BrokenScenesTest {
-    private static final String EFFECTS = String.join(", ", EffectKind.ALL.stream().map(EffectKind::name).toList());
+    private static final String EFFECTS = String.join(", ", EffectCatalog.ALL.stream().map(EffectKind::name).toList());
 
     /** Seven right lines, so that what a case adds begins at line 8. */
     private static final String HEAD = """
@@ -45,7 +47,7 @@ class BrokenScenesTest {
                         "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: " + KEYS),
                 added("effects:\n  gravity: {}\n",
                         "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a dash: "
-                                + "one of " + EFFECTS + ", with its keys below it"),
+                                + "one of " + EFFECTS + ", or the full name of a class, such as exercises.MyForce, with its keys below it"),
                 added("effects:\n  - gravity:\n",
                         "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration; or write "
                                 + "'- gravity', without the colon"),
@@ -63,7 +65,7 @@ class BrokenScenesTest {
                         "x.yaml:9:5: 'wind' acts only through 'drag' or 'quadraticDrag', which the scene does not name; add '- drag: ...' "
                                 + "to 'effects'"),
                 added("effects:\n  - turbulence: {strength: 1}\n  - wind: {mean: [1, 0, 0]}\n  - drag: {coefficient: 1}\n",
-                        "x.yaml:9:5: 'turbulence' and 'wind' are two answers to one question; keep one of them"),
+                        "x.yaml:9:5: 'turbulence' and 'wind' cannot be combined; keep one of them"),
                 added("rules:\n  - shake: {particle: bob, amplitude: [1, 0, 0], period: 1}\n",
                         "x.yaml:9:23: particle 'bob' is free; only a fixed one can follow a given motion"),
                 added("rules:\n  - glide: {particle: tim, to: [1, 0, 0], duration: 1}\n",

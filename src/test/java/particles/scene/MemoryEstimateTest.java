@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import particles.scene.spec.Problems;
+import particles.spec.Problems;
 
 /**
  * What a scene takes is told before it is built. The least heaps (MiB) in which cloths with structural and shear springs

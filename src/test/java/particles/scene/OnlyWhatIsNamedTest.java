@@ -15,6 +15,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.Effect;
 import particles.Reaction;
 import particles.Rule;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectKind;
 
 /**
  * What a scene names is built, and nothing else: the laws are counted, and in a program that was just started the class of a
@@ -101,7 +103,7 @@ class OnlyWhatIsNamedTest {
     @Test
     void everyKindIsLookedAt() {
         String all = additions().stream().map(Addition::yaml).collect(Collectors.joining());
-        for (EffectKind kind : EffectKind.ALL) {
+        for (EffectKind kind : EffectCatalog.ALL) {
             assertTrue(all.contains(kind.name()), kind.name());
         }
         Set<String> missing = RuleKind.ALL.stream().map(RuleKind::name).filter(name -> !all.contains(name))

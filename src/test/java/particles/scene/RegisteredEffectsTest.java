@@ -12,8 +12,12 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import particles.DifferentiableEffect;
 import particles.Effect;
 import particles.ParticleSystem;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectKind;
+import particles.spec.ClassNames;
 import particles.teaching.EffectCheck;
 import particles.teaching.EffectClaims;
 import particles.teaching.EffectSample;
@@ -56,7 +60,7 @@ class RegisteredEffectsTest {
             "penaltySphere", "penaltySphere: {centre: [1, 0.3, 0.8], radius: 1.2, stiffness: 30, loss: 0.8}");
 
     static List<String> registered() {
-        return EffectKind.ALL.stream().map(EffectKind::name).toList();
+        return EffectCatalog.ALL.stream().map(EffectKind::name).toList();
     }
 
     private static Scene scene(String rest) {
@@ -66,7 +70,7 @@ class RegisteredEffectsTest {
     private static void keepTheirClaims(Scene scene) {
         assertFalse(scene.system().getEffects().isEmpty());
         for (Effect effect : scene.system().getEffects()) {
-            assertTrue(effect.hasForceDerivatives(), effect.getName() + " knows its derivatives");
+            assertTrue(effect instanceof DifferentiableEffect known && known.hasForceDerivatives(), effect.getName() + " knows its derivatives");
             assertEquals(List.of(), EffectClaims.broken(scene.system(), effect, 2003), effect.getName());
         }
     }
@@ -89,8 +93,8 @@ class RegisteredEffectsTest {
     @MethodSource("registered")
     void itCanBeCheckedByItsName(String name) {
         ParticleSystem system = EffectSample.system();
-        Effect effect = EffectSample.create(name, system.getParticles());
-        assertEquals(Map.of("wind", "drag", "turbulence", "quadraticDrag").getOrDefault(name, name), effect.getName());
+        Effect effect = EffectSample.create(name, system.getParticles(), ClassNames.none());
+        assertEquals(Map.of("wind", "drag", "turbulence", "drag").getOrDefault(name, name), effect.getName());
         assertEquals(name.equals("wind") || name.equals("turbulence"), effect.getTraits().contains(Effect.Trait.DRIVING),
                 "only what blows drives");
         assertEquals(List.of(), EffectCheck.check(system, effect));

@@ -12,7 +12,6 @@ import org.junit.jupiter.api.Test;
 import particles.Effect;
 import particles.Effect.Trait;
 import particles.ParticleSystem;
-import particles.Particles;
 
 /** Force laws whose force is right and whose account of it is not, and the other way round. */
 class PlantedClaimsTest {
@@ -37,18 +36,13 @@ class PlantedClaimsTest {
             }
 
             @Override
-            public int size() {
-                return EffectSample.system().getParticles().count();
-            }
-
-            @Override
             public boolean dependsOnVelocity() {
                 return velocities;
             }
 
             @Override
-            public void addForces(double[] state, double time, double[] force, int from, int to) {
-                for (int k = Particles.STRIDE * from + 3; k < Particles.STRIDE * to; k += k % 6 == 5 ? 4 : 1) {
+            public void addForces(double[] state, double time, double[] force) {
+                for (int k = 3; k < force.length; k += k % 6 == 5 ? 4 : 1) {
                     force[k] += component.of(state, k);
                 }
             }
@@ -95,7 +89,7 @@ class PlantedClaimsTest {
     @Test
     void noForceAtAll() {
         assertFound(law(EnumSet.allOf(Trait.class), true, (state, k) -> 0 * state[k], NONE, NONE),
-                "method: addForces adds no force to any particle");
+                "method: there is no force on any particle");
     }
 
     /** The wall is far from where the sample's particles are, and pushes what comes to it. */

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.Effect;
 import particles.ParticleSystem;
 import particles.Particles;
+import particles.spec.ClassNames;
 
 /** Every planted mistake of a force law is named; the laws of our own pass. */
 class PlantedEffectsTest {
@@ -38,11 +39,6 @@ class PlantedEffectsTest {
         }
 
         @Override
-        public int size() {
-            return particles.count();
-        }
-
-        @Override
         public boolean dependsOnVelocity() {
             return traits.contains(Trait.DISSIPATIVE);
         }
@@ -52,8 +48,8 @@ class PlantedEffectsTest {
     private static Function<Particles, Effect> gravity(double force, int massPower, double energy, int offset, boolean add) {
         return p -> new PerParticle(p, Effect.Trait.CONSERVATIVE) {
             @Override
-            public void addForces(double[] state, double time, double[] f, int from, int to) {
-                for (int i = from; i < to; i++) {
+            public void addForces(double[] state, double time, double[] f) {
+                for (int i = 0; i < particles.count(); i++) {
                     double value = -force * 9.81 * (massPower == 1 ? particles.mass(i) : 1);
                     f[6 * i + offset] = (add ? f[6 * i + offset] : 0) + value;
                 }
@@ -74,13 +70,8 @@ class PlantedEffectsTest {
     private static Function<Particles, Effect> chain(double own, double partner, double energy) {
         return p -> new PerParticle(p, Effect.Trait.INTERNAL, Effect.Trait.CONSERVATIVE) {
             @Override
-            public int size() {
-                return particles.count() - 1;
-            }
-
-            @Override
-            public void addForces(double[] state, double time, double[] f, int from, int to) {
-                for (int s = from; s < to; s++) {
+            public void addForces(double[] state, double time, double[] f) {
+                for (int s = 0; s < particles.count() - 1; s++) {
                     for (int c = 0; c < 3; c++) {
                         double force = 10 * (state[6 * s + 6 + c] - state[6 * s + c]);
                         f[6 * s + 3 + c] += own * force;
@@ -103,8 +94,8 @@ class PlantedEffectsTest {
     private static Function<Particles, Effect> drag(double factor) {
         return p -> new PerParticle(p, Effect.Trait.DISSIPATIVE) {
             @Override
-            public void addForces(double[] state, double time, double[] f, int from, int to) {
-                for (int k = 6 * from + 3; k < 6 * to; k += k % 6 == 5 ? 4 : 1) {
+            public void addForces(double[] state, double time, double[] f) {
+                for (int k = 3; k < f.length; k += k % 6 == 5 ? 4 : 1) {
                     f[k] -= factor * 0.4 * state[k];
                 }
             }
@@ -130,10 +121,10 @@ class PlantedEffectsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gravity", "springs", "damped-springs", "linear-drag", "quadratic-drag", "attraction",
-            "cohesion", "penalty-plane"})
+    @ValueSource(strings = {"gravity", "springs", "damped-springs", "drag", "quadraticDrag", "attraction",
+            "cohesion", "penaltyPlane"})
     void ourOwnEffectsPass(String name) {
-        assertFound(p -> EffectSample.create(name, p));
+        assertFound(p -> EffectSample.create(name, p, ClassNames.none()));
     }
 
     @Test
@@ -170,12 +161,12 @@ class PlantedEffectsTest {
 
     @Test
     void partnerForgotten() {
-        assertFound(chain(1, 0, 0.5), "method: item 0 pushes particle 'p0' and forgets the partner: F_ji = -F_ij");
+        assertFound(chain(1, 0, 0.5), "method: particle 'p1' pushes 'p0', and is not pushed itself: the partner's force F_ji = -F_ij is missing");
     }
 
     @Test
     void partnerPushedTheSameWay() {
-        assertFound(chain(1, 1, 0.5), "item 0 pushes particles 'p0' and 'p1'", "the partner gets the same force");
+        assertFound(chain(1, 1, 0.5), "particle 'p1' pushes 'p0', and gets the same force itself");
     }
 
     @Test

@@ -6,14 +6,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
-import particles.scene.spec.Key;
-import particles.scene.spec.MappingType;
-import particles.scene.spec.Problems;
-import particles.scene.spec.Reading;
-import particles.scene.spec.SourceText;
-import particles.scene.spec.Values;
-import particles.scene.spec.WordType;
-import particles.scene.spec.YamlText;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.Problems;
+import particles.spec.Reading;
+import particles.spec.SourceText;
+import particles.spec.Values;
+import particles.spec.WordType;
+import particles.spec.YamlText;
 
 /**
  * A student's answers, a file of lines such as {@code 5: 3.42}: the exercise's number and the answer.

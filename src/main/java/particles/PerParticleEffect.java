@@ -1,0 +1,24 @@
+package particles;
+
+/**
+ * An effect whose force on a particle depends on that particle alone, as gravity and drag do. The particles can then be taken
+ * range by range, by several threads at once.
+ */
+public interface PerParticleEffect extends Effect {
+
+    /**
+     * Adds the forces on the particles from ... to - 1. Several threads may call it at once for different ranges.
+     *
+     * @param state the particles' state (m, m/s); read only
+     * @param time  t (s)
+     * @param force adds each particle's force (N) where its velocity stands in the state
+     * @param from  first particle
+     * @param to    one past the last particle
+     */
+    void addForces(double[] state, double time, double[] force, int from, int to);
+
+    @Override
+    default void addForces(double[] state, double time, double[] force) {
+        addForces(state, time, force, 0, force.length / Particles.STRIDE);
+    }
+}

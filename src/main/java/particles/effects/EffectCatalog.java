@@ -1,0 +1,21 @@
+package particles.effects;
+
+import java.util.List;
+
+/** The effects that scenes can name. */
+public final class EffectCatalog {
+    /** All effects, in the order in which they are built: what others ask for comes first. */
+    public static final List<EffectKind> ALL = List.of(
+            new Gravity.Keys(),
+            new GustyWind.Keys(),
+            new TurbulentWind.Keys(),
+            new LinearDrag.Keys(),
+            new QuadraticDrag.Keys(),
+            new PointAttraction.Keys(),
+            new Cohesion.Keys(),
+            new PenaltyPlane.Keys(),
+            new PenaltySphere.Keys());
+
+    private EffectCatalog() {
+    }
+}

@@ -1,0 +1,67 @@
+package particles.effects;
+
+import java.util.List;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.MappingType;
+import particles.spec.Values;
+
+/**
+ * What a scene can say of an effect: the effect's name, its keys, and how it is built from their values. Each law declares
+ * it in a nested class {@code Keys}, with a public constructor without parameters. Nothing of the law itself is loaded until
+ * a scene names it.
+ */
+public abstract class EffectKind implements Kind {
+    private final String name;
+    private final String sentence;
+    private final MappingType keys;
+
+    /**
+     * @param name     the name in scenes; for a law that is not in {@link EffectCatalog} the full name of its class
+     * @param sentence what the effect is
+     * @param keys     what a scene can say of it
+     */
+    protected EffectKind(String name, String sentence, Key<?>... keys) {
+        this.name = name;
+        this.sentence = sentence;
+        this.keys = MappingType.of("'" + name + "'", keys);
+    }
+
+    /**
+     * Builds the effect and adds it to the scene.
+     *
+     * @param values what the scene says of it, checked
+     * @param scene  the scene being built
+     */
+    public abstract void build(Values values, EffectContext scene);
+
+    /** @return names of effects of which the scene must have at least one, because this one acts through them; may be empty */
+    public List<String> needs() {
+        return List.of();
+    }
+
+    /** @return names of effects that the scene must not have */
+    public List<String> excludes() {
+        return List.of();
+    }
+
+    /** @return whether a scene may name the effect more than once */
+    public boolean isRepeatable() {
+        return false;
+    }
+
+    @Override
+    public final String name() {
+        return name;
+    }
+
+    @Override
+    public final String sentence() {
+        return sentence;
+    }
+
+    @Override
+    public final MappingType keys() {
+        return keys;
+    }
+}

@@ -1,0 +1,43 @@
+package particles.effects;
+
+import particles.Sphere;
+import particles.Vector3;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+import particles.spec.WholeNumberType;
+
+/** Scene keys that several effects and rules have in common. */
+public final class SharedKeys {
+    /** Which random numbers. */
+    public static final Key<Integer> SEED = Key.withDefault("seed", new WholeNumberType(0, 1_000_000_000), 1,
+            "Which of all random sequences; the same seed gives the same run on every machine.");
+
+    /** The middle of a sphere. */
+    public static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Where its middle is (m).");
+    /** The radius of a sphere. */
+    public static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "Its radius (m).");
+    /** Which side of a sphere is solid. */
+    public static final Key<Boolean> HOLLOW = Key.withDefault("hollow", FlagType.FLAG, false,
+            "Whether particles belong inside it, as in a bowl or a bubble, and not outside.");
+
+    /** The stiffness of a penalty force. */
+    static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.notNegative("N/m"),
+            "k, the push for each metre of depth (N/m).");
+    /** The damping of a penalty force. */
+    static final Key<Double> LOSS = Key.withDefault("loss", NumberType.notNegative("s/m"), 0.0,
+            "By what part the push is larger for each m/s of speed inwards, and smaller outwards (s/m); 0 loses no energy.");
+
+    private SharedKeys() {
+    }
+
+    /**
+     * @param values what a scene says of a sphere
+     * @return the sphere
+     */
+    public static Sphere sphere(Values values) {
+        return new Sphere(values.get(CENTRE), values.get(RADIUS), values.get(HOLLOW));
+    }
+}

@@ -1,0 +1,12 @@
+package particles.spec;
+
+/**
+ * An entry that chose a kind.
+ *
+ * @param kind   the kind
+ * @param values what is said of it
+ * @param place  where its name stands
+ * @param <K>    the kinds there are
+ */
+public record Chosen<K extends Kind>(K kind, Values values, Place place) {
+}

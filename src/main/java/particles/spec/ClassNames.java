@@ -1,0 +1,32 @@
+package particles.spec;
+
+/** Finds kinds that a file names by a class instead of a name of ours, such as a student's own effect. */
+public interface ClassNames {
+    /**
+     * @param example such a name
+     * @return texts of the form of a class's full name
+     */
+    static TextType form(String example) {
+        return TextType.of("the full name of a class, such as " + example, "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$");
+    }
+
+    /**
+     * @param name the full name of a class
+     * @param type which sort of kind it has to declare
+     * @param <K>  that sort
+     * @return what a file can say of it
+     * @throws IllegalArgumentException if there is none; the message is one line that says what to do
+     */
+    <K extends Kind> K find(String name, Class<K> type);
+
+    /** @return one that finds no class */
+    static ClassNames none() {
+        return new ClassNames() {
+            @Override
+            public <K extends Kind> K find(String name, Class<K> type) {
+                throw new IllegalArgumentException("class '" + name + "' cannot be used here; take an effect from the list in the"
+                        + " scene reference");
+            }
+        };
+    }
+}

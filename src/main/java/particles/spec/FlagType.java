@@ -1,0 +1,40 @@
+package particles.spec;
+
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+
+/** true or false. */
+public final class FlagType extends Type<Boolean> {
+    /** The one there is. */
+    public static final FlagType FLAG = new FlagType();
+
+    private FlagType() {
+    }
+
+    @Override
+    Optional<Boolean> read(Node node, String what, Reading in) {
+        if (!node.getTag().equals(Tag.BOOL)) {
+            return wrong(node, what, in);               // yes and no are texts in YAML 1.2
+        }
+        return Optional.of(((ScalarNode) node).getValue().toLowerCase(Locale.ROOT).equals("true"));
+    }
+
+    @Override
+    Optional<Boolean> sample() {
+        return Optional.of(false);
+    }
+
+    @Override
+    public String describe() {
+        return "true or false";
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        return Map.of("type", "boolean");
+    }
+}

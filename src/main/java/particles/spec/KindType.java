@@ -1,0 +1,150 @@
+package particles.spec;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.MappingNode;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.NodeTuple;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+
+/**
+ * A choice of one kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} where it needs no keys.
+ *
+ * @param <K> the kinds there are
+ */
+public final class KindType<K extends Kind> extends Type<Chosen<K>> {
+    private final String what;
+    private final List<K> kinds;
+    private final Optional<ByClass<K>> byClass;
+
+    private record ByClass<K extends Kind>(Class<K> type, TextType form) {
+    }
+
+    /**
+     * @param what  what the kinds are kinds of, such as {@code effect}
+     * @param kinds the kinds, with different names
+     */
+    public KindType(String what, List<K> kinds) {
+        this(what, kinds, Optional.empty());
+    }
+
+    private KindType(String what, List<K> kinds, Optional<ByClass<K>> byClass) {
+        this.what = what;
+        this.kinds = List.copyOf(kinds);
+        this.byClass = byClass;
+    }
+
+    /**
+     * @param type    a sort of kinds
+     * @param example the name of a class that declares one
+     * @return these kinds, and besides them all that {@link ClassNames} finds by the name of a class
+     */
+    public KindType<K> orByClass(Class<K> type, String example) {
+        return new KindType<>(what, kinds, Optional.of(new ByClass<>(type, ClassNames.form(example))));
+    }
+
+    @Override
+    Optional<Chosen<K>> read(Node node, String label, Reading in) {
+        if (node instanceof ScalarNode && node.getTag().equals(Tag.STR)) {
+            return find(node, in).flatMap(kind -> bare(kind, node, in));
+        }
+        if (!(node instanceof MappingNode) || ((MappingNode) node).getValue().isEmpty()) {
+            return wrong(node, label, in);
+        }
+        List<NodeTuple> entries = ((MappingNode) node).getValue();
+        Node nameNode = entries.get(0).getKeyNode();
+        if (!(nameNode instanceof ScalarNode)) {
+            return wrong(nameNode, label, in);
+        }
+        Optional<K> kind = find(nameNode, in);
+        if (kind.isEmpty()) {
+            return Optional.empty();
+        }
+        if (entries.size() > 1) {
+            in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '" + kind.get().name()
+                    + "'; what follows is either a key of it, to be indented further, or another " + what
+                            + ", which needs a dash of its own");
+            return Optional.empty();
+        }
+        Node valueNode = entries.get(0).getValueNode();
+        if (valueNode.getTag().equals(Tag.NULL)) {
+            in.problem(nameNode, "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
+                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon" : ""));
+            return Optional.empty();
+        }
+        Place place = in.place(nameNode);
+        return kind.get().keys().read(valueNode, "'" + kind.get().name() + "'", in).map(values -> new Chosen<>(kind.get(),
+                values, place));
+    }
+
+    private Optional<K> find(Node nameNode, Reading in) {
+        String name = ((ScalarNode) nameNode).getValue();
+        if (byClass.isPresent() && byClass.get().form().matches(name)) {
+            try {
+                return Optional.of(in.classes().find(name, byClass.get().type()));
+            } catch (IllegalArgumentException e) {
+                in.problem(nameNode, e.getMessage());
+                return Optional.empty();
+            }
+        }
+        Optional<K> found = kinds.stream().filter(kind -> kind.name().equals(name)).findFirst();
+        if (found.isEmpty()) {
+            in.problem(nameNode, Wording.unknown(what, name, kinds.stream().map(Kind::name).toList()));
+        }
+        return found;
+    }
+
+    private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
+        if (!kind.keys().mayBeEmpty()) {
+            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it needs " + kind.keys().describe());
+            return Optional.empty();
+        }
+        return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));
+    }
+
+    @Override
+    public String describe() {
+        return "one of " + String.join(", ", kinds.stream().map(Kind::name).toList()) + orClass() + ", with its keys below it";
+    }
+
+    /** @return what else than a kind's name may stand in its place, to follow the names */
+    String orClass() {
+        return byClass.map(other -> ", or " + other.form().describe()).orElse("");
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> properties = new LinkedHashMap<>();
+        for (K kind : kinds) {
+            Map<String, Object> property = new LinkedHashMap<>();
+            property.put("description", kind.sentence());
+            property.putAll(kind.keys().schema());
+            properties.put(kind.name(), property);
+        }
+        Map<String, Object> mapping = new LinkedHashMap<>();
+        mapping.put("type", "object");
+        mapping.put("properties", properties);
+        byClass.ifPresent(other -> mapping.put("patternProperties", Map.of(other.form().pattern(), Map.of("type", "object"))));
+        mapping.put("additionalProperties", false);
+        mapping.put("minProperties", 1);
+        mapping.put("maxProperties", 1);
+        List<String> bare = kinds.stream().filter(kind -> kind.keys().mayBeEmpty()).map(Kind::name).toList();
+        if (bare.isEmpty()) {
+            return mapping;
+        }
+        Map<String, Object> either = new LinkedHashMap<>();
+        List<Object> choices = new ArrayList<>(List.of(Map.of("enum", bare), mapping));
+        byClass.ifPresent(other -> choices.add(other.form().schema()));
+        either.put("anyOf", choices);
+        return either;
+    }
+
+    /** @return the kinds there are */
+    public List<K> kinds() {
+        return kinds;
+    }
+}

@@ -1,0 +1,75 @@
+package particles.spec;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.SequenceNode;
+
+/**
+ * A list of values of one type; a list of one may be written without the list where that is allowed.
+ *
+ * @param <T> what an element is in Java
+ */
+public final class ListType<T> extends Type<List<T>> {
+    private final String elementName;
+    private final Type<T> element;
+    private final boolean bareAllowed;
+
+    private ListType(String elementName, Type<T> element, boolean bareAllowed) {
+        this.elementName = elementName;
+        this.element = element;
+        this.bareAllowed = bareAllowed;
+    }
+
+    /** @return lists of elements, which are called so in messages */
+    public static <T> ListType<T> of(String elementName, Type<T> element) {
+        return new ListType<>(elementName, element, false);
+    }
+
+    /** @return lists of elements, or one element that is not a list itself */
+    public static <T> ListType<T> oneOrMore(String elementName, Type<T> element) {
+        return new ListType<>(elementName, element, true);
+    }
+
+    /** {@inheritDoc} The elements without problems, so that what depends on them can still be looked at. */
+    @Override
+    Optional<List<T>> read(Node node, String what, Reading in) {
+        List<T> elements = new ArrayList<>();
+        if (node instanceof SequenceNode) {
+            for (Node item : ((SequenceNode) node).getValue()) {
+                element.read(item, elementName, in).ifPresent(elements::add);
+            }
+        } else if (bareAllowed) {
+            element.read(node, what, in).ifPresent(elements::add);
+        } else {
+            return wrong(node, what, in);
+        }
+        return Optional.of(elements);
+    }
+
+    @Override
+    public String describe() {
+        return bareAllowed ? element.describe() + ", or a list of such" : "a list, each entry after a dash: "
+                + element.describe();
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> list = new LinkedHashMap<>();
+        list.put("type", "array");
+        list.put("items", element.schema());
+        return bareAllowed ? new LinkedHashMap<>(Map.of("anyOf", List.of(element.schema(), list))) : list;
+    }
+
+    Type<T> element() {
+        return element;
+    }
+
+    @Override
+    Object toJson(List<T> value) {
+        return value.stream().map(element::toJson).toList();
+    }
+}

@@ -1,0 +1,201 @@
+package particles.spec;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.snakeyaml.engine.v2.nodes.MappingNode;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.NodeTuple;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+
+/** A mapping with known keys. */
+public final class MappingType extends Type<Values> {
+    private final String name;
+    private final List<Key<?>> keys;
+    private final List<Key<?>> exactlyOneOf;
+    private final Optional<Key<?>> shortFor;
+
+    private MappingType(String name, List<Key<?>> keys, List<Key<?>> exactlyOneOf, Optional<Key<?>> shortFor) {
+        this.name = name;
+        this.keys = List.copyOf(keys);
+        this.exactlyOneOf = List.copyOf(exactlyOneOf);
+        this.shortFor = shortFor;
+    }
+
+    /**
+     * @param name what the mapping describes, in messages
+     * @param keys its keys, in the order in which they are explained
+     * @return the type
+     */
+    public static MappingType of(String name, Key<?>... keys) {
+        return new MappingType(name, List.of(keys), List.of(), Optional.empty());
+    }
+
+    /** @return this type with the condition that exactly one of these keys is there */
+    public MappingType withExactlyOneOf(Key<?>... alternatives) {
+        return new MappingType(name, keys, List.of(alternatives), shortFor);
+    }
+
+    /** @return this type with a short form: the value of this key alone, where no other key is needed */
+    public MappingType shortFor(Key<?> key) {
+        return new MappingType(name, keys, exactlyOneOf, Optional.of(key));
+    }
+
+    /**
+     * Reads a whole file.
+     *
+     * @param root its root
+     * @param in   its name, and where problems go
+     * @return what it says, as far as it is right
+     */
+    public Values readRoot(Node root, Reading in) {
+        return read(root, name, in).orElseThrow();
+    }
+
+    /** {@inheritDoc} Always values, with what is right in them; whether all is, {@link Values#isSound()} says. */
+    @Override
+    Optional<Values> read(Node node, String what, Reading in) {
+        Values values = new Values(in.place(node));
+        int before = in.problems().count();
+        if (!(node instanceof MappingNode)) {
+            if (shortFor.isEmpty() || node.getTag().equals(Tag.NULL)) {
+                wrong(node, what, in);
+                values.markUnsound();
+            } else if (!readValue(shortFor.get(), node, what, values, in)) {
+                values.markUnsound();
+            }
+            return Optional.of(values);
+        }
+        Set<String> seen = new HashSet<>();
+        for (NodeTuple tuple : ((MappingNode) node).getValue()) {
+            readEntry(tuple.getKeyNode(), tuple.getValueNode(), seen, values, in);
+        }
+        for (Key<?> key : keys) {
+            if (key.required() && !values.isGiven(key)) {
+                in.problem(node, name + " needs '" + key.name() + "': " + key.type().describe());
+            }
+        }
+        if (!exactlyOneOf.isEmpty() && exactlyOneOf.stream().filter(values::isGiven).count() != 1) {
+            in.problem(node, name + " needs exactly one of " + names(exactlyOneOf));
+        }
+        if (in.problems().count() > before) {
+            values.markUnsound();
+        }
+        return Optional.of(values);
+    }
+
+    private void readEntry(Node keyNode, Node valueNode, Set<String> seen, Values values, Reading in) {
+        if (!(keyNode instanceof ScalarNode)) {
+            in.problem(keyNode, "a key of " + name + " is " + Wording.describe(keyNode) + "; it has to be one of "
+                    + names(keys));
+            return;
+        }
+        String text = ((ScalarNode) keyNode).getValue();
+        Optional<Key<?>> key = keys.stream().filter(k -> k.name().equals(text)).findFirst();
+        if (key.isEmpty()) {
+            List<String> known = keys.stream().map(Key::name).toList();
+            in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
+                    ? "a number where a key of " + name + " should be; numbers have a decimal point, not a comma, and several"
+                    + " of them stand in [ ]"
+                    : Wording.unknown("key", text, known).replaceFirst("known:", "known in " + name + ":"));
+        } else if (!seen.add(text)) {
+            in.problem(keyNode, "'" + text + "' is there twice in " + name);
+        } else if (valueNode.getTag().equals(Tag.NULL)) {
+            values.put(key.get(), Optional.empty(), in.place(keyNode), false);
+            in.problem(keyNode, "'" + text + "' has no value; it has to be " + key.get().type().describe());
+        } else {
+            readValue(key.get(), valueNode, "'" + text + "'", values, in);
+        }
+    }
+
+    private static boolean isWord(String key) {
+        return Character.isLetter(key.charAt(0));
+    }
+
+    private static <T> boolean readValue(Key<T> key, Node node, String what, Values values, Reading in) {
+        int before = in.problems().count();
+        Optional<T> value = key.type().read(node, what, in);
+        values.put(key, value, in.place(node), in.problems().count() == before);
+        return value.isPresent();
+    }
+
+    private static String names(List<Key<?>> keys) {
+        return String.join(", ", keys.stream().map(key -> "'" + key.name() + "'").toList());
+    }
+
+    /**
+     * @return values with which to try out what the keys describe: the defaults, and samples for the keys that are required
+     * @throws IllegalArgumentException if a required key has a type of which no sample is known
+     */
+    public Values samples() {
+        Values values = new Values(Place.of("a sample"));
+        keys.stream().filter(Key::required).forEach(key -> putSample(key, values));
+        return values;
+    }
+
+    private static <T> void putSample(Key<T> key, Values values) {
+        Optional<T> sample = key.type().sample();
+        if (sample.isEmpty()) {
+            throw new IllegalArgumentException("no value for the key '" + key.name() + "' can be made up; give it a default");
+        }
+        values.put(key, sample, values.place(), true);
+    }
+
+    @Override
+    public String describe() {
+        return (shortFor.isPresent() ? shortFor.get().type().describe() + "; or " : "") + "a mapping with keys of "
+                + String.join(", ", keys.stream().map(Key::name).toList());
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> schema = new LinkedHashMap<>();
+        Map<String, Object> properties = new LinkedHashMap<>();
+        for (Key<?> key : keys) {
+            Map<String, Object> property = new LinkedHashMap<>();
+            property.put("description", key.sentence());
+            property.putAll(key.type().schema());
+            key.defaultJson().ifPresent(value -> property.put("default", value));
+            properties.put(key.name(), property);
+        }
+        schema.put("type", "object");
+        schema.put("properties", properties);
+        schema.put("additionalProperties", false);
+        List<String> required = keys.stream().filter(Key::required).map(Key::name).toList();
+        if (!required.isEmpty()) {
+            schema.put("required", required);
+        }
+        if (!exactlyOneOf.isEmpty()) {
+            List<Object> alternatives = new ArrayList<>();
+            exactlyOneOf.forEach(key -> alternatives.add(Map.of("required", List.of(key.name()))));
+            schema.put("oneOf", alternatives);
+        }
+        return shortFor.isEmpty() ? schema
+                : new LinkedHashMap<>(Map.of("anyOf", List.of(shortFor.get().type().schema(), schema)));
+    }
+
+    /** @return what the mapping describes */
+    public String name() {
+        return name;
+    }
+
+    /** @return the keys, in the order in which they are explained */
+    public List<Key<?>> keys() {
+        return keys;
+    }
+
+    /** @return the key whose value may stand alone, if there is one */
+    Optional<Key<?>> shortForm() {
+        return shortFor;
+    }
+
+    /** @return whether nothing has to be said */
+    boolean mayBeEmpty() {
+        return exactlyOneOf.isEmpty() && keys.stream().noneMatch(Key::required);
+    }
+}

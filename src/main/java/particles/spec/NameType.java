@@ -1,0 +1,81 @@
+package particles.spec;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+
+/** One of some names; or else, where that is allowed, a text of another form. */
+public final class NameType extends Type<String> {
+    private final String what;
+    private final List<String> names;
+    private final Optional<TextType> other;
+
+    private NameType(String what, List<String> names, Optional<TextType> other) {
+        this.what = what;
+        this.names = List.copyOf(names);
+        this.other = other;
+    }
+
+    /**
+     * @param what  what the names name, such as {@code solver}
+     * @param names the names
+     * @return one of them
+     */
+    public static NameType of(String what, List<String> names) {
+        return new NameType(what, names, Optional.empty());
+    }
+
+    /**
+     * @param what  what the names name
+     * @param names the names
+     * @param other what else is allowed; no name may have that form
+     * @return a name, or a text of the other form
+     */
+    public static NameType or(String what, List<String> names, TextType other) {
+        return new NameType(what, names, Optional.of(other));
+    }
+
+    @Override
+    Optional<String> read(Node node, String label, Reading in) {
+        if (!(node instanceof ScalarNode)) {
+            return wrong(node, label, in);
+        }
+        String text = ((ScalarNode) node).getValue();
+        if (names.contains(text) && isText(node)) {
+            return Optional.of(text);
+        }
+        if (other.isPresent() && isText(node)) {
+            Optional<String> read = other.get().read(node, label, new Reading(in.source(), new Problems()));
+            if (read.isPresent()) {
+                return read;
+            }
+        }
+        in.problem(node, Wording.unknown(what, text, names) + other.map(o -> ", or " + o.describe()).orElse(""));
+        return Optional.empty();
+    }
+
+    private static boolean isText(Node node) {
+        return node.getTag().equals(Tag.STR);
+    }
+
+    @Override
+    Optional<String> sample() {
+        return names.stream().findFirst();
+    }
+
+    @Override
+    public String describe() {
+        return "one of " + String.join(", ", names) + other.map(o -> ", or " + o.describe()).orElse("");
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> choice = new LinkedHashMap<>();
+        choice.put("enum", names);
+        return other.isEmpty() ? choice : new LinkedHashMap<>(Map.of("anyOf", List.of(choice, other.get().schema())));
+    }
+}

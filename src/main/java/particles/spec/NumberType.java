@@ -1,0 +1,121 @@
+package particles.spec;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+
+/** A finite number in a range. */
+public final class NumberType extends Type<Double> {
+    /** Nothing in a scene is larger, and products of a few such numbers still are finite. */
+    private static final double HUGE = 1e30;
+    /** No number that has to be positive is smaller: its inverse is finite, and that of a part of it. */
+    private static final double TINY = 1e-30;
+
+    private final double least;
+    private final boolean leastAllowed;
+    private final double most;
+    private final String unit;
+
+    private NumberType(double least, boolean leastAllowed, double most, String unit) {
+        this.least = least;
+        this.leastAllowed = leastAllowed;
+        this.most = most;
+        this.unit = unit;
+    }
+
+    /** @return numbers over 0; the unit is empty for pure numbers */
+    public static NumberType positive(String unit) {
+        return new NumberType(0, false, HUGE, unit);
+    }
+
+    /** @return numbers from 0 */
+    public static NumberType notNegative(String unit) {
+        return new NumberType(0, true, HUGE, unit);
+    }
+
+    /** @return numbers of either sign */
+    public static NumberType any(String unit) {
+        return new NumberType(-HUGE, true, HUGE, unit);
+    }
+
+    /** @return numbers from least to most, both allowed */
+    public static NumberType between(double least, double most, String unit) {
+        return new NumberType(least, true, most, unit);
+    }
+
+    @Override
+    Optional<Double> read(Node node, String what, Reading in) {
+        Optional<Double> number = parse(node);
+        if (number.isEmpty()) {
+            return wrong(node, what, in);
+        }
+        double value = number.get();
+        if (value <= most && value >= smallest()) {
+            return number;
+        }
+        if (value > 0 && value < TINY) {
+            in.problem(node, what + " is " + Wording.describe(node) + "; no number that has to be positive is below 1e-30");
+            return Optional.empty();
+        }
+        if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {
+            in.problem(node, what + " is " + Wording.describe(node) + "; no number in a scene is beyond 1e30");
+            return Optional.empty();
+        }
+        return wrong(node, what, in);
+    }
+
+    private static boolean isNotANumber(Node node) {
+        return ((ScalarNode) node).getValue().equalsIgnoreCase(".nan");
+    }
+
+    private double smallest() {
+        return leastAllowed ? least : Math.max(TINY, Math.nextUp(least));
+    }
+
+    /** The number that a node is, in YAML 1.2's core schema: 1e-3, .5, +2, 0x10, but also .inf and .nan. */
+    static Optional<Double> parse(Node node) {
+        if (!(node instanceof ScalarNode) || !(node.getTag().equals(Tag.INT) || node.getTag().equals(Tag.FLOAT))) {
+            return Optional.empty();
+        }
+        String text = ((ScalarNode) node).getValue();
+        try {
+            if (text.startsWith("0x") || text.startsWith("0o")) {
+                return Optional.of((double) Long.parseLong(text.substring(2), text.startsWith("0x") ? 16 : 8));
+            }
+            return Optional.of(Double.parseDouble(text));
+        } catch (NumberFormatException e) {
+            return Optional.of(Double.NaN);             // .inf, .nan, or hexadecimal beyond measure: in no range
+        }
+    }
+
+    @Override
+    Optional<Double> sample() {
+        return Optional.of(smallest() <= 2 && 2 <= most ? 2 : (smallest() + most) / 2);
+    }
+
+    @Override
+    public String describe() {
+        String range;
+        if (least == -most) {
+            range = "a number";
+        } else if (most == HUGE) {
+            range = leastAllowed ? "a number from " + Wording.number(least) + " up" : "a number over "
+                    + Wording.number(least);
+        } else {
+            range = "a number from " + Wording.number(least) + " to " + Wording.number(most);
+        }
+        return range + (unit.isEmpty() ? "" : " (" + unit + ")");
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> schema = new LinkedHashMap<>();
+        schema.put("type", "number");
+        schema.put("minimum", smallest());
+        schema.put("maximum", most);
+        return schema;
+    }
+}

@@ -1,0 +1,27 @@
+package particles.spec;
+
+import org.snakeyaml.engine.v2.nodes.Node;
+
+/**
+ * One source being read.
+ *
+ * @param source   its name in messages
+ * @param problems where problems go
+ * @param classes  finds what is named by a class
+ */
+public record Reading(String source, Problems problems, ClassNames classes) {
+
+    /** Without classes. */
+    public Reading(String source, Problems problems) {
+        this(source, problems, ClassNames.none());
+    }
+
+    void problem(Node node, String message) {
+        problems.add(place(node), message);
+    }
+
+    /** A value that came from an option has no mark; its place is the option as a whole. */
+    Place place(Node node) {
+        return Place.of(source, node);
+    }
+}

@@ -1,0 +1,108 @@
+package particles.spec;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.CoderResult;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.scanner.StreamReader;
+
+/** From a file to its text: of bounded size, in UTF-8 and of printable characters, or else a line that says why not. */
+public final class SourceText {
+    /** A scene of 10,000 particles one by one is a third of this. */
+    static final int LARGEST = 2 << 20;
+    /** The parser's time grows with the square of a word's length. */
+    static final int LONGEST_WORD = 100_000;
+    /** UTF-16's byte order mark, in one order or the other. */
+    private static final byte LOW = (byte) 0xfe;
+    private static final byte HIGH = (byte) 0xff;
+
+    private SourceText() {
+    }
+
+    /**
+     * Reads a file, and no more of it than is allowed.
+     *
+     * @param file   the file
+     * @param in     its name, and where problems go
+     * @return its bytes, or nothing if a problem was said
+     */
+    public static Optional<byte[]> read(Path file, Reading in) {
+        String problem;
+        if (Files.isDirectory(file)) {
+            problem = "this is a folder; it has to be a file";
+        } else {
+            try (InputStream stream = Files.newInputStream(file)) {
+                return Optional.of(stream.readNBytes(LARGEST + 1));
+            } catch (NoSuchFileException e) {
+                problem = "there is no such file";
+            } catch (AccessDeniedException e) {
+                problem = "the file may not be read; its permissions forbid it";
+            } catch (IOException e) {
+                problem = "the file cannot be read: " + e.getMessage();
+            }
+        }
+        in.problems().add(Place.of(in.source()), problem);
+        return Optional.empty();
+    }
+
+    /**
+     * Decodes bytes as UTF-8, with or without a byte order mark.
+     *
+     * @param bytes what a file holds
+     * @param in    its name, and where problems go
+     * @return the text, or nothing if a problem was said
+     */
+    static Optional<String> decode(byte[] bytes, Reading in) {
+        Place whole = Place.of(in.source());
+        if (bytes.length > LARGEST) {
+            in.problems().add(whole, "the file is longer than " + (LARGEST >> 20)
+                    + " MiB; many particles are made by shapes");
+            return Optional.empty();
+        }
+        if (bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH || bytes[0] == HIGH && bytes[1] == LOW)) {
+            in.problems().add(whole, "the file is in UTF-16; save it as UTF-8");
+            return Optional.empty();
+        }
+        CharBuffer characters = CharBuffer.allocate(bytes.length);
+        CoderResult result = StandardCharsets.UTF_8.newDecoder().onMalformedInput(CodingErrorAction.REPORT)
+                .decode(ByteBuffer.wrap(bytes), characters, true);
+        String text = characters.flip().toString();
+        if (result.isError()) {
+            in.problems().add(end(text, in), "a byte here is not UTF-8; save the file as UTF-8");
+            return Optional.empty();
+        }
+        text = text.startsWith("\uFEFF") ? text.substring(1) : text;
+        int word = 0;
+        for (int i = 0; i < text.length(); i += Character.charCount(text.codePointAt(i))) {
+            int c = text.codePointAt(i);
+            word = c == ' ' || c == '\t' || c == '\n' || c == '\r' ? 0 : word + 1;
+            if (word > LONGEST_WORD) {
+                in.problems().add(end(text.substring(0, i), in), "more than " + LONGEST_WORD
+                        + " characters without a space between"
+                        + " them; break the line");
+                return Optional.empty();
+            }
+            if (!StreamReader.isPrintable(c)) {
+                in.problems().add(end(text.substring(0, i), in), "a character here is not printable: "
+                        + (c == 0 ? "a zero byte; is this a text file?" : String.format("U+%04X", c)));
+                return Optional.empty();
+            }
+        }
+        return Optional.of(text);
+    }
+
+    /** The place after a text. */
+    static Place end(String text, Reading in) {
+        String[] lines = text.split("\r\n|\r|\n", -1);
+        String last = lines[lines.length - 1];
+        return new Place(in.source(), lines.length, last.codePointCount(0, last.length()) + 1);
+    }
+}

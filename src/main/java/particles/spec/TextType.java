@@ -1,0 +1,75 @@
+package particles.spec;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+
+/** A text, perhaps of a certain form. */
+public final class TextType extends Type<String> {
+    private static final int LONGEST = 2000;
+
+    private final String description;
+    private final String pattern;
+    private final Pattern compiled;
+
+    private TextType(String description, String pattern) {
+        this.description = description;
+        this.pattern = pattern;
+        this.compiled = Pattern.compile(pattern);
+    }
+
+    /** @return any text with something in it */
+    public static TextType prose() {
+        return new TextType("a text that is not empty", "\\S");
+    }
+
+    /**
+     * @param description what it is, with what is allowed
+     * @param pattern     a regular expression that means the same in Java and in ECMA 262; it has to be found in the text
+     * @return texts of that form
+     */
+    public static TextType of(String description, String pattern) {
+        return new TextType(description, pattern);
+    }
+
+    String pattern() {
+        return pattern;
+    }
+
+    boolean matches(String text) {
+        return text.codePointCount(0, text.length()) <= LONGEST && compiled.matcher(text).find();
+    }
+
+    @Override
+    Optional<String> read(Node node, String what, Reading in) {
+        if (!(node instanceof ScalarNode)) {
+            return wrong(node, what, in);
+        }
+        String text = ((ScalarNode) node).getValue();
+        if (!node.getTag().equals(Tag.STR)) {
+            in.problem(node, what + " is " + Wording.describe(node) + "; it has to be " + describe()
+                    + ": put quotes around it, '"
+                    + text + "'");
+            return Optional.empty();
+        }
+        return matches(text) ? Optional.of(text) : wrong(node, what, in);
+    }
+
+    @Override
+    public String describe() {
+        return description;
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> schema = new LinkedHashMap<>();
+        schema.put("type", "string");
+        schema.put("pattern", pattern);
+        schema.put("maxLength", LONGEST);
+        return schema;
+    }
+}

@@ -1,0 +1,63 @@
+package particles.spec;
+
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.common.ScalarStyle;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.schema.CoreSchema;
+
+/**
+ * What kind of value a key takes.
+ *
+ * @param <T> what a value is in Java
+ */
+public abstract class Type<T> {
+
+    /**
+     * Reads a value.
+     *
+     * @param node where it stands
+     * @param what what to call it in a message, such as {@code 'mass'}
+     * @param in   where problems go
+     * @return the value, or nothing if a problem was said
+     */
+    abstract Optional<T> read(Node node, String what, Reading in);
+
+    /**
+     * Reads a value that was given as an option and not in a file; checked in the same way.
+     *
+     * @param text     the value as it was typed
+     * @param option   the option as it was typed, such as {@code -PdeltaT}; the place of all problems
+     * @param problems where problems go
+     * @return the value, or nothing if a problem was said
+     */
+    public final Optional<T> readOption(String text, String option, Problems problems) {
+        Node node = new ScalarNode(new CoreSchema().getScalarResolver().resolve(text, true), text, ScalarStyle.PLAIN);
+        return read(node, "the value", new Reading(option, problems));
+    }
+
+    /** @return what is allowed, to follow "it has to be": {@code a number over 0 (kg)} */
+    public abstract String describe();
+
+    /** @return any value of this type, to try something out with; nothing if none is known */
+    Optional<T> sample() {
+        return Optional.empty();
+    }
+
+    /** @return the keywords of the JSON Schema that allow the same */
+    abstract Map<String, Object> schema();
+
+    /**
+     * @param value a value of this type
+     * @return the value as JSON has it: a number, text, boolean or list
+     */
+    Object toJson(T value) {
+        return value;
+    }
+
+    final Optional<T> wrong(Node node, String what, Reading in) {
+        in.problem(node, what + " is " + Wording.describe(node) + "; it has to be " + describe());
+        return Optional.empty();
+    }
+}

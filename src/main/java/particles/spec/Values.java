@@ -1,0 +1,77 @@
+package particles.spec;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+
+/** What a mapping of a file says: the values of its keys and where they stand. */
+public final class Values {
+    private record Found(Optional<?> value, Place place, boolean intact) {
+    }
+
+    private final Place place;
+    private final Map<Key<?>, Found> found = new HashMap<>();
+
+    private boolean sound = true;
+
+    Values(Place place) {
+        this.place = place;
+    }
+
+    /** @return what a mapping without any key says, at a place that only messages see */
+    public static Values none(Place place) {
+        return new Values(place);
+    }
+
+    void markUnsound() {
+        sound = false;
+    }
+
+    /** @return whether nothing was wrong in the mapping, so that {@link #get} works */
+    public boolean isSound() {
+        return sound;
+    }
+
+    <T> void put(Key<T> key, Optional<T> value, Place at, boolean intact) {
+        found.put(key, new Found(value, at, intact));
+    }
+
+    /**
+     * @param key a key of the mapping
+     * @return its value, or its default; nothing if it has neither or if what stands there is wrong
+     */
+    @SuppressWarnings("unchecked")                      // put() ties each key to a value of its type
+    public <T> Optional<T> find(Key<T> key) {
+        Found given = found.get(key);
+        return given == null ? key.defaultValue() : (Optional<T>) given.value();
+    }
+
+    /**
+     * @param key a key that is required or has a default, of a mapping without problems
+     * @return its value
+     */
+    public <T> T get(Key<T> key) {
+        return find(key).orElseThrow(() -> new NoSuchElementException("'" + key.name() + "' has no value at " + place));
+    }
+
+    /** @return whether the key stands in the file, with a right value or a wrong one */
+    public boolean isGiven(Key<?> key) {
+        return found.containsKey(key);
+    }
+
+    /** @return whether nothing is wrong with the key's value, nor with anything in it */
+    public boolean isIntact(Key<?> key) {
+        return !found.containsKey(key) || found.get(key).intact();
+    }
+
+    /** @return where the key's value stands, or where the mapping begins if it is not there */
+    public Place place(Key<?> key) {
+        return found.containsKey(key) ? found.get(key).place() : place;
+    }
+
+    /** @return where the mapping begins */
+    public Place place() {
+        return place;
+    }
+}

@@ -1,0 +1,93 @@
+package particles.spec;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import particles.Vector3;
+
+/** A vector in space, written [x, y, z]. */
+public final class VectorType extends Type<Vector3> {
+    private final NumberType component;
+    private final String description;
+    private final boolean zeroAllowed;
+
+    private VectorType(NumberType component, String description, boolean zeroAllowed) {
+        this.component = component;
+        this.description = description;
+        this.zeroAllowed = zeroAllowed;
+    }
+
+    /** @return any vector; the unit is that of its components */
+    public static VectorType of(String unit) {
+        return new VectorType(NumberType.any(unit), "three numbers [x, y, z]" + inUnit(unit), true);
+    }
+
+    /** @return vectors other than [0, 0, 0]; the unit is empty where only the direction matters */
+    public static VectorType notZero(String unit) {
+        return new VectorType(NumberType.any(unit), "three numbers [x, y, z], not all 0" + inUnit(unit), false);
+    }
+
+    /** @return three numbers over 0; the unit is that of each */
+    public static VectorType positive(String unit) {
+        return new VectorType(NumberType.positive(unit), "three numbers over 0 [x, y, z]" + inUnit(unit), true);
+    }
+
+    private static String inUnit(String unit) {
+        return unit.isEmpty() ? "" : " (" + unit + ")";
+    }
+
+    @Override
+    Optional<Vector3> read(Node node, String what, Reading in) {
+        if (!(node instanceof SequenceNode)) {
+            return wrong(node, what, in);
+        }
+        List<Node> nodes = ((SequenceNode) node).getValue();
+        if (nodes.size() != 3) {
+            in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries") + "; it has to be "
+                    + describe());
+            return Optional.empty();
+        }
+        double[] values = new double[3];
+        boolean right = true;
+        for (int i = 0; i < 3; i++) {
+            Optional<Double> value = component.read(nodes.get(i), "xyz".charAt(i) + " of " + what, in);
+            right &= value.isPresent();
+            values[i] = value.orElse(0.0);
+        }
+        if (right && !zeroAllowed && values[0] == 0 && values[1] == 0 && values[2] == 0) {
+            return wrong(node, what, in);
+        }
+        return right ? Optional.of(new Vector3(values[0], values[1], values[2])) : Optional.empty();
+    }
+
+    @Override
+    Optional<Vector3> sample() {
+        return Optional.of(new Vector3(1, 0.5, 0.8));
+    }
+
+    @Override
+    public String describe() {
+        return description;
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> schema = new LinkedHashMap<>();
+        schema.put("type", "array");
+        schema.put("items", component.schema());
+        schema.put("minItems", 3);
+        schema.put("maxItems", 3);
+        if (!zeroAllowed) {
+            schema.put("contains", Map.of("not", Map.of("const", 0)));
+        }
+        return schema;
+    }
+
+    @Override
+    Object toJson(Vector3 value) {
+        return List.of(value.x(), value.y(), value.z());
+    }
+}

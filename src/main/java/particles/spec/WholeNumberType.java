@@ -1,0 +1,47 @@
+package particles.spec;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+
+/** A whole number in a range; 20.0 and 2e1 are 20. */
+public final class WholeNumberType extends Type<Integer> {
+    private final int least;
+    private final int most;
+
+    /** @param least the smallest one allowed; @param most the largest one */
+    public WholeNumberType(int least, int most) {
+        this.least = least;
+        this.most = most;
+    }
+
+    @Override
+    Optional<Integer> read(Node node, String what, Reading in) {
+        Optional<Double> number = NumberType.parse(node);
+        if (number.isEmpty() || number.get() != StrictMath.rint(number.get()) || !(number.get() >= least)
+                || !(number.get() <= most)) {
+            return wrong(node, what, in);
+        }
+        return Optional.of((int) (double) number.get());
+    }
+
+    @Override
+    Optional<Integer> sample() {
+        return Optional.of(Math.max(least, Math.min(2, most)));
+    }
+
+    @Override
+    public String describe() {
+        return "a whole number from " + least + " to " + most;
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        Map<String, Object> schema = new LinkedHashMap<>();
+        schema.put("type", "integer");
+        schema.put("minimum", least);
+        schema.put("maximum", most);
+        return schema;
+    }
+}

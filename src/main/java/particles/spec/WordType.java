@@ -1,0 +1,38 @@
+package particles.spec;
+
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+
+/** Any single value, a number or a text, kept as it was written. */
+public final class WordType extends Type<String> {
+    private final String description;
+
+    private WordType(String description) {
+        this.description = description;
+    }
+
+    /**
+     * @param description what it is, with what is allowed
+     * @return values of which the reader looks at nothing but that each is one
+     */
+    public static WordType of(String description) {
+        return new WordType(description);
+    }
+
+    @Override
+    Optional<String> read(Node node, String what, Reading in) {
+        return node instanceof ScalarNode scalar ? Optional.of(scalar.getValue()) : wrong(node, what, in);
+    }
+
+    @Override
+    public String describe() {
+        return description;
+    }
+
+    @Override
+    Map<String, Object> schema() {
+        return Map.of("type", new String[] {"string", "number", "boolean"});
+    }
+}

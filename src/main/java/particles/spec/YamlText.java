@@ -1,0 +1,124 @@
+package particles.spec;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.snakeyaml.engine.v2.api.LoadSettings;
+import org.snakeyaml.engine.v2.api.lowlevel.Compose;
+import org.snakeyaml.engine.v2.api.lowlevel.Parse;
+import org.snakeyaml.engine.v2.events.AliasEvent;
+import org.snakeyaml.engine.v2.events.CollectionStartEvent;
+import org.snakeyaml.engine.v2.events.Event;
+import org.snakeyaml.engine.v2.events.NodeEvent;
+import org.snakeyaml.engine.v2.events.ScalarEvent;
+import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
+import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.schema.CoreSchema;
+
+/**
+ * From a text to a tree of nodes with places, in YAML 1.2's core schema, so that 1e-3 is a number. The text is looked
+ * through before the tree is built: deep nesting, aliases (by which ten lines can stand for a billion values) and sheer
+ * numbers of values end in one line each, and cost neither time nor memory.
+ */
+public final class YamlText {
+    private static final int DEEPEST = 20;
+    private static final int MOST_VALUES = 200_000;
+    /** What the parser reads as a number without looking: nothing at the end of the text, or more than an int holds. */
+    private static final Pattern NO_CHARACTER = Pattern.compile("\\\\(?:[xuU]\\z|U[89A-Fa-f][0-9A-Fa-f]{7})");
+
+    private YamlText() {
+    }
+
+    /**
+     * @param bytes what a file holds
+     * @param in    its name, and where problems go
+     * @return the root of its tree, or nothing if a problem was said
+     */
+    public static Optional<Node> compose(byte[] bytes, Reading in) {
+        return SourceText.decode(bytes, in).flatMap(text -> compose(text, in));
+    }
+
+    private static Optional<Node> compose(String text, Reading in) {
+        LoadSettings settings = LoadSettings.builder().setSchema(new CoreSchema()).setCodePointLimit(Integer.MAX_VALUE)
+                .build();
+        int before = in.problems().count();
+        try {
+            lookThrough(new Parse(settings).parseString(text), in);
+            if (in.problems().count() > before) {
+                return Optional.empty();
+            }
+            Optional<Node> root = new Compose(settings).composeString(text);
+            if (root.isEmpty()) {
+                in.problems().add(Place.of(in.source()), "the file is empty");
+            }
+            return root;
+        } catch (MarkedYamlEngineException e) {
+            in.problems().add(Place.of(in.source(), e.getProblemMark()), "not valid YAML: " + reason(e, text));
+        } catch (YamlEngineException e) {
+            in.problems().add(Place.of(in.source()), "not valid YAML: " + e.getMessage());
+        } catch (NumberFormatException e) {
+            Matcher escape = NO_CHARACTER.matcher(text);
+            in.problems().add(escape.find() ? SourceText.end(text.substring(0, escape.start()), in) : Place.of(in.source()),
+                    "not valid YAML: an escape has to give a character's number in hexadecimal digits, such as \\xe9, \\u00e9"
+                    + " or \\U000000e9");
+        }
+        return Optional.empty();
+    }
+
+    private static void lookThrough(Iterable<Event> events, Reading in) {
+        int depth = 0;
+        int values = 0;
+        int documents = 0;
+        for (Event event : events) {
+            Place place = Place.of(in.source(), event.getStartMark());
+            if (event instanceof NodeEvent && !refuse((NodeEvent) event, place, in) && ++values > MOST_VALUES) {
+                in.problems().add(place, "more than " + MOST_VALUES + " values; many particles are made by shapes");
+                return;
+            }
+            if (event instanceof CollectionStartEvent && ++depth > DEEPEST) {
+                in.problems().add(place, "nested more than " + DEEPEST + " deep");
+                return;
+            }
+            if (event.getEventId() == Event.ID.SequenceEnd || event.getEventId() == Event.ID.MappingEnd) {
+                depth--;
+            }
+            if (event.getEventId() == Event.ID.DocumentStart && ++documents > 1) {
+                in.problems().add(place, "a second document begins; a file holds one scene");
+                return;
+            }
+        }
+    }
+
+    private static boolean refuse(NodeEvent event, Place place, Reading in) {
+        if (event instanceof AliasEvent || event.getAnchor().isPresent()) {
+            in.problems().add(place, "anchors and aliases (&name, *name) are not used in scenes; write the values out,"
+                    + " or put quotes around a text that begins with & or *");
+            return true;
+        }
+        Optional<String> tag = event instanceof ScalarEvent ? ((ScalarEvent) event).getTag()
+                : event instanceof CollectionStartEvent ? ((CollectionStartEvent) event).getTag() : Optional.empty();
+        if (tag.isPresent()) {
+            in.problems().add(place, "tags (!name) are not used in scenes; put quotes around a text that begins with !");
+            return true;
+        }
+        return false;
+    }
+
+    /** The parser's reason, and what experience says about it. */
+    private static String reason(MarkedYamlEngineException e, String text) {
+        String problem = e.getProblem() == null ? "the text ends or goes on unexpectedly" : e.getProblem();
+        int index = e.getProblemMark().map(mark -> mark.getIndex()).orElse(0);
+        if (index < text.codePointCount(0, text.length()) && text.codePointAt(text.offsetByCodePoints(0, index)) == '\t') {
+            return "a tab; YAML is indented by spaces";
+        }
+        String hint = "";
+        if (problem.startsWith("mapping values are not allowed")) {
+            hint = " (a text with a colon in it needs quotes around it)";
+        } else if (problem.startsWith("expected ',' or")) {
+            hint = " (inside [ ] and { } an id such as cloth[3,4] needs quotes around it)";
+        }
+        String begun = e.getContextMark().map(mark -> ", in what begins at line " + (mark.getLine() + 1)).orElse("");
+        return problem + begun + hint;
+    }
+}

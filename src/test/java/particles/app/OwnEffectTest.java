@@ -1,0 +1,190 @@
+package particles.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.ParticleSystem;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneException;
+import particles.scene.SceneReader;
+import particles.teaching.EffectCheck;
+import particles.teaching.EffectSample;
+import particles.teaching.Skeleton;
+
+/** A law of one's own is one class, which a scene names. The class and the scene here are README's. */
+class OwnEffectTest {
+    private static final String LAW = """
+            package exercises;
+
+            import java.util.Set;
+            import particles.ParticleForce;
+            import particles.Particles;
+            import particles.Vector3;
+            import particles.effects.EffectContext;
+            import particles.effects.EffectKind;
+            import particles.spec.Key;
+            import particles.spec.Values;
+            import particles.spec.VectorType;
+
+            /** The Coriolis force of a frame that turns with the angular velocity w: F = 2 m v x w. It does no work. */
+            public final class Coriolis extends ParticleForce {
+                private final Vector3 w;
+
+                public Coriolis(Particles particles, Vector3 w) {
+                    super(particles);
+                    this.w = w;
+                }
+
+                @Override
+                public Set<Trait> getTraits() {
+                    return Set.of(Trait.TRANSLATION_INVARIANT);
+                }
+
+                @Override
+                protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                    return velocity.cross(w).times(2 * mass);
+                }
+
+                /** In a scene: - exercises.Coriolis: {angularVelocity: [0, 0, 1.57]} */
+                public static final class Keys extends EffectKind {
+                    private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity", VectorType.of("rad/s"),
+                            "How fast the frame turns, about which axis (rad/s).");
+
+                    public Keys() {
+                        super("exercises.Coriolis", "The Coriolis force of a turning frame.", ANGULAR_VELOCITY);
+                    }
+
+                    @Override
+                    public void build(Values values, EffectContext scene) {
+                        scene.add(new Coriolis(scene.particles(), values.get(ANGULAR_VELOCITY)));
+                    }
+                }
+            }
+            """;
+
+    /** A turn takes pi/w = 2 s. */
+    private static final String SCENE = """
+            title: A puck on a turntable
+            teaches: Seen from a turning frame a free puck goes in circles, of half the frame's period.
+            solver: rk4
+            deltaT: 0.01
+            duration: 0.5
+            particles:
+              - {id: puck, position: [0, 0, 0], velocity: [1, 0, 0]}
+            effects:
+              - exercises.Coriolis: {angularVelocity: [0, 0, 1.5707963267948966]}
+            """;
+
+    private final ClassLoader before = Thread.currentThread().getContextClassLoader();
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void findClasses() {
+        new StudentLoader(folder, before).install();
+    }
+
+    @AfterEach
+    void findThemNoMore() {
+        Thread.currentThread().setContextClassLoader(before);
+    }
+
+    private void write(String name, String text) throws IOException {
+        Files.writeString(folder.resolve(name + ".java"), text);
+    }
+
+    private static Scene scene(String text) {
+        return SceneBuilder.build(SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8), new StudentClasses()),
+                new Overrides());
+    }
+
+    private static void assertRefused(String line, String effect) {
+        String text = SCENE.replaceFirst("  - exercises.*", "  - " + effect);
+        assertEquals(List.of("x.yaml:9:" + line), assertThrows(SceneException.class, () -> scene(text)).getLines());
+    }
+
+    @Test
+    void readmeShowsThem() throws IOException {
+        String readme = Files.readString(Path.of("README.md"));
+        for (String part : List.of(LAW, SCENE)) {
+            assertTrue(readme.contains(part), () -> "README lacks:\n" + part);
+        }
+    }
+
+    @Test
+    void aSceneNamesTheClass() throws IOException {
+        write("Coriolis", LAW);
+        Scene scene = scene(SCENE);
+        scene.simulation().run();
+        double[] state = scene.system().getOwnState();
+        double radius = 1 / Math.PI;                    // v/(2 w)
+        assertEquals(radius, state[0], 1e-8, "a quarter of the circle");
+        assertEquals(-radius, state[1], 1e-8);
+        assertEquals(0, state[3], 1e-7);
+        assertEquals(-1, state[4], 1e-7);
+    }
+
+    @Test
+    void theCheckMakesItFromItsKeys() throws IOException {
+        write("Coriolis", LAW);
+        ParticleSystem system = EffectSample.system();
+        assertEquals(List.of(), EffectCheck.check(system,
+                EffectSample.create("Coriolis", system.getParticles(), new StudentClasses())));
+    }
+
+    @Test
+    void whatNewEffectWritesRunsInAScene() throws IOException {
+        write("MyForce", Skeleton.effect("MyForce"));
+        assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*", "exercises.MyForce: {strength: 2}")).system().getEffects()
+                .get(0).getName());
+    }
+
+    @Test
+    void itsKeysAreCheckedAsOursAre() throws IOException {
+        write("Coriolis", LAW);
+        assertRefused("26: unknown key 'angularVelocty'; did you mean 'angularVelocity'? known in 'exercises.Coriolis':"
+                + " angularVelocity", "exercises.Coriolis: {angularVelocty: [0, 0, 1], angularVelocity: [0, 0, 1]}");
+        assertRefused("43: 'angularVelocity' is 3; it has to be three numbers [x, y, z] (rad/s)",
+                "exercises.Coriolis: {angularVelocity: 3}");
+        assertRefused("5: 'exercises.Coriolis' alone is not enough; after a colon it needs a mapping with keys of angularVelocity",
+                "exercises.Coriolis");
+    }
+
+    @Test
+    void aClassThatCannotBeUsedIsOneLine() throws IOException {
+        assertRefused("5: there is no class exercises.Missing; a class of your own stands in src/main/java/exercises, and gradle"
+                + " newEffect writes one to begin with", "exercises.Missing: {strength: 2}");
+        write("Bare", "package exercises; public class Bare { }");
+        assertRefused("5: exercises.Bare has no keys for scenes; it needs a 'public static final class Keys extends EffectKind',"
+                + " such as gradle newEffect writes", "exercises.Bare");
+        write("Broken", "package exercises;\npublic class Broken {\n    int x = y;\n}\n");
+        assertRefused("5: Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class"
+                + " exercises.Broken", "exercises.Broken");
+        write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));
+        assertRefused("5: the Keys of exercises.Hidden cannot be made; they have to be a 'public static final class Keys extends"
+                + " EffectKind' with a 'public Keys()'", "exercises.Hidden");
+        write("Copied", LAW.replace("class Coriolis", "class Copied").replace("new Coriolis", "new Copied")
+                .replace("public Coriolis", "public Copied"));
+        assertRefused("5: the Keys of exercises.Copied call it 'exercises.Coriolis'; write super(\"exercises.Copied\", ...) in"
+                + " their constructor", "exercises.Copied");
+    }
+
+    @Test
+    void withoutClassesTheSceneIsRefused() {
+        byte[] text = SCENE.getBytes(StandardCharsets.UTF_8);
+        assertEquals(List.of("x.yaml:9:5: class 'exercises.Coriolis' cannot be used here; take an effect from the list in the scene"
+                + " reference"), assertThrows(SceneException.class, () -> SceneReader.read("x.yaml", text)).getLines());
+    }
+}
