@@ -19,7 +19,7 @@ package deSolvers;
  * <li>{@code deltaT = 0} changes nothing; a negative deltaT integrates backwards; a state of size 0 still moves the
  *     clock. A deltaT, time, state or derivative that is not finite ends in a {@link DESolverException}.</li>
  * </ul>
- * {@link GuardedStep} keeps the parts of this contract that are the same for every method.
+ * {@link FixedStepSolver} keeps this contract around a method that is written as its formula.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Interface to DE Solver"; {@link #reset()} is an addition to the slide.
  */

@@ -15,30 +15,13 @@ package deSolvers;
  * oscillates. "An Euler solver is too horrible. NEVER use it. Yeah I know you will anyway."<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "The Euler Method" and "Euler Solver Code".
  */
-public final class EulerSolver extends DESolver {
-    private final GuardedStep guard = new GuardedStep(this);
-    private double[] dSdt = {};
-    private double[] next = {};
+public final class EulerSolver extends FixedStepSolver {
 
     @Override
-    public void stepState(DEStateSource client, double deltaT) {
-        int n = client.getStateSize();
-        if (next.length != n) {
-            dSdt = new double[n];
-            next = new double[n];
-        }
-        try (GuardedStep source = guard.begin(client, deltaT)) {
-            double[] state = source.getStartState();
-            double[] dSdt = this.dSdt;
-            double[] next = this.next;
-            source.getStateDerivative(state, dSdt);     // at (s, t)
-            for (int i = 0; i < n; i++) {
-                next[i] = state[i] + dSdt[i] * deltaT;
-            }
-            double[] free = source.handOver(next);
-            if (free != next) {                         // storing a reference costs the garbage collector's note
-                this.next = free;
-            }
+    protected void step(DEStateSource source, double[] state, double deltaT) {
+        double[] dSdt = derivative(state);              // at (s, t)
+        for (int i = 0; i < state.length; i++) {
+            state[i] += dSdt[i] * deltaT;
         }
     }
 }

@@ -17,42 +17,15 @@ package deSolvers;
  * oscillation, where {@code verlet} costs half and does not grow.<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "Mid-point Method" to "Mid-point method: Algorithm (cont'd)".
  */
-public final class MidpointSolver extends DESolver {
-    private final GuardedStep guard = new GuardedStep(this);
-    private double[] dSdt = {};
-    private double[] mid = {};
-    private double[] gMid = {};
-    private double[] next = {};
+public final class MidpointSolver extends FixedStepSolver {
 
     @Override
-    public void stepState(DEStateSource client, double deltaT) {
-        int n = client.getStateSize();
-        if (next.length != n) {
-            dSdt = new double[n];
-            mid = new double[n];
-            gMid = new double[n];
-            next = new double[n];
-        }
-        try (GuardedStep source = guard.begin(client, deltaT)) {
-            double[] state = source.getStartState();
-            double[] dSdt = this.dSdt;
-            double[] mid = this.mid;
-            double[] gMid = this.gMid;
-            double[] next = this.next;
-            source.getStateDerivative(state, dSdt);     // at (s, t)
-            for (int i = 0; i < n; i++) {
-                double deltaS = deltaT * dSdt[i];       // the Euler step
-                mid[i] = state[i] + deltaS / 2;
-            }
-            source.incTime(deltaT / 2);
-            source.getStateDerivative(mid, gMid);       // at (s + deltaS/2, t + deltaT/2)
-            for (int i = 0; i < n; i++) {
-                next[i] = state[i] + deltaT * gMid[i];
-            }
-            double[] free = source.handOver(next);
-            if (free != next) {                         // storing a reference costs the garbage collector's note
-                this.next = free;
-            }
+    protected void step(DEStateSource source, double[] s, double deltaT) {
+        double[] deltaS = times(deltaT, derivative(s));         // the Euler step, at (s, t)
+        source.incTime(deltaT / 2);
+        double[] gMid = derivative(plus(s, deltaS, 0.5));       // at (s + deltaS/2, t + deltaT/2)
+        for (int i = 0; i < s.length; i++) {
+            s[i] += deltaT * gMid[i];
         }
     }
 }

@@ -6,6 +6,40 @@
  * A {@link deSolvers.DESolver} advances it, knowing nothing else of it. The pair is small on purpose: a new solver is
  * one method, a new simulation is six short ones.
  *
+ * <h2>The slides and the classes, line by line</h2>
+ * A solver of one's own may be written the slides' way, as a plain {@link deSolvers.DESolver} with plain calls
+ * ({@code gradle newSolver} writes such a class), or on {@link deSolvers.FixedStepSolver}
+ * ({@code gradle newSolver -Pfrom=FixedStepSolver}), which makes the calls around the formula and keeps the contract:
+ * <pre>
+ * slide "Euler Solver Code"                      {@link deSolvers.EulerSolver}
+ *
+ *   source.getState(state);                        (FixedStepSolver)
+ *   source.getStateDerivative(dSdt);               double[] dSdt = derivative(state);
+ *   for (int i = 0; i &lt; n; i++)                    for (int i = 0; i &lt; state.length; i++) {
+ *       state[i] += dSdt[i] * deltaT;                  state[i] += dSdt[i] * deltaT; }
+ *   source.setState(state);                        (FixedStepSolver)
+ *   source.incTime(deltaT);                        (FixedStepSolver)
+ *
+ * slide "Mid-point method: Algorithm"            {@link deSolvers.MidpointSolver}
+ *
+ *   &Delta;s = &Delta;t f(s, t)                                double[] deltaS = times(deltaT, derivative(s));
+ *                                                  source.incTime(deltaT / 2);
+ *   g_mid = f(s + &Delta;s/2, t + &Delta;t/2)                  double[] gMid = derivative(plus(s, deltaS, 0.5));
+ *   s(t + &Delta;t) = s + &Delta;t g_mid                       s[i] += deltaT * gMid[i];
+ *
+ * slide "4th-Order Runge-Kutta Algorithm"        {@link deSolvers.RK4Solver}
+ *
+ *   k1 = &Delta;t f(s, t)                                double[] k1 = derivative(s);
+ *                                                  source.incTime(deltaT / 2);
+ *   k2 = &Delta;t f(s + k1/2, t + &Delta;t/2)                  double[] k2 = derivative(plus(s, k1, deltaT / 2));
+ *   k3 = &Delta;t f(s + k2/2, t + &Delta;t/2)                  double[] k3 = derivative(plus(s, k2, deltaT / 2));
+ *                                                  source.incTime(deltaT / 2);
+ *   k4 = &Delta;t f(s + k3, t + &Delta;t)                      double[] k4 = derivative(plus(s, k3, deltaT));
+ *   s(t + &Delta;t) = s + k1/6 + k2/3 + k3/3 + k4/6      s[i] += deltaT * (1.0 / 6 * k1[i] + ... + 1.0 / 6 * k4[i]);
+ * </pre>
+ * The slide's k<sub>1</sub> ... k<sub>4</sub> include the factor &Delta;t; in the class, as in most books, it stands where
+ * they are used. The symplectic methods are written the same way: see {@code deSolvers.symplectic}.
+ *
  * <h2>From the slides' symbols to the names in the code</h2>
  * <table>
  * <caption>dictionary</caption>
@@ -16,7 +50,7 @@
  * <tr><td>&Delta;s</td><td>{@code deltaS}</td><td>an Euler step, deltaT times dSdt</td></tr>
  * <tr><td>g<sub>mid</sub></td><td>{@code gMid}</td><td>the derivative half way through the step</td></tr>
  * <tr><td>k<sub>1</sub> ... k<sub>4</sub></td><td>{@code k1 ... k4}</td>
- *     <td>the stages of RK4; as on the slide they include the factor deltaT</td></tr>
+ *     <td>the derivatives at RK4's four stages; on the slide they include the factor deltaT</td></tr>
  * <tr><td>k<sub>ij</sub>, l<sub>ij</sub>, k<sub>d</sub></td>
  *     <td>{@code stiffness}, {@code restLength}, {@code damping}</td><td>a spring's constants</td></tr>
  * <tr><td>r, k<sub>f</sub>, N</td><td>{@code restitution}, {@code friction}, {@code normal}</td>

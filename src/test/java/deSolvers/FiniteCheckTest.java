@@ -1,8 +1,6 @@
 package deSolvers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,7 +17,7 @@ class FiniteCheckTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 7, 8, 9, 16, 21})
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 21})
     void theFirstOneIsFound(int n) {
         assertEquals(-1, FiniteCheck.firstNonFinite(large(n)));
         for (int i = 0; i < n; i++) {
@@ -29,22 +27,6 @@ class FiniteCheckTest {
                 assertEquals(i, FiniteCheck.firstNonFinite(values));
                 values[n - 1] = bad;
                 assertEquals(i, FiniteCheck.firstNonFinite(values), "the last one is another");
-            }
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 9})
-    void bothArraysAreLookedAt(int n) {
-        for (int other : new int[] {2, n}) {
-            assertTrue(FiniteCheck.areFinite(large(n), large(other)));
-            for (int i = 0; i < n; i++) {
-                for (double bad : BAD) {
-                    double[] values = large(n);
-                    values[i] = bad;
-                    assertFalse(FiniteCheck.areFinite(values, large(other)), "entry " + i);
-                    assertFalse(FiniteCheck.areFinite(large(other), values), "entry " + i);
-                }
             }
         }
     }

@@ -1,20 +1,20 @@
 package deSolvers.adaptive;
 
-import deSolvers.DenseOutput;
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
-import deSolvers.StepMemory;
+import deSolvers.LastStep;
+import deSolvers.StepTransaction;
 
 /**
- * Covers deltaT exactly by sub-steps whose estimated error is within the tolerance: tries a sub-step, takes it or makes it
- * smaller, chooses the next. Where the next step goes on from the last, it begins with the sub-step found there.
+ * Step-size control: covers deltaT exactly by sub-steps whose estimated error is within the tolerance. It tries a
+ * sub-step, takes it or makes it smaller, and chooses the next length. A step that continues the last one begins with the
+ * length found there.
  *
- * <p>A method says what one sub-step gives ({@link #attempt}), with what power of its length the error falls
- * ({@link #errorExponent}), and what the states in between are ({@link #interpolate}).
+ * <p>A method says what one sub-step gives ({@link #attempt}) and with what power of its length the error falls
+ * ({@link #errorExponent}).
  */
-public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
+public abstract class AdaptiveSolver extends DESolver {
     /** What is allowed for each entry of the state where nothing else is asked for, relative to it. */
     public static final double RELATIVE_TOLERANCE = 1e-6;
     /** What is allowed besides, in the unit of the state's entries. */
@@ -29,10 +29,8 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
     private static final double MOST_GROWTH = 10;
 
     private final Tolerance tolerance;
-    private final GuardedStep guard = new GuardedStep(this);
-    private final StepMemory memory = new StepMemory();
-    private final DenseTrack track = new DenseTrack();
-    private boolean dense;
+    private final StepTransaction transaction = new StepTransaction(this);
+    private final LastStep lastStep = new LastStep();
     private double[] state = {};
     private double[] newState = {};
     private double[] slope = {};
@@ -72,7 +70,7 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
      * @param newState receives the state at the end
      * @return the estimated error in units of the tolerance, from {@link Tolerance#ratio}
      */
-    protected abstract double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+    protected abstract double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                                       double[] newState);
 
     /** @return e if the estimated error is O(h<sup>e</sup>) */
@@ -87,27 +85,6 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
     protected boolean endSlope(double[] newSlope) {
         return false;
     }
-
-    /** @return the degree of the polynomial that {@link #interpolate} writes for the sub-step just taken */
-    protected abstract int interpolationDegree();
-
-    /** @return where the polynomial's variable is 0: 0 for the beginning of the sub-step, 1/2 for its middle */
-    protected double interpolationCentre() {
-        return 0;
-    }
-
-    /**
-     * Writes the polynomial of the sub-step just taken, in u from -centre to 1 - centre, h long in time.
-     *
-     * @param state        the state at the beginning
-     * @param slope        the derivative there
-     * @param newState     the state at the end
-     * @param newSlope     the derivative there
-     * @param h            the sub-step (s)
-     * @param coefficients receives for each power of u one array as long as the state
-     */
-    protected abstract void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
-                                        double[][] coefficients);
 
     /**
      * Chooses the length of the next sub-step.
@@ -137,11 +114,6 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
         return tolerance;
     }
 
-    /** @return whether the states in between are kept */
-    protected final boolean isDense() {
-        return dense;
-    }
-
     @Override
     public final void stepState(DEStateSource client, double deltaT) {
         int n = client.getStateSize();
@@ -151,32 +123,26 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
             slope = new double[n];
             newSlope = new double[n];
             resize(n);
-            memory.forget();
+            lastStep.forget();
         }
-        boolean told = track.suspend();                 // a step that fails, or cannot begin, leaves nothing to tell
-        try (GuardedStep source = guard.begin(client, deltaT)) {
+        try (StepTransaction source = transaction.begin(client, deltaT)) {
             source.requireFiniteStart();
             if (deltaT == 0) {
-                track.resume(told);
                 return;
             }
-            track.clear();
-            boolean continues = memory.takeUp(client, source.getStartTime(), source.getStartState(), deltaT, state);
+            boolean continues = lastStep.continuesFrom(source);
             source.getState(state);
             if (!continues) {
                 begin(source, deltaT);
             }
             cover(source, deltaT);
-            source.finish(state);
-            memory.keep(client, source.getEndTime(), deltaT);
-            if (dense) {
-                track.finish(source.getStartTime(), source.getEndTime(), n);
-            }
+            lastStep.keep(source, state);
+            state = source.finish(state);
         }
     }
 
     /** The first sub-step of a new course: the derivative there, and a guess from it. */
-    private void begin(GuardedStep source, double deltaT) {
+    private void begin(StepTransaction source, double deltaT) {
         restart();
         rejected = false;
         source.getStateDerivative(slope);               // at (s, t)
@@ -186,7 +152,7 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
     }
 
     /** Sub-steps from the beginning to exactly deltaT. Lengths are positive here; the direction is a factor. */
-    private void cover(GuardedStep source, double deltaT) {
+    private void cover(StepTransaction source, double deltaT) {
         double direction = Math.signum(deltaT);
         double length = Math.abs(deltaT);
         double done = 0;
@@ -205,7 +171,7 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
             double next = nextSubStep(h, error);
             if (error <= 1) {
                 double end = h == remaining ? length : done + h;
-                accept(source, direction * done, direction * h, direction * end);
+                accept();
                 done = end;
                 // A sub-step that was cut short to meet the end and shows no trouble does not shorten what was planned.
                 boolean cut = h < subStep && next >= 2 * h;
@@ -220,24 +186,16 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
         }
     }
 
-    private void evaluate(GuardedStep source, double[] at, double offset, double[] result) {
+    private void evaluate(StepTransaction source, double[] at, double offset, double[] result) {
         source.setState(at);
         source.setOffset(offset);
         source.getStateDerivative(result);              // at the end of the last sub-step
         source.requireFinite(result);
     }
 
-    /** The new state becomes the state; the piece between them is kept where asked for. */
-    private void accept(GuardedStep source, double offset, double h, double end) {
+    /** The new state becomes the state. */
+    private void accept() {
         boolean known = endSlope(newSlope);
-        if (dense) {
-            if (!known) {
-                evaluate(source, newState, end, newSlope);
-                known = true;
-            }
-            double[][] piece = track.add(offset, h, state.length, interpolationDegree(), interpolationCentre());
-            interpolate(state, slope, newState, newSlope, h, piece);
-        }
         double[] oldState = state;
         state = newState;
         newState = oldState;
@@ -248,12 +206,12 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
     }
 
     /** The shortest sub-step that clock and sum can tell from none (s); only deltaT itself may be shorter. */
-    private static double resolution(GuardedStep source, double done) {
+    private static double resolution(StepTransaction source, double done) {
         return 4 * Math.max(Math.ulp(source.getStartTime()), Math.ulp(done));
     }
 
     /** For a sub-step that was rejected and cannot become shorter. */
-    private DESolverException tooShort(GuardedStep source, double h, double done, double resolution) {
+    private DESolverException tooShort(StepTransaction source, double h, double done, double resolution) {
         int entry = tolerance.worstEntry();
         String failure = entry < 0 ? "cannot be made even so"
                 : "leaves entry " + entry + " of the state outside its tolerance";
@@ -262,7 +220,7 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
                 + " bound or jumps there, or it changes too fast for so late a clock, or the tolerance is below rounding");
     }
 
-    private void requireFewSubSteps(GuardedStep source, int tried, double done) {
+    private void requireFewSubSteps(StepTransaction source, int tried, double done) {
         if (tried >= MOST_SUB_STEPS) {
             int entry = tolerance.worstEntry();
             throw source.failure(entry, "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"
@@ -273,18 +231,6 @@ public abstract class AdaptiveSolver extends DESolver implements DenseOutput {
 
     @Override
     public final void reset() {
-        memory.forget();
-        track.clear();
-    }
-
-    @Override
-    public final void setDenseOutput(boolean on) {
-        dense = on;
-        track.clear();
-    }
-
-    @Override
-    public final void getStateAt(double time, double[] result) {
-        track.getStateAt(time, result);
+        lastStep.forget();
     }
 }

@@ -1,6 +1,6 @@
 package deSolvers.adaptive;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.rungeKutta.ButcherTableau;
 import deSolvers.rungeKutta.RungeKuttaStages;
 
@@ -18,10 +18,8 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * along these limits.<br>
  * <b>When to use</b> smooth motion to a stated accuracy, 1e-3 to 1e-8: the first choice among the adaptive solvers; not
  * for stiff springs ({@code radau}), and for the strictest tolerances {@code bulirsch-stoer} is cheaper.<br>
- * <b>In between</b> its own interpolation polynomial of order 4 from the stages that are there.<br>
  * <b>Source</b> J. R. Dormand, P. J. Prince, <i>A family of embedded Runge-Kutta formulae</i>, J. Comp. Appl. Math. 6
- * (1980) 19-26; the interpolation: E. Hairer, S. P. N&oslash;rsett, G. Wanner, <i>Solving Ordinary Differential Equations
- * I</i>, 2nd ed., section II.6.
+ * (1980) 19-26.
  */
 public final class DormandPrinceSolver extends AdaptiveSolver {
     static final ButcherTableau TABLEAU = ButcherTableau.parse("""
@@ -36,15 +34,10 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
                  |     35/384           0    500/1113   125/192    -2187/6784     11/84     0
                  | 5179/57600           0  7571/16695   393/640 -92097/339200  187/2100  1/40
             """, 5, 4);
-    /** What the stages count in the highest power of the interpolation polynomial. */
-    private static final double[] INTERPOLATION = {-12715105075.0 / 11282082432.0, 0, 87487479700.0 / 32700410799.0,
-        -10690763975.0 / 1880347072.0, 701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0,
-        69997945.0 / 29380423.0};
 
     private final RungeKuttaStages stages = new RungeKuttaStages(TABLEAU);
     private final double[] errorWeights = TABLEAU.weights(0);
     private double[] error = {};
-    private double[] highest = {};
 
     /** With the tolerances {@value #RELATIVE_TOLERANCE} and {@value #ABSOLUTE_TOLERANCE}. */
     public DormandPrinceSolver() {
@@ -68,11 +61,10 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
     protected void resize(int n) {
         stages.resize(n);
         error = new double[n];
-        highest = new double[n];
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+    protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
         stages.evaluate(source, state, slope, offset, h);
         System.arraycopy(stages.lastState(), 0, newState, 0, newState.length);  // the last row of a is b
@@ -89,27 +81,5 @@ public final class DormandPrinceSolver extends AdaptiveSolver {
     protected boolean endSlope(double[] newSlope) {
         System.arraycopy(stages.slope(6), 0, newSlope, 0, newSlope.length);
         return true;
-    }
-
-    @Override
-    protected int interpolationDegree() {
-        return 4;
-    }
-
-    /** s + u (deltaS + (1 - u) (bend + u (twist + (1 - u) highest))), multiplied out in powers of u. */
-    @Override
-    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
-                               double[][] coefficients) {
-        stages.combine(INTERPOLATION, h, highest);
-        for (int i = 0; i < state.length; i++) {
-            double deltaS = newState[i] - state[i];
-            double bend = h * slope[i] - deltaS;
-            double twist = deltaS - h * newSlope[i] - bend;
-            coefficients[0][i] = state[i];
-            coefficients[1][i] = deltaS + bend;
-            coefficients[2][i] = twist + highest[i] - bend;
-            coefficients[3][i] = -twist - 2 * highest[i];
-            coefficients[4][i] = highest[i];
-        }
     }
 }

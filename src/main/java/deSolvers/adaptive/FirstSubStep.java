@@ -1,6 +1,6 @@
 package deSolvers.adaptive;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 
 /**
  * A guess for the first sub-step of a new course, from the size of the first two derivatives of the solution (Hairer,
@@ -20,7 +20,7 @@ final class FirstSubStep {
      * @param change   work space
      * @return a length, &gt; 0 and at most that of deltaT (s)
      */
-    static double guess(GuardedStep source, Tolerance tolerance, int exponent, double[] state, double[] slope, double deltaT,
+    static double guess(StepTransaction source, Tolerance tolerance, int exponent, double[] state, double[] slope, double deltaT,
                         double[] trial, double[] change) {
         double length = Math.abs(deltaT);
         double size = tolerance.size(state, state);

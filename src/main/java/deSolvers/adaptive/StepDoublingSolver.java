@@ -1,6 +1,6 @@
 package deSolvers.adaptive;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.rungeKutta.ButcherTableau;
 import deSolvers.rungeKutta.RungeKuttaStages;
 
@@ -9,10 +9,9 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * <pre>
  *   s2 = two steps of RK4,  s1 = one of twice the length:   error of s2 is about (s2 - s1) / 15
  * </pre>
- * since one long step errs by 2<sup>5</sup> and two short ones by 2 times a short step's error. The two steps go on, as on
- * the slide. With <i>local extrapolation</i>, an option of the constructor, s2 + (s2 - s1)/15 goes on instead: it is of
- * order 5, more accurate for nothing, and the estimate becomes one of a result that is no longer used. It is not the
- * better choice everywhere: it has another, less stable R(z), below.
+ * since one long step errs by 2<sup>5</sup> and two short ones by 2 times a short step's error. The result of the two
+ * steps is kept, as on the slide. (Many codes keep s2 + (s2 - s1)/15 instead, <i>local extrapolation</i>. Its order is 5,
+ * but it is stable nowhere on the imaginary axis: more accurate is not more stable.)
  *
  * <p>For s' = lambda s and z = h lambda that estimate is 0 by chance at z = -10.98 and z = -2.51 &plusmn; 9.93 i, where both
  * results are far too large (436 times at the first), so that alone it takes such steps without end. A second one is made
@@ -23,16 +22,14 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * It is O(h<sup>5</sup>) as well, z<sup>5</sup>/15360, which is 0 nowhere else and an eighth of the first for small z: it
  * decides only where the first is 0 by chance. The larger of the two counts.
  *
- * <p><b>Order</b> 4; with local extrapolation 5.<br>
+ * <p><b>Order</b> 4.<br>
  * <b>Evaluations</b> 11 a double step (the first is shared), 10 for one that is tried again.<br>
  * <b>Stability</b> per double step z of the two RK4 steps, R(z) = R4(z/2)<sup>2</sup>: h |lambda| &le; 5.5706 on the
- * negative real axis, h omega &le; 5.6569 on the imaginary one. With local extrapolation
- * R(z) = (16 R4(z/2)<sup>2</sup> - R4(z))/15: 6.46 on the real axis and nothing on the imaginary one, where it grows by
- * 3.4e-6 a double step at h omega = 0.5: more accurate is not more stable. A part of the solution that is too fast for the
+ * negative real axis, h omega &le; 5.6569 on the imaginary one.
+ * A part of the solution that is too fast for the
  * steps, and has decayed, may come back to many times its tolerance (150 were measured, 19 with {@code dormand-prince}).<br>
  * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about half the evaluations for the
  * same error.<br>
- * <b>In between</b> the polynomial of degree 5 through state and derivative at the beginning, middle and end.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "Adaptive Stepsizes"; W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,
  * section 16.2; the second estimate is our own.
  */
@@ -47,7 +44,6 @@ public final class StepDoublingSolver extends AdaptiveSolver {
             """, 4);
     private static final double[] WEIGHTS = RK4.weights(0);
 
-    private final boolean localExtrapolation;
     private final RungeKuttaStages stages = new RungeKuttaStages(RK4);
     private double[] once = {};
     private double[] middle = {};
@@ -66,18 +62,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
      * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
      */
     public StepDoublingSolver(double relativeTolerance, double absoluteTolerance) {
-        this(relativeTolerance, absoluteTolerance, false);
-    }
-
-    /**
-     * @param relativeTolerance  error allowed for an entry of the state in one double step, relative to its size
-     * @param absoluteTolerance  error allowed besides, in the entry's unit
-     * @param localExtrapolation whether the estimated error is taken off the result
-     * @throws IllegalArgumentException if one of the tolerances is negative or not finite, or both are 0
-     */
-    public StepDoublingSolver(double relativeTolerance, double absoluteTolerance, boolean localExtrapolation) {
         super(relativeTolerance, absoluteTolerance);
-        this.localExtrapolation = localExtrapolation;
     }
 
     @Override
@@ -91,7 +76,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+    protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
         rk4(source, state, slope, offset, h, once);                             // one step of 2 deltaT
         noteMiddle(stages.slope(1), stages.slope(2));
@@ -102,11 +87,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
         compareMiddle(stages.slope(3), h);
         rk4(source, middle, middleSlope, offset + h / 2, h / 2, newState);      // the second
         for (int i = 0; i < error.length; i++) {
-            error[i] = (newState[i] - once[i]) / 15;
-            if (localExtrapolation) {
-                newState[i] += error[i];
-            }
-            error[i] = Math.max(Math.abs(error[i]), Math.abs(middleError[i]));
+            error[i] = Math.max(Math.abs(newState[i] - once[i]) / 15, Math.abs(middleError[i]));
         }
         return tolerance().ratio(error, state, newState);
     }
@@ -125,7 +106,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
         }
     }
 
-    private void rk4(GuardedStep source, double[] from, double[] slope, double offset, double h, double[] to) {
+    private void rk4(StepTransaction source, double[] from, double[] slope, double offset, double h, double[] to) {
         stages.evaluate(source, from, slope, offset, h);
         stages.combine(WEIGHTS, h, to);
         for (int i = 0; i < to.length; i++) {
@@ -136,25 +117,5 @@ public final class StepDoublingSolver extends AdaptiveSolver {
     @Override
     protected int errorExponent() {
         return 5;
-    }
-
-    @Override
-    protected int interpolationDegree() {
-        return 5;
-    }
-
-    @Override
-    protected double interpolationCentre() {
-        return 0.5;
-    }
-
-    @Override
-    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
-                               double[][] coefficients) {
-        for (int i = 0; i < state.length; i++) {
-            coefficients[0][i] = middle[i];
-            coefficients[1][i] = h * middleSlope[i];
-        }
-        CentredHermite.complete(coefficients, 1, state, slope, newState, newSlope, h);
     }
 }

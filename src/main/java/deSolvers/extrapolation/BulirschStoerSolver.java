@@ -1,8 +1,7 @@
 package deSolvers.extrapolation;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
-import deSolvers.adaptive.CentredHermite;
 
 /**
  * The method of Gragg, Bulirsch and Stoer, one of the slides' "high-strung racehorses": the modified midpoint method with
@@ -30,31 +29,15 @@ import deSolvers.adaptive.CentredHermite;
  * <b>When to use</b> smooth motion to high accuracy, errors of 1e-8 and below; not where bounces or contacts interrupt
  * the motion, since its strength is long strides, nor where an error of 1e-5 will do, for which {@code dormand-prince}
  * is cheaper.<br>
- * <b>In between</b> a polynomial from the derivatives at the middle, extrapolated too.<br>
  * <b>Source</b> R. Bulirsch, J. Stoer, Numer. Math. 8 (1966) 1-13; W. B. Gragg, SIAM J. Numer. Anal. 2 (1965) 384-403;
- * P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); E. Hairer, A. Ostermann, Numer. Math. 58 (1990) 419-439
- * (the states in between); the check by the smoothing is our own.
+ * P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); the check by the smoothing is our own.
  */
 public final class BulirschStoerSolver extends AdaptiveSolver {
-    private static final ModifiedMidpoint.Record NO_RECORD = new ModifiedMidpoint.Record() {
-        @Override
-        public void middle(double[] state) {
-            // nobody asked for the states in between
-        }
-
-        @Override
-        public void slope(int i, double[] dSdt) {
-            // nobody asked for the states in between
-        }
-    };
-
     private final OrderControl control = new OrderControl();
     private final ModifiedMidpoint midpoint = new ModifiedMidpoint();
-    private final MiddleDerivatives middle = new MiddleDerivatives();
     private final ExtrapolationTable results = new ExtrapolationTable();
     private final ExtrapolationTable smoothings = new ExtrapolationTable();
     private double[] error = {};
-    private int lastColumn;
 
     /** With the tolerances {@value #RELATIVE_TOLERANCE} and {@value #ABSOLUTE_TOLERANCE}. */
     public BulirschStoerSolver() {
@@ -73,7 +56,6 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     @Override
     protected void resize(int n) {
         midpoint.resize(n);
-        middle.resize(n);
         results.resize(n);
         smoothings.resize(n);
         error = new double[n];
@@ -85,13 +67,12 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+    protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
         OrderControl.Verdict verdict = OrderControl.Verdict.CONTINUE;
         double ratio = Double.POSITIVE_INFINITY;
         for (int j = 0; verdict == OrderControl.Verdict.CONTINUE; j++) {
-            ModifiedMidpoint.Record record = isDense() ? middle.record(j) : NO_RECORD;
-            midpoint.cover(source, state, slope, offset, h, OrderControl.substeps(j), record, results.begin(j),
+            midpoint.cover(source, state, slope, offset, h, OrderControl.substeps(j), results.begin(j),
                     smoothings.begin(j));
             results.extrapolate(j);
             smoothings.extrapolate(j);
@@ -99,7 +80,6 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
                 estimate(results, smoothings, error);
                 ratio = tolerance().ratio(error, state, results.result());
                 verdict = control.column(j, ratio, Math.abs(h));
-                lastColumn = j;
             }
         }
         System.arraycopy(results.result(), 0, newState, 0, newState.length);
@@ -123,27 +103,5 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
     @Override
     protected int errorExponent() {
         return control.targetExponent();
-    }
-
-    /** With k + 1 lines 2k - 1 derivatives at the middle make the polynomial as good as the result. */
-    private int middleDegree() {
-        return 2 * lastColumn - 1;
-    }
-
-    @Override
-    protected int interpolationDegree() {
-        return middleDegree() + 4;
-    }
-
-    @Override
-    protected double interpolationCentre() {
-        return 0.5;
-    }
-
-    @Override
-    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
-                               double[][] coefficients) {
-        middle.taylor(lastColumn, h, middleDegree(), coefficients);
-        CentredHermite.complete(coefficients, middleDegree(), state, slope, newState, newSlope, h);
     }
 }

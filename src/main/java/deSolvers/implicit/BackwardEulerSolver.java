@@ -1,8 +1,7 @@
 package deSolvers.implicit;
 
-import deSolvers.DESolver;
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
+import deSolvers.FixedStepSolver;
 
 /**
  * The backward Euler method: one straight step along the derivative at its <i>end</i>,
@@ -28,12 +27,9 @@ import deSolvers.GuardedStep;
  * <b>Source</b> C. F. Curtiss, J. O. Hirschfelder (1952), Proc. Nat. Acad. Sci. 38, 235; D. Baraff, A. Witkin,
  * <i>Large Steps in Cloth Simulation</i>, SIGGRAPH 1998, for the linearised step.
  */
-public final class BackwardEulerSolver extends DESolver {
-    private final GuardedStep guard = new GuardedStep(this);
+public final class BackwardEulerSolver extends FixedStepSolver {
     private final ImplicitStage stage = new ImplicitStage();
     private final ImplicitStage.Way way;
-    private double[] state = {};
-    private double[] newState = {};
 
     /** A solver that iterates until Newton's method has converged. */
     public BackwardEulerSolver() {
@@ -56,18 +52,9 @@ public final class BackwardEulerSolver extends DESolver {
     }
 
     @Override
-    public void stepState(DEStateSource client, double deltaT) {
-        int n = client.getStateSize();
-        if (state.length != n) {
-            state = new double[n];
-            newState = new double[n];
-        }
-        try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            source.incTime(deltaT);
-            stage.solve(source, client, state, deltaT, way, newState);   // m = s + h f(m, t + h)
-            source.finish(newState);
-        }
+    protected void step(DEStateSource source, double[] s, double deltaT) {
+        source.incTime(deltaT);
+        stage.solve(getTransaction(), times(1, s), deltaT, way, s);         // s = s(t) + h f(s, t + h)
     }
 
     /** @return what was done in all steps so far */

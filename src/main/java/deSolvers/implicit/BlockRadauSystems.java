@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
@@ -48,7 +48,7 @@ final class BlockRadauSystems implements RadauSystems {
     private final double[] realVelocities;
     private final double[] direction;
     private final double[] product;
-    private GuardedStep source;
+    private StepTransaction source;
     private double offset;
     private boolean exact;
     private double h;
@@ -83,7 +83,7 @@ final class BlockRadauSystems implements RadauSystems {
     }
 
     @Override
-    public void setJacobian(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+    public void setJacobian(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         this.source = source;
         this.offset = offset;
         JacobianStateSource client = (JacobianStateSource) source.getClient();

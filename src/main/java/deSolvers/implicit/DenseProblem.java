@@ -2,7 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FiniteCheck;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;
@@ -14,7 +14,7 @@ final class DenseProblem implements NewtonProblem {
 
     private final ImplicitWork.Counter work;
     private final DenseJacobian differences;
-    private GuardedStep source;
+    private StepTransaction source;
     private DEStateSource client;
     private double[] start;
     private double gamma;
@@ -32,7 +32,7 @@ final class DenseProblem implements NewtonProblem {
     }
 
     /** Takes up the equation of one step; {@code start} is read as long as it is worked on. */
-    void begin(GuardedStep source, DEStateSource client, double[] start, double gamma) {
+    void begin(StepTransaction source, DEStateSource client, double[] start, double gamma) {
         this.source = source;
         this.client = client;
         this.start = start;

@@ -1,7 +1,7 @@
 package deSolvers.implicit;
 
 import deSolvers.FiniteCheck;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
@@ -35,7 +35,7 @@ final class DenseRadauSystems implements RadauSystems {
     }
 
     @Override
-    public void setJacobian(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+    public void setJacobian(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         source.setOffset(offset);
         differences.compute(source, source.getClient(), state, slope, h, jacobian);
     }

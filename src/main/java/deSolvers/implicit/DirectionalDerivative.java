@@ -1,7 +1,7 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
@@ -11,7 +11,7 @@ final class DirectionalDerivative {
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
 
     private final ImplicitWork.Counter work;
-    private GuardedStep source;
+    private StepTransaction source;
     private DEStateSource client;
     private double[] base = {};
     private double[] baseRate = {};
@@ -29,7 +29,7 @@ final class DirectionalDerivative {
      * @param dSdt f there
      * @param h    a step (s) that tells how far the state may be expected to move
      */
-    void setBase(GuardedStep source, double[] state, double[] dSdt, double h) {
+    void setBase(StepTransaction source, double[] state, double[] dSdt, double h) {
         this.source = source;
         client = source.getClient();
         if (base.length != state.length) {

@@ -1,8 +1,7 @@
 package deSolvers.implicit;
 
-import deSolvers.DESolver;
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
+import deSolvers.FixedStepSolver;
 
 /**
  * The implicit midpoint rule: one straight step along the derivative at the middle of itself,
@@ -27,28 +26,16 @@ import deSolvers.GuardedStep;
  * for stiff springs that are violently nonlinear, where {@code backward-euler} is calmer.<br>
  * <b>Source</b> Gauss-Legendre collocation with one stage, J. C. Butcher (1964), Math. Comp. 18, 50.
  */
-public final class ImplicitMidpointSolver extends DESolver {
-    private final GuardedStep guard = new GuardedStep(this);
+public final class ImplicitMidpointSolver extends FixedStepSolver {
     private final ImplicitStage stage = new ImplicitStage();
-    private double[] state = {};
-    private double[] mid = {};
 
     @Override
-    public void stepState(DEStateSource client, double deltaT) {
-        int n = client.getStateSize();
-        if (state.length != n) {
-            state = new double[n];
-            mid = new double[n];
-        }
-        try (GuardedStep source = guard.begin(client, deltaT)) {
-            source.getState(state);
-            source.incTime(deltaT / 2);
-            // m = s + h/2 f(m, t + h/2)
-            stage.solve(source, client, state, deltaT / 2, ImplicitStage.Way.FROM_PLACE, mid);
-            for (int i = 0; i < n; i++) {
-                state[i] = 2 * mid[i] - state[i];
-            }
-            source.finish(state);
+    protected void step(DEStateSource source, double[] s, double deltaT) {
+        source.incTime(deltaT / 2);
+        double[] mid = times(1, s);
+        stage.solve(getTransaction(), s, deltaT / 2, ImplicitStage.Way.FROM_PLACE, mid);    // mid = s + h/2 f(mid, t + h/2)
+        for (int i = 0; i < s.length; i++) {
+            s[i] = 2 * mid[i] - s[i];
         }
     }
 

@@ -2,7 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FiniteCheck;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
 import java.util.Arrays;
@@ -58,14 +58,14 @@ final class ImplicitStage {
     /**
      * Solves the equation.
      *
-     * @param source     stands for the client; its clock is at the stage's time
-     * @param client     the source itself, for what it offers beyond the simple interface
+     * @param source     the step, its clock at the stage's time
      * @param start      s
      * @param gamma      g (s)
      * @param way        how to look for the solution
      * @param stage      receives m
      */
-    void solve(GuardedStep source, DEStateSource client, double[] start, double gamma, Way way, double[] stage) {
+    void solve(StepTransaction source, double[] start, double gamma, Way way, double[] stage) {
+        DEStateSource client = source.getClient();
         boolean byVelocity = givesBlocks(client);
         boolean linearised = way == Way.LINEARISED;
         int n = byVelocity ? start.length / 2 : start.length;
@@ -101,7 +101,7 @@ final class ImplicitStage {
         }
     }
 
-    private boolean attempt(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+    private boolean attempt(StepTransaction source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
                             Way way) {
         boolean linearised = way == Way.LINEARISED;
         NewtonProblem problem = begin(source, client, start, gamma, byVelocity,
@@ -111,7 +111,7 @@ final class ImplicitStage {
     }
 
     /** Follows the solution m(g) from g = 0, where it is s, in pieces that double and halve as Newton's method allows. */
-    private boolean follow(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+    private boolean follow(StepTransaction source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
                            Way way) {
         setToStart(start, byVelocity, way);
         double done = 0;
@@ -134,7 +134,7 @@ final class ImplicitStage {
         return true;
     }
 
-    private NewtonProblem begin(GuardedStep source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+    private NewtonProblem begin(StepTransaction source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
                                 double linearTolerance) {
         if (byVelocity) {
             velocities.begin(source, (JacobianStateSource) client, start, gamma, linearTolerance);
@@ -165,7 +165,7 @@ final class ImplicitStage {
     /**
      * Where not even an Euler step is finite, the source is to blame and not Newton's method; the guard finds out and says so.
      */
-    private static void failIfNotFinite(GuardedStep source, double[] start, double gamma, double[] euler) {
+    private static void failIfNotFinite(StepTransaction source, double[] start, double gamma, double[] euler) {
         source.setState(start);
         source.getStateDerivative(euler);
         for (int i = 0; i < start.length; i++) {

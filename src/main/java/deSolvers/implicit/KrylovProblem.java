@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import java.util.Arrays;
 import java.util.Random;
 
@@ -20,7 +20,7 @@ final class KrylovProblem implements NewtonProblem, LinearOperator {
     private final Gmres gmres;
     private final DirectionalDerivative derivative;
     private final Random random = new Random();
-    private GuardedStep source;
+    private StepTransaction source;
     private double[] start;
     private double gamma;
     private double linearTolerance;
@@ -38,7 +38,7 @@ final class KrylovProblem implements NewtonProblem, LinearOperator {
     }
 
     /** Takes up the equation of one step; {@code start} is read as long as it is worked on. */
-    void begin(GuardedStep source, double[] start, double gamma, double linearTolerance) {
+    void begin(StepTransaction source, double[] start, double gamma, double linearTolerance) {
         this.source = source;
         this.start = start;
         this.gamma = gamma;

@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 
 /** The systems of large sources, solved by GMRES with products J w; the complex one as a real one of twice the size. */
 final class KrylovRadauSystems implements RadauSystems {
@@ -17,7 +17,7 @@ final class KrylovRadauSystems implements RadauSystems {
     private final LinearOperator complex = this::applyComplex;
     private final double[] part;
     private final double[] product;
-    private GuardedStep source;
+    private StepTransaction source;
     private double offset;
     private double h;
     private double mu;
@@ -35,7 +35,7 @@ final class KrylovRadauSystems implements RadauSystems {
     }
 
     @Override
-    public void setJacobian(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+    public void setJacobian(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         this.source = source;
         this.offset = offset;
         work.jacobians++;

@@ -1,7 +1,7 @@
 package deSolvers.implicit;
 
 import deSolvers.FiniteCheck;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
 
 /**
@@ -26,7 +26,6 @@ import deSolvers.adaptive.AdaptiveSolver;
  * <b>When to use</b> stiff systems to a stated accuracy, 1e-3 to 1e-10: the reference to compare others with. For smooth
  * motion {@code dormand-prince} is cheaper; for a large cloth that only has to look right, {@code backward-euler}: one of
  * 32 x 32 particles takes radau some seconds for each second of its fall.<br>
- * <b>In between</b> the collocation polynomial itself, of order 3.<br>
  * <b>Source</b> E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996, sections
  * IV.5 and IV.8.
  */
@@ -88,7 +87,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h, double[] newState) {
+    protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h, double[] newState) {
         converged = findStages(source, state, slope, offset, h);
         if (!converged) {
             return Double.POSITIVE_INFINITY;
@@ -118,7 +117,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     /** With the Jacobian at hand, and once more with a new one if that was old and did not do. */
-    private boolean findStages(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+    private boolean findStages(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         while (true) {
             if (!jacobianKnown || !jacobianFresh && !systems.keepsJacobian()) {
                 systems = choice.systemsFor(source.getClient());
@@ -197,20 +196,6 @@ public final class RadauIIASolver extends AdaptiveSolver {
     @Override
     protected int errorExponent() {
         return 4;
-    }
-
-    @Override
-    protected int interpolationDegree() {
-        return 3;
-    }
-
-    @Override
-    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
-                               double[][] coefficients) {
-        System.arraycopy(state, 0, coefficients[0], 0, state.length);
-        for (int power = 0; power < 3; power++) {
-            System.arraycopy(polynomial[power], 0, coefficients[power + 1], 0, state.length);
-        }
     }
 
     /** @return what was done in all steps so far */

@@ -5,7 +5,7 @@ import static deSolvers.implicit.RadauTableau.MU_IM;
 import static deSolvers.implicit.RadauTableau.MU_RE;
 
 import deSolvers.FiniteCheck;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
 
 /**
@@ -56,7 +56,7 @@ final class RadauNewton {
      * @param z a guess for the stages; receives them
      * @return whether it converged
      */
-    boolean solve(GuardedStep source, RadauSystems systems, double[] state, double offset, double h, double[][] z) {
+    boolean solve(StepTransaction source, RadauSystems systems, double[] state, double offset, double h, double[][] z) {
         RadauTableau.transform(true, z, w);
         rate = 0;
         for (iterations = 1; iterations <= MOST_ITERATIONS; iterations++) {
@@ -139,7 +139,7 @@ final class RadauNewton {
     }
 
     /** The derivatives at the stages, at (s + z_i, t + c_i h); false if one is not finite. */
-    private boolean evaluate(GuardedStep source, double[] state, double offset, double h, double[][] z) {
+    private boolean evaluate(StepTransaction source, double[] state, double offset, double h, double[][] z) {
         for (int k = 0; k < 3; k++) {
             for (int i = 0; i < state.length; i++) {
                 trial[i] = state[i] + z[k][i];

@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 
 /**
  * The two linear systems into which one of Newton's iterations for the three stages falls apart, with the real eigenvalue
@@ -17,7 +17,7 @@ interface RadauSystems {
      * @param offset its time, from the beginning of the step (s)
      * @param h      a sub-step (s), for scale
      */
-    void setJacobian(GuardedStep source, double[] state, double[] slope, double offset, double h);
+    void setJacobian(StepTransaction source, double[] state, double[] slope, double offset, double h);
 
     /** Whether a Jacobian, once taken up, may serve later sub-steps too. */
     boolean keepsJacobian();

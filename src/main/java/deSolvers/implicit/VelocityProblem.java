@@ -1,6 +1,6 @@
 package deSolvers.implicit;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
 
 /**
@@ -26,7 +26,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     private final FrontalFactors factors;
     private final ConjugateGradients conjugateGradients;
     private final Gmres gmres;
-    private GuardedStep source;
+    private StepTransaction source;
     private JacobianStateSource client;
     private double[] start;
     private double gamma;
@@ -53,7 +53,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     }
 
     /** Takes up the equation of one step; {@code start} is read as long as it is worked on. */
-    void begin(GuardedStep source, JacobianStateSource client, double[] start, double gamma, double linearTolerance) {
+    void begin(StepTransaction source, JacobianStateSource client, double[] start, double gamma, double linearTolerance) {
         this.source = source;
         this.client = client;
         this.start = start;

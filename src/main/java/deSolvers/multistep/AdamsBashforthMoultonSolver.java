@@ -1,9 +1,7 @@
 package deSolvers.multistep;
 
-import deSolvers.DESolver;
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
-import deSolvers.StepMemory;
+import deSolvers.FixedStepSolver;
 
 /**
  * The predictor-corrector method of Adams, Bashforth and Moulton, fourth order: the derivatives of the last four steps
@@ -27,105 +25,66 @@ import deSolvers.StepMemory;
  * <b>Source</b> the slides name predictor-corrector methods after W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,
  * section 16.7; F. Bashforth, J. C. Adams (1883), F. R. Moulton (1926).
  */
-public final class AdamsBashforthMoultonSolver extends DESolver {
-    private static final int HISTORY = 3;               // derivatives of earlier steps that the predictor needs
-
-    private final GuardedStep guard = new GuardedStep(this);
-    private final StepMemory memory = new StepMemory();
-    private int known;                                  // how many of f1, f2, f3 are there
-    private double[] state = {};
-    private double[] trial = {};
-    private double[] f0 = {};
-    private double[] f1 = {};
+public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
+    private double[] f1 = {};                           // the derivative one step ago
     private double[] f2 = {};
     private double[] f3 = {};
-    private double[] fNew = {};
-    private double[] k2 = {};
-    private double[] k3 = {};
+    private int known;                                  // how many of them there are
 
     @Override
-    public void stepState(DEStateSource client, double deltaT) {
-        int n = client.getStateSize();
-        if (state.length != n) {
-            resize(n);
+    protected void step(DEStateSource source, double[] s, double h) {
+        if (!continuesLastStep()) {
+            begin(s.length);
         }
-        try (GuardedStep source = guard.begin(client, deltaT)) {
-            if (!memory.takeUp(client, source.getStartTime(), source.getStartState(), deltaT, state)) {
-                known = 0;
-            }
-            source.getState(state);
-            source.getStateDerivative(f0);              // at (s, t), which the last step left
-            if (known < HISTORY) {
-                startWithRK4(source, deltaT);
-                known++;
-            } else {
-                predictAndCorrect(source, deltaT);
-            }
-            source.finish(state);
-            memory.keep(client, source.getEndTime(), deltaT);
-            shiftHistory();
+        double[] f0 = derivative(s);                    // at (s, t)
+        if (known < 3) {
+            rungeKuttaStep(source, s, f0, h);
+            known++;
+        } else {
+            predictAndCorrect(source, s, f0, h);
+        }
+        shiftHistory(f0);
+    }
+
+    private void predictAndCorrect(DEStateSource source, double[] s, double[] f0, double h) {
+        double[] p = times(1, s);
+        for (int i = 0; i < s.length; i++) {
+            p[i] += h / 24 * (55 * f0[i] - 59 * f1[i] + 37 * f2[i] - 9 * f3[i]);
+        }
+        source.incTime(h);
+        double[] fNew = derivative(p);                  // at (p, t + h)
+        for (int i = 0; i < s.length; i++) {
+            s[i] += h / 24 * (9 * fNew[i] + 19 * f0[i] - 5 * f1[i] + f2[i]);
         }
     }
 
-    private void resize(int n) {
-        state = new double[n];
-        trial = new double[n];
-        f0 = new double[n];
-        f1 = new double[n];
-        f2 = new double[n];
-        f3 = new double[n];
-        fNew = new double[n];
-        k2 = new double[n];
-        k3 = new double[n];
-        memory.forget();
-    }
-
-    private void predictAndCorrect(GuardedStep source, double h) {
-        for (int i = 0; i < state.length; i++) {
-            trial[i] = state[i] + h / 24 * (55 * f0[i] - 59 * f1[i] + 37 * f2[i] - 9 * f3[i]);
-        }
-        derivativeAt(source, h, fNew);                  // at (p, t + h)
-        for (int i = 0; i < state.length; i++) {
-            state[i] += h / 24 * (9 * fNew[i] + 19 * f0[i] - 5 * f1[i] + f2[i]);
+    /** One step of RK4; f0 is its first derivative. */
+    private void rungeKuttaStep(DEStateSource source, double[] s, double[] f0, double h) {
+        source.incTime(h / 2);
+        double[] g = derivative(plus(s, f0, h / 2));    // at (s + h/2 f0, t + h/2)
+        double[] gRefined = derivative(plus(s, g, h / 2));
+        source.incTime(h / 2);
+        double[] fNew = derivative(plus(s, gRefined, h));
+        for (int i = 0; i < s.length; i++) {
+            s[i] += h / 6 * (f0[i] + 2 * (g[i] + gRefined[i]) + fNew[i]);
         }
     }
 
-    /** One step of RK4; f0 is its first slope. */
-    private void startWithRK4(GuardedStep source, double h) {
-        for (int i = 0; i < state.length; i++) {
-            trial[i] = state[i] + h / 2 * f0[i];
-        }
-        derivativeAt(source, h / 2, k2);                // at (s + h f0/2, t + h/2)
-        for (int i = 0; i < state.length; i++) {
-            trial[i] = state[i] + h / 2 * k2[i];
-        }
-        derivativeAt(source, h / 2, k3);                // at (s + h k2/2, t + h/2)
-        for (int i = 0; i < state.length; i++) {
-            trial[i] = state[i] + h * k3[i];
-        }
-        derivativeAt(source, h, fNew);                  // at (s + h k3, t + h)
-        for (int i = 0; i < state.length; i++) {
-            state[i] += h / 6 * (f0[i] + 2 * (k2[i] + k3[i]) + fNew[i]);
+    private void begin(int n) {
+        known = 0;
+        if (f1.length != n) {
+            f1 = new double[n];
+            f2 = new double[n];
+            f3 = new double[n];
         }
     }
 
-    private void derivativeAt(GuardedStep source, double offset, double[] dSdt) {
-        source.setState(trial);
-        source.setOffset(offset);
-        source.getStateDerivative(dSdt);
-    }
-
-    /** What was the derivative now is that of one step ago; the oldest array is used again. */
-    private void shiftHistory() {
+    /** The derivative of this step is the one of a step ago from now on; the oldest one's array takes it. */
+    private void shiftHistory(double[] f0) {
         double[] oldest = f3;
         f3 = f2;
         f2 = f1;
-        f1 = f0;
-        f0 = oldest;
-    }
-
-    @Override
-    public void reset() {
-        memory.forget();
+        f1 = oldest;
+        System.arraycopy(f0, 0, f1, 0, f0.length);
     }
 }

@@ -1,6 +1,6 @@
 package deSolvers.rungeKutta;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import java.util.Arrays;
 
 /** The one loop over the stages of an explicit Runge-Kutta method, with the work arrays that it needs. */
@@ -32,7 +32,7 @@ public final class RungeKuttaStages {
      * @param offset where the sub-step begins, from the beginning of the step (s)
      * @param h      the sub-step (s)
      */
-    public void evaluate(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+    public void evaluate(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         System.arraycopy(slope, 0, k[0], 0, slope.length);
         for (int stage = 1; stage < k.length; stage++) {
             sum(stage, trial);

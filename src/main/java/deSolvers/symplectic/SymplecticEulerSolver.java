@@ -1,10 +1,6 @@
 package deSolvers.symplectic;
 
-import static deSolvers.symplectic.BlockLayout.kickDriftFromDerivative;
-
-import deSolvers.DESolver;
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
 
 /**
  * Symplectic Euler, the slides' "Simple Particle System Algorithm": the velocity first, then the position with the
@@ -24,29 +20,12 @@ import deSolvers.GuardedStep;
  * {@code verlet} costs the same and has order 2. It is not reversible.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "A Simple Particle System Algorithm"; R. de Vogelaere (1956).
  */
-public final class SymplecticEulerSolver extends DESolver {
-    private final GuardedStep guard = new GuardedStep(this);
-    private double[] dSdt = {};
-    private double[] next = {};
+public final class SymplecticEulerSolver extends SymplecticSolver {
 
     @Override
-    public void stepState(DEStateSource client, double deltaT) {
-        int d = BlockLayout.of(this, client).getDimension();
-        int n = client.getStateSize();
-        if (next.length != n) {
-            dSdt = new double[n];
-            next = new double[n];
-        }
-        try (GuardedStep source = guard.begin(client, deltaT)) {
-            double[] state = source.getStartState();
-            double[] dSdt = this.dSdt;
-            double[] next = this.next;
-            source.getStateDerivative(state, dSdt);     // at (x, v, t)
-            kickDriftFromDerivative(state, dSdt, n, d, deltaT, deltaT, next);
-            double[] free = source.handOver(next);
-            if (free != next) {                         // storing a reference costs the garbage collector's note
-                this.next = free;
-            }
-        }
+    void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+        double[] a = acceleration(s);           // a(x(t), v(t), t)
+        kick(s, a, deltaT);                     // v(t + deltaT) = v(t) + deltaT a
+        drift(s, deltaT);                       // x(t + deltaT) = x(t) + deltaT v(t + deltaT)
     }
 }

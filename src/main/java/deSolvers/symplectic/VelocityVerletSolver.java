@@ -1,5 +1,7 @@
 package deSolvers.symplectic;
 
+import deSolvers.DEStateSource;
+
 /**
  * The velocity Verlet (or leapfrog) method: half a kick, a drift, half a kick.
  * <pre>
@@ -18,9 +20,15 @@ package deSolvers.symplectic;
  * the iteration fails (damping rate times h/2 above 0.7), where an implicit solver belongs.<br>
  * <b>Source</b> L. Verlet (1967); W. C. Swope et al. (1982), J. Chem. Phys. 76, 637.
  */
-public final class VelocityVerletSolver extends KickDriftKick {
-    /** A solver that has nothing to remember yet. */
-    public VelocityVerletSolver() {
-        super(1);
+public final class VelocityVerletSolver extends SymplecticSolver {
+
+    @Override
+    void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+        double[] a = startAcceleration(s);      // a(x(t), v(t), t)
+        kick(s, a, deltaT / 2);                 // v(t + deltaT/2) = v(t) + deltaT/2 a
+        drift(s, deltaT);                       // x(t + deltaT)   = x(t) + deltaT v(t + deltaT/2)
+        source.incTime(deltaT);
+        a = closingKick(s, a, deltaT / 2);      // v(t + deltaT)   = v(t + deltaT/2) + deltaT/2 a(t + deltaT)
+        remember(a);
     }
 }

@@ -1,5 +1,7 @@
 package deSolvers.symplectic;
 
+import deSolvers.DEStateSource;
+
 /**
  * Yoshida's method of fourth order: three leapfrogs, forward, backward and forward, so long that their errors cancel.
  * <pre>
@@ -18,12 +20,21 @@ package deSolvers.symplectic;
  * {@code verlet} is cheaper, and not with strong damping, which its backward part would have to undo.<br>
  * <b>Source</b> H. Yoshida, <i>Construction of higher order symplectic integrators</i>, Phys. Lett. A 150 (1990) 262-268.
  */
-public final class Yoshida4Solver extends KickDriftKick {
+public final class Yoshida4Solver extends SymplecticSolver {
     private static final double W1 = 1 / (2 - StrictMath.cbrt(2));
     private static final double W0 = 1 - 2 * W1;
+    private static final double[] WEIGHTS = {W1, W0, W1};
 
-    /** A solver that has nothing to remember yet. */
-    public Yoshida4Solver() {
-        super(W1, W0, W1);
+    @Override
+    void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+        double[] a = startAcceleration(s);
+        for (double w : WEIGHTS) {              // a leapfrog of length h
+            double h = w * deltaT;
+            kick(s, a, h / 2);                  // v(t + h/2) = v(t) + h/2 a(t)
+            drift(s, h);                        // x(t + h)   = x(t) + h v(t + h/2)
+            source.incTime(h);
+            a = closingKick(s, a, h / 2);       // v(t + h)   = v(t + h/2) + h/2 a(t + h)
+        }
+        remember(a);
     }
 }

@@ -61,13 +61,24 @@ abstract class NewClassCommand extends ProgramCommand {
     /** A solver. */
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     static final class NewSolver extends NewClassCommand {
+        @Option(names = "--from", paramLabel = "CLASS", defaultValue = Skeleton.SLIDES_WAY,
+                description = "What it extends: DESolver, as on the slides, or FixedStepSolver, which has helpers for formulas.")
+        private String from;
+
+        private final OptionStyle style;
+
         NewSolver(Path folder, OptionStyle style) {
             super(folder, style);
+            this.style = style;
         }
 
         @Override
         String text(String name) {
-            return Skeleton.solver(name);
+            if (!Skeleton.SOLVER_BASES.contains(from)) {
+                throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("from") + ": '" + from
+                        + "' cannot be extended here; allowed are: " + String.join(", ", Skeleton.SOLVER_BASES));
+            }
+            return Skeleton.solver(name, from);
         }
 
         @Override

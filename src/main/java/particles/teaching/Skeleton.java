@@ -21,6 +21,54 @@ public final class Skeleton {
             "perhaps further derivatives, each at a trial state: setState(trial), incTime, getStateDerivative",
             "new s = s + deltaT * a mean of the derivatives; the weights add up to 1");
 
+    /** The class that solvers extend on the slides. */
+    public static final String SLIDES_WAY = "DESolver";
+    /** The classes that a solver may extend to begin with. */
+    public static final List<String> SOLVER_BASES = List.of(SLIDES_WAY, "FixedStepSolver");
+
+    private static final String ON_DE_SOLVER = """
+            package exercises;
+
+            import deSolvers.DESolver;
+            import deSolvers.DEStateSource;
+
+            /** My own solver. To see what it is and what is wrong with it: gradle checkSolver -Psolver=exercises.NAME */
+            public class NAME extends DESolver {
+
+                @Override
+                public void stepState(DEStateSource source, double deltaT) {
+                    int n = source.getStateSize();
+                    double[] state = new double[n];
+                    double[] dSdt = new double[n];
+                    source.getState(state);                     // s, at time t
+                    source.getStateDerivative(dSdt);            // its derivative at (s, t)
+
+            OUTLINE
+                    // at the end: source.setState(the new state), and all moves of the clock by source.incTime make deltaT
+                }
+            }
+            """;
+
+    private static final String ON_FIXED_STEP_SOLVER = """
+            package exercises;
+
+            import deSolvers.DEStateSource;
+            import deSolvers.FixedStepSolver;
+
+            /** My own solver. To see what it is and what is wrong with it: gradle checkSolver -Psolver=exercises.NAME */
+            public class NAME extends FixedStepSolver {
+
+                @Override
+                protected void step(DEStateSource source, double[] s, double deltaT) {
+                    double[] dSdt = derivative(s);              // the derivative at (s, t)
+
+                    // derivative(a), times(deltaT, a) and plus(s, k, 0.5), which is s + 0.5 k, each return a new array
+            OUTLINE
+                    // at the end s is the new state: s[i] = ...; FixedStepSolver hands it over and sets the clock to t + deltaT
+                }
+            }
+            """;
+
     private Skeleton() {
     }
 
@@ -35,36 +83,17 @@ public final class Skeleton {
 
     /**
      * @param name the class's name; one that promises a method of the slides, as MyRK4Solver does, brings its outline
+     * @param base the class that it extends, one of {@link #SOLVER_BASES}
      * @return the text of a solver
      */
-    public static String solver(String name) {
+    public static String solver(String name, String base) {
         StringBuilder outline = new StringBuilder();
         int number = 1;
         for (String line : outline(name)) {
             outline.append("        // ").append(number++).append(". ").append(line).append('\n');
         }
-        return """
-                package exercises;
-
-                import deSolvers.DESolver;
-                import deSolvers.DEStateSource;
-
-                /** My own solver. To see what it is and what is wrong with it: gradle checkSolver -Psolver=exercises.NAME */
-                public class NAME extends DESolver {
-
-                    @Override
-                    public void stepState(DEStateSource source, double deltaT) {
-                        int n = source.getStateSize();
-                        double[] state = new double[n];
-                        double[] dSdt = new double[n];
-                        source.getState(state);                     // s, at time t
-                        source.getStateDerivative(dSdt);            // its derivative at (s, t)
-
-                OUTLINE
-                        // at the end: source.setState(the new state), and all moves of the clock by source.incTime make deltaT
-                    }
-                }
-                """.replace("OUTLINE\n", outline).replace("NAME", name);
+        return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER)
+                .replace("OUTLINE\n", outline).replace("NAME", name);
     }
 
     private static List<String> outline(String name) {

@@ -159,14 +159,14 @@ final class SolverContract {
         } catch (WindyOscillators.Failure expected) {
             if (distance(before, source.state()) != 0 || source.getTime() != 0) {
                 findings.add(new Finding(Kind.ADVICE, "when the source fails within a step, state and time stay where they were then;"
-                        + " deSolvers.GuardedStep puts them back"));
+                        + " deSolvers.FixedStepSolver puts them back"));
             }
         }
         source = new WindyOscillators(1);
         source.spoilDerivative();
         try {
             maker.get().stepState(source, H);
-            findings.add(new Finding(Kind.ADVICE, "a derivative that is NaN goes unnoticed into the state; deSolvers.GuardedStep reports it"));
+            findings.add(new Finding(Kind.ADVICE, "a derivative that is NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it"));
         } catch (DESolverException expected) {
             if (expected.getMessage() == null || expected.getMessage().isBlank()) {
                 findings.add(new Finding(Kind.ADVICE, "the exception for a derivative that is NaN says nothing"));

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
+import deSolvers.DESolverContract;
 import deSolvers.DESolverException;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.GrowthInSeason;
@@ -16,10 +17,13 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** What a solver that chooses its own sub-steps promises besides the contracts of all and of the states in between. */
-public abstract class AdaptiveContract extends DenseOutputContract {
+/** What a solver that chooses its own sub-steps promises besides the contract of all solvers. */
+public abstract class AdaptiveContract extends DESolverContract {
     /** What the first sub-step, raised to the clock's resolution, changes the error; measured 3.3e-8 (bulirsch-stoer). */
     private static final double LATE = 1e-7;
+
+    /** @return a new solver with these tolerances */
+    protected abstract DESolver createSolver(double relativeTolerance, double absoluteTolerance);
 
     /** @return the power of the tolerance with which the error at the end falls in theory */
     protected abstract double toleranceExponent();
@@ -27,6 +31,11 @@ public abstract class AdaptiveContract extends DenseOutputContract {
     /** @return whether stiff systems make it crawl */
     protected boolean isExplicit() {
         return true;
+    }
+
+    @Override
+    protected boolean takesTheArray() {
+        return false;
     }
 
     private double errorAfter(ReferenceProblem problem, double duration, double tolerance) {

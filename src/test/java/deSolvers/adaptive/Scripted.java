@@ -2,7 +2,7 @@ package deSolvers.adaptive;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleBinaryOperator;
@@ -40,7 +40,7 @@ final class Scripted extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(GuardedStep source, double[] state, double[] slope, double offset, double h,
+    protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
         offsets.add(offset);
         tried.add(h);
@@ -67,17 +67,5 @@ final class Scripted extends AdaptiveSolver {
             newSlope[0] = 100 + end;
         }
         return knowsEndSlope;
-    }
-
-    @Override
-    protected int interpolationDegree() {
-        return 1;
-    }
-
-    @Override
-    protected void interpolate(double[] state, double[] slope, double[] newState, double[] newSlope, double h,
-                               double[][] coefficients) {
-        coefficients[0][0] = state[0];
-        coefficients[1][0] = newState[0] - state[0];
     }
 }

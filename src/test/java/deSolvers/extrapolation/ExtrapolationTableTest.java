@@ -3,24 +3,12 @@ package deSolvers.extrapolation;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
 
 /** The table for s' = lambda s over a stretch of 1 s: its columns' stability functions, and what they say of their errors. */
 class ExtrapolationTableTest {
-    private static final ModifiedMidpoint.Record NONE = new ModifiedMidpoint.Record() {
-        @Override
-        public void middle(double[] state) {
-            // the results are enough
-        }
-
-        @Override
-        public void slope(int i, double[] dSdt) {
-            // the results are enough
-        }
-    };
-
     /** A column's result, what is said of its error, and that without the smoothing: moduli. */
     private record Column(double result, double estimate, double correction, double smoothing) {
     }
@@ -47,9 +35,9 @@ class ExtrapolationTableTest {
         smoothings.resize(2);
         Column[] columns = new Column[OrderControl.COLUMNS];
         double[] error = new double[2];
-        try (GuardedStep step = new GuardedStep(new BulirschStoerSolver()).begin(problem, 1)) {
+        try (StepTransaction step = new StepTransaction(new BulirschStoerSolver()).begin(problem, 1)) {
             for (int j = 0; j < columns.length; j++) {
-                midpoint.cover(step, new double[] {1, 0}, new double[] {re, im}, 0, 1, OrderControl.substeps(j), NONE,
+                midpoint.cover(step, new double[] {1, 0}, new double[] {re, im}, 0, 1, OrderControl.substeps(j),
                         results.begin(j), smoothings.begin(j));
                 results.extrapolate(j);
                 smoothings.extrapolate(j);

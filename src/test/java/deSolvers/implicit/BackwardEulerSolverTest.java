@@ -11,7 +11,7 @@ class BackwardEulerSolverTest extends FixedStepContract {
     }
 
     @Override
-    protected boolean asksForTheArray() {
+    protected boolean takesTheArray() {
         return false;
     }
 

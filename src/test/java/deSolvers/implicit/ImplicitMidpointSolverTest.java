@@ -20,7 +20,7 @@ class ImplicitMidpointSolverTest extends FixedStepContract {
     }
 
     @Override
-    protected boolean asksForTheArray() {
+    protected boolean takesTheArray() {
         return false;
     }
 

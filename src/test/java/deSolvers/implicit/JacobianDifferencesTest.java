@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
 import deSolvers.problems.ReferenceProblem;
 import java.util.Random;
@@ -152,7 +152,7 @@ class JacobianDifferencesTest {
     }
 
     private DirectionalDerivative directional(DEStateSource source, double[] state, double h) {
-        GuardedStep step = new GuardedStep(new BackwardEulerSolver()).begin(source, 1);
+        StepTransaction step = new StepTransaction(new BackwardEulerSolver()).begin(source, 1);
         double[] dSdt = new double[state.length];
         step.setState(state);
         step.getStateDerivative(dSdt);

@@ -12,7 +12,7 @@ class LinearisedEulerTest extends FixedStepContract {
     }
 
     @Override
-    protected boolean asksForTheArray() {
+    protected boolean takesTheArray() {
         return false;
     }
 

@@ -33,15 +33,6 @@ class RadauIIASolverTest extends AdaptiveContract {
         return false;
     }
 
-    /**
-     * The collocation polynomial has the order of the estimate, not that of the end: it keeps to the tolerance (measured
-     * 0.25 of it).
-     */
-    @Override
-    protected double inBetween(double errorAtEnd, double tolerance) {
-        return tolerance;
-    }
-
     /** Systems beyond the size of a full matrix are solved by GMRES, to the same tolerance. */
     @Test
     void aLargeSystem() {

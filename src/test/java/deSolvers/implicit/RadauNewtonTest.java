@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
@@ -26,7 +26,7 @@ class RadauNewtonTest {
     /** (mu - h J) x = b for one number J; refuses to solve one of them where it is told to. */
     private record Scalar(double jacobian, boolean real, boolean complex) implements RadauSystems {
         @Override
-        public void setJacobian(GuardedStep source, double[] state, double[] slope, double offset, double h) {
+        public void setJacobian(StepTransaction source, double[] state, double[] slope, double offset, double h) {
             throw new UnsupportedOperationException();
         }
 
@@ -77,7 +77,7 @@ class RadauNewtonTest {
         }
         asked.clear();
         work.newtonIterations = 0;
-        GuardedStep step = new GuardedStep(new RadauIIASolver()).begin(problem, 1);
+        StepTransaction step = new StepTransaction(new RadauIIASolver()).begin(problem, 1);
         boolean solved = newton.solve(step, systems, new double[] {start}, 0.25, H, z);
         return solved;
     }

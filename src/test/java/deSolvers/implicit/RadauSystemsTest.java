@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DEStateSource;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
 import deSolvers.problems.ReferenceProblem;
 import java.util.Arrays;
@@ -35,7 +35,7 @@ class RadauSystemsTest {
     private void setJacobian(RadauSystems systems, BlockParticles particles, double h) {
         state = random.doubles(particles.getStateSize(), -1, 1).toArray();
         particles.startAt(0);
-        GuardedStep step = begin(particles);
+        StepTransaction step = begin(particles);
         double[] slope = new double[state.length];
         step.setState(state);
         step.setOffset(OFFSET);
@@ -160,8 +160,8 @@ class RadauSystemsTest {
         }
     }
 
-    private GuardedStep begin(DEStateSource source) {
-        return new GuardedStep(new RadauIIASolver()).begin(source, 1);
+    private StepTransaction begin(DEStateSource source) {
+        return new StepTransaction(new RadauIIASolver()).begin(source, 1);
     }
 
     /** mu = 1, h = 1 and s' = s: there is nothing to solve then. */

@@ -10,7 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
@@ -162,7 +162,7 @@ class StageSolutionTest {
         DenseProblem problem = new DenseProblem(new ImplicitWork.Counter());
         Random random = new Random(3);
         for (double g : new double[] {0.25, -0.125, 2}) {
-            problem.begin(new GuardedStep(new BackwardEulerSolver()).begin(linear, 1), linear, new double[] {2, -1}, g);
+            problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(linear, 1), linear, new double[] {2, -1}, g);
             double[] m = random.doubles(2, -3, 3).toArray();
             double[] residual = new double[2];
             problem.evaluate(m, residual);
@@ -190,7 +190,7 @@ class StageSolutionTest {
     void aSingularMatrixIsRefused() {
         Scalar growth = new Scalar(0, s -> s);
         DenseProblem problem = new DenseProblem(new ImplicitWork.Counter());
-        problem.begin(new GuardedStep(new BackwardEulerSolver()).begin(growth, 1), growth, new double[1], 1);
+        problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(growth, 1), growth, new double[1], 1);
         problem.evaluate(new double[1], new double[1]);
         problem.linearise(new double[1]);
         assertFalse(problem.correct(new double[] {1}, new double[1]));
@@ -202,7 +202,7 @@ class StageSolutionTest {
         Scalar decay = new Scalar(2, s -> -3 * s);
         ImplicitWork.Counter work = new ImplicitWork.Counter();
         KrylovProblem problem = new KrylovProblem(work);
-        problem.begin(new GuardedStep(new BackwardEulerSolver()).begin(decay, 1), new double[] {2}, -0.5, 1e-4);
+        problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(decay, 1), new double[] {2}, -0.5, 1e-4);
         problem.evaluate(new double[] {-5}, new double[1]);
         double[] floor = new double[1];
         problem.rounding(new double[] {-5}, floor);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.GuardedStep;
+import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
 import java.util.Arrays;
 import java.util.Random;
@@ -25,7 +25,7 @@ class VelocityProblemTest {
 
     private void begin(BlockParticles particles, double g) {
         start = particles.state();
-        problem.begin(new GuardedStep(new BackwardEulerSolver()).begin(particles, G), particles, start, g, TOLERANCE);
+        problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(particles, G), particles, start, g, TOLERANCE);
     }
 
     private double[] random(int n) {

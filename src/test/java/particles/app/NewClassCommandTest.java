@@ -1,6 +1,7 @@
 package particles.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
@@ -11,6 +12,7 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
@@ -28,12 +30,14 @@ class NewClassCommandTest {
     @TempDir
     private Path folder;
 
-    private String run(ExitCode expected, String command, String name) {
+    private String run(ExitCode expected, String command, String name, String... options) {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
         List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"), OptionStyle.GRADLE),
                 new NewClassCommand.NewEffect(folder.resolve("exercises"), OptionStyle.GRADLE));
-        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both, both).execute(command, "--class=" + name),
+        List<String> args = new ArrayList<>(List.of(command, "--class=" + name));
+        args.addAll(List.of(options));
+        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both, both).execute(args.toArray(new String[0])),
                 out.toString());
         return out.toString();
     }
@@ -58,6 +62,23 @@ class NewClassCommandTest {
                 "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
         assertTrue(wrong.contains("time: the clock never moves: incTime(deltaT) is missing"), wrong.toString());
         assertTrue(wrong.contains("state: the new state never reaches the source: setState(state) is missing"), wrong.toString());
+    }
+
+    /** The formula is all that is missing: clock and state are the base class's part. */
+    @Test
+    void aSolverOnFixedStepSolverCompilesAndMissesOnlyItsFormula() throws ReflectiveOperationException, IOException {
+        run(ExitCode.DONE, "newSolver", "HeunSolver", "--from=FixedStepSolver");
+        Class<?> solver = compiled("HeunSolver");
+        List<String> wrong = SolverCheck.check(() -> make(solver), "HeunSolver").wrong().stream().map(Finding::toString).toList();
+        assertFalse(wrong.isEmpty());
+        assertTrue(wrong.stream().noneMatch(line -> line.startsWith("time: ") || line.contains("setState")), wrong.toString());
+    }
+
+    @Test
+    void aSolverExtendsOneOfTwoClasses() {
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver", "--from=RK4Solver").startsWith("option -Pfrom: 'RK4Solver'"
+                + " cannot be extended here; allowed are: DESolver, FixedStepSolver"));
+        assertFalse(Files.exists(folder.resolve("exercises/HeunSolver.java")));
     }
 
     private static DESolver make(Class<?> solver) {

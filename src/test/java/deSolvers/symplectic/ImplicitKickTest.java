@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Where verlet's closing kick is found by fixed point: when it ends well, when it gives up, and after how many evaluations. */
-class ClosingKickTest {
+class ImplicitKickTest {
     private static final double H = 0.5;
 
     /**

@@ -3,36 +3,32 @@ package deSolvers;
 import java.util.Arrays;
 
 /**
- * The parts of the contract of {@link DESolver} that are the same for every method, as two calls around a step's body:
+ * A step that either succeeds as a whole or changes nothing: the parts of the contract of {@link DESolver} that are the
+ * same for every method, as two calls around the method itself.
  * <pre>
- *     try (GuardedStep source = guard.begin(client, deltaT)) {
- *         source.getState(state);                // the body moves the source as it likes
- *         ...
+ *     try (StepTransaction source = transaction.begin(client, deltaT)) {
+ *         ...                                    // the method moves the source as it likes
  *         source.finish(newState);               // checked, handed over, clock at exactly t + deltaT
  *     }
  * </pre>
- * Between the two calls this object stands for the client: it passes every call on. If the body ends without
- * {@link #finish}, by whatever exception, the client gets back the state and the time that {@link #begin} found.
+ * Between the two calls this object stands for the client and passes every call on. If the method ends without
+ * {@link #finish}, the client gets back the state and the time that {@link #begin} found.
  *
- * <p>Whether a state is finite is looked at once, at the end: each stage enters the new state, or the place where a later
- * one is evaluated, with a weight that is not 0, and no finite factor makes an infinity or a NaN finite again. Only when the
- * check fails is the cause looked for.
+ * <p>NaN and infinity are looked for once, in the new state: every derivative enters it, and no finite factor makes an
+ * infinity or a NaN finite again. Only when that check fails is the cause looked for.
  */
-public final class GuardedStep implements DEStateSource, AutoCloseable {
-    /** Below this many doubles copying the new state in is cheaper than exchanging arrays. */
-    private static final int EXCHANGE_FROM = 64;
-
+public final class StepTransaction implements DEStateSource, AutoCloseable {
     private final DESolver solver;
     private DEStateSource client;
-    private boolean direct;                             // whether the client's own arrays are used in this step
-    private double[] copy = {};                         // of the state that was found, unless the client's own array is used
-    private double timeFound;
+    private boolean hasArrays;                          // whether the client is an ArrayStateSource
+    private boolean direct;                             // whether the client still holds the start state in its own array
+    private double[] copy = {};                         // of the start state, unless direct
+    private double startTime;
     private double deltaT;
     private boolean open;
-    private boolean moved;
 
-    /** @param solver the solver whose steps are guarded, for its name in messages */
-    public GuardedStep(DESolver solver) {
+    /** @param solver the solver whose steps these are, for its name in messages */
+    public StepTransaction(DESolver solver) {
         this.solver = solver;
     }
 
@@ -44,21 +40,21 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @return this, which stands for the client until the step ends
      * @throws DESolverException if deltaT, the client's time or the time at the end of the step is not finite
      */
-    public GuardedStep begin(DEStateSource client, double deltaT) {
+    public StepTransaction begin(DEStateSource client, double deltaT) {
         double time = client.getTime();
-        if (!Double.isFinite(time + deltaT)) {          // where one of them is not, the sum is not
+        if (!Double.isFinite(time + deltaT)) {
             throw new DESolverException(solver, time, deltaT, -1, NotFinite.end(time, deltaT));
         }
-        if (this.client != client) {                    // each reference that is stored costs the garbage collector's note
+        if (this.client != client) {
             this.client = client;
+            hasArrays = client instanceof ArrayStateSource;     // asked once: that it is not costs as much as a small step
         }
-        direct = client instanceof ArrayStateSource;
+        direct = hasArrays;
         if (!direct) {
             copyState();
         }
-        this.timeFound = time;
+        this.startTime = time;
         this.deltaT = deltaT;
-        moved = false;
         open = true;
         return this;
     }
@@ -76,8 +72,8 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     }
 
     /**
-     * Evaluates the derivative at a given state and the client's current time: at the array itself where the client offers
-     * that, by setting the client's state where it does not.
+     * Evaluates the derivative at a given state and the client's current time. A client that is no
+     * {@link ArrayStateSource} is set to that state.
      *
      * @param state a state; n long
      * @param dSdt  receives ds/dt; n long
@@ -86,80 +82,37 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
         if (direct) {
             ((ArrayStateSource) client).getStateDerivative(state, dSdt);
         } else {
-            moveAndEvaluate(state, dSdt);
-        }
-    }
-
-    private void moveAndEvaluate(double[] state, double[] dSdt) {
-        if (moved || state != copy) {
             client.setState(state);
-            moved = true;
+            client.getStateDerivative(dSdt);
         }
-        client.getStateDerivative(dSdt);
-    }
-
-    /**
-     * Ends the step like {@link #finish(double[])}, and hands the array itself over where the client takes it.
-     *
-     * @param newState s(t + deltaT); n long, not to be used any more
-     * @return an array of the same length for the solver to use in its place
-     * @throws DESolverException if an entry is not finite; the client is then as it was found
-     */
-    public double[] handOver(double[] newState) {
-        if (!direct || newState.length < EXCHANGE_FROM || deltaT == 0) {
-            finish(newState);
-            return newState;
-        }
-        requireFiniteEnd(newState);
-        SourceClock.moveToEnd(client, timeFound, deltaT);
-        double[] free = ((ArrayStateSource) client).exchangeState(newState);
-        open = false;
-        return free;
     }
 
     /**
      * Ends the step: checks that the new state is finite, hands it to the client and moves the clock to t + deltaT.
      * With deltaT = 0 the client is left exactly as it was found.
      *
-     * @param newState s(t + deltaT); n long
+     * @param newState s(t + deltaT); n long; the client's from now on if it is an {@link ArrayStateSource}
+     * @return an array of the same length for the solver to use in its place
      * @throws DESolverException if an entry is not finite; the client is then as it was found
      */
-    public void finish(double[] newState) {
+    public double[] finish(double[] newState) {
         if (deltaT == 0) {
             requireFiniteStart();
-            return;                                     // close() puts back what was found
+            return newState;                            // close() puts back what was found
         }
-        requireFiniteEnd(newState);
-        end(newState);
-    }
-
-    /**
-     * Ends the step like {@link #finish(double[])}, and checks a derivative as {@link #requireFinite} does.
-     *
-     * @param newState s(t + deltaT); n long
-     * @param dSdt     the derivative that was evaluated last; n long
-     * @throws DESolverException if an entry of either is not finite; the client is then as it was found
-     */
-    public void finish(double[] newState, double[] dSdt) {
-        if (deltaT == 0 || !FiniteCheck.areFinite(newState, dSdt)) {
-            requireFinite(dSdt);
-            finish(newState);
-        } else {
-            end(newState);
-        }
-    }
-
-    private void end(double[] newState) {
-        SourceClock.moveToEnd(client, timeFound, deltaT);       // first: it can be moved back, a state handed over cannot
-        client.setState(newState);
-        open = false;
-    }
-
-    private void requireFiniteEnd(double[] newState) {
         int entry = FiniteCheck.firstNonFinite(newState);
         if (entry >= 0) {
             throw notFinite(entry, newState[entry]);
         }
+        SourceClock.moveToEnd(client, startTime, deltaT);   // first: it can be moved back, a state handed over cannot
+        double[] free = newState;
+        if (direct) {
+            free = ((ArrayStateSource) client).exchangeState(newState);
+        } else {
+            client.setState(newState);
+        }
+        open = false;
+        return free;
     }
 
     /** Puts back what {@link #begin} found, unless {@link #finish} ended the step. */
@@ -172,7 +125,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
                     client.setState(copy);
                 }
             } finally {
-                SourceClock.moveTo(client, timeFound);
+                SourceClock.moveTo(client, startTime);
             }
         }
     }
@@ -184,12 +137,11 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
 
     /** @return the time at which the step began (s) */
     public double getStartTime() {
-        return timeFound;
+        return startTime;
     }
 
-    /** @return the time at which {@link #finish} leaves the clock (s) */
-    public double getEndTime() {
-        return timeFound + deltaT;
+    double getDeltaT() {
+        return deltaT;
     }
 
     /**
@@ -198,7 +150,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
      * @param offset the time since the step began (s); negative where deltaT is
      */
     public void setOffset(double offset) {
-        SourceClock.moveWithin(client, timeFound, offset);
+        SourceClock.moveWithin(client, startTime, offset);
     }
 
     /**
@@ -210,13 +162,9 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     public void requireFinite(double[] dSdt) {
         int entry = FiniteCheck.firstNonFinite(dSdt);
         if (entry >= 0) {
-            throw derivativeNotFinite(entry, dSdt[entry]);
+            requireFiniteStart();
+            throw failure(entry, NotFinite.derivative(entry, dSdt[entry], client.getTime()));
         }
-    }
-
-    private DESolverException derivativeNotFinite(int entry, double value) {
-        requireFiniteStart();
-        return failure(entry, NotFinite.derivative(entry, value, client.getTime()));
     }
 
     /**
@@ -233,14 +181,14 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
     }
 
     /**
-     * An exception for a step that the body gives up, with the step's solver, time and deltaT.
+     * An exception for a step that the method gives up, with the step's solver, time and deltaT.
      *
      * @param entry the index of the state's entry that shows the trouble, or -1
      * @param cause what happened and why that is likely
      * @return the exception, to be thrown
      */
     public DESolverException failure(int entry, String cause) {
-        return new DESolverException(solver, timeFound, deltaT, entry, cause);
+        return new DESolverException(solver, startTime, deltaT, entry, cause);
     }
 
     /** Looks for the cause where the step began: in the state, in the derivative, or else in the size of the step. */
@@ -269,7 +217,6 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
             copyState();                                // the client's own array is about to change
             direct = false;
         }
-        moved = true;
         client.setState(state);
     }
 
@@ -290,7 +237,7 @@ public final class GuardedStep implements DEStateSource, AutoCloseable {
 
     @Override
     public String toString() {
-        return "a step of " + solver.getClass().getSimpleName() + " from t = " + timeFound + " with "
+        return "a step of " + solver.getClass().getSimpleName() + " from t = " + startTime + " with "
                 + Arrays.toString(getStartState());
     }
 }

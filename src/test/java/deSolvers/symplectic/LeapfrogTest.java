@@ -10,7 +10,7 @@ import deSolvers.DESolverException;
 import org.junit.jupiter.api.Test;
 
 /** What steps of leapfrogs remember, and where they look for what is not finite. */
-class KickDriftKickTest {
+class LeapfrogTest {
     private static final double H = 0.5;
 
     /** Any number of particles on a line, all with the acceleration -1. */

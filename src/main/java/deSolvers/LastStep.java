@@ -1,0 +1,54 @@
+package deSolvers;
+
+import java.util.Arrays;
+
+/**
+ * Where a solver's last step ended, for methods that use results of earlier steps: a history of derivatives, the next
+ * sub-step, the last acceleration. Such results are valid only while source, time, state and deltaT are bit for bit what
+ * the last step left.
+ */
+public final class LastStep {
+    private boolean known;
+    private DEStateSource source;
+    private double time;
+    private double[] state = {};
+    private double deltaT;
+
+    /**
+     * Whether a step continues the last one. Either way the last one is forgotten: the step that begins is remembered
+     * only when it has succeeded.
+     *
+     * @param step the step that begins
+     * @return true if its source, time, state and deltaT are bit for bit what the last step left
+     */
+    public boolean continuesFrom(StepTransaction step) {
+        boolean continues = known && source == step.getClient()
+                && Double.doubleToRawLongBits(time) == Double.doubleToRawLongBits(step.getStartTime())
+                && Double.doubleToRawLongBits(deltaT) == Double.doubleToRawLongBits(step.getDeltaT())
+                && Arrays.equals(state, step.getStartState());
+        known = false;
+        return continues;
+    }
+
+    /**
+     * Notes where a step ends.
+     *
+     * @param step     the step
+     * @param newState s(t + deltaT); copied
+     */
+    public void keep(StepTransaction step, double[] newState) {
+        if (state.length != newState.length) {
+            state = new double[newState.length];
+        }
+        System.arraycopy(newState, 0, state, 0, newState.length);
+        source = step.getClient();
+        time = step.getStartTime() + step.getDeltaT();
+        deltaT = step.getDeltaT();
+        known = true;
+    }
+
+    /** Forgets the last step; nothing continues it any more. */
+    public void forget() {
+        known = false;
+    }
+}

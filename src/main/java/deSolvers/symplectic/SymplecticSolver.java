@@ -1,0 +1,111 @@
+package deSolvers.symplectic;
+
+import deSolvers.DEStateSource;
+import deSolvers.FixedStepSolver;
+import deSolvers.SecondOrderStateSource;
+
+/**
+ * A method that moves positions and velocities in turn. A state has the blocks (x1, v1, x2, v2, ...) of a
+ * {@link SecondOrderStateSource}; an acceleration stands where the velocity does in the state, as in ds/dt.
+ */
+abstract class SymplecticSolver extends FixedStepSolver {
+    private final ImplicitKick implicitKick = new ImplicitKick();
+    private double[] remembered = {};                   // the acceleration where the last step ended
+    private int[] velocities = {};                      // the indices of the state's velocity entries
+    private int d;
+
+    /**
+     * Makes the step, as {@link FixedStepSolver#step}.
+     *
+     * @param source stands at the start; its clock may be moved
+     * @param s      holds (x, v) at t, and receives (x, v) at t + deltaT
+     * @param deltaT the time step (s)
+     */
+    abstract void kicksAndDrifts(DEStateSource source, double[] s, double deltaT);
+
+    @Override
+    protected final void step(DEStateSource source, double[] s, double deltaT) {
+        int dimension = secondOrder().getDimension();
+        if (d != dimension || remembered.length != s.length) {
+            d = dimension;
+            remembered = new double[s.length];
+            velocities = velocityEntries(s.length, d);
+        }
+        kicksAndDrifts(source, s, deltaT);
+    }
+
+    /** The client as a source of second order; an exception says what is missing. */
+    private SecondOrderStateSource secondOrder() {
+        DEStateSource client = getTransaction().getClient();
+        if (!(client instanceof SecondOrderStateSource)) {
+            throw new IllegalArgumentException(getClass().getSimpleName() + " moves positions and velocities in"
+                    + " turn and needs a " + SecondOrderStateSource.class.getName() + "; " + client.getClass().getName()
+                    + " is only a " + DEStateSource.class.getName());
+        }
+        return (SecondOrderStateSource) client;
+    }
+
+    private int[] velocityEntries(int n, int d) {
+        if (d < 1 || n % (2 * d) != 0) {
+            throw new IllegalArgumentException(getTransaction().getClient().getClass().getName() + " has dimension " + d
+                    + " and " + n + " state entries; the state has to be made of blocks of d positions and d velocities,"
+                    + " d >= 1");
+        }
+        int[] entries = new int[n / 2];
+        for (int i = 0; i < entries.length; i++) {
+            entries[i] = 2 * d * (i / d) + d + i % d;
+        }
+        return entries;
+    }
+
+    /** The acceleration at a state, at the source's time. */
+    final double[] acceleration(double[] s) {
+        double[] a = derivative(s);
+        getTransaction().requireFinite(a);              // its position entries go nowhere else
+        return a;
+    }
+
+    /** The acceleration at the start: the remembered one where this step continues the last, which saves an evaluation. */
+    final double[] startAcceleration(double[] s) {
+        return continuesLastStep() ? remembered : acceleration(s);
+    }
+
+    /** Keeps the acceleration at the end of the step for the next one. */
+    final void remember(double[] a) {
+        System.arraycopy(a, 0, remembered, 0, a.length);
+    }
+
+    /** v += h a. */
+    final void kick(double[] s, double[] a, double h) {
+        for (int v : velocities) {
+            s[v] += h * a[v];
+        }
+    }
+
+    /** x += h v. */
+    final void drift(double[] s, double h) {
+        for (int v : velocities) {
+            s[v - d] += h * s[v];
+        }
+    }
+
+    /**
+     * The kick that ends a leapfrog, v += h a(x, v, t) with the acceleration at the new state: an equation for v where
+     * the acceleration depends on v.
+     *
+     * @param s     holds the new x and the old v; receives the new v
+     * @param guess an acceleration nearby, for the equation's first guess
+     * @param h     the kick's length (s)
+     * @return the acceleration at the new state
+     */
+    final double[] closingKick(double[] s, double[] guess, double h) {
+        if (secondOrder().accelerationDependsOnVelocity()) {
+            double[] a = times(1, guess);
+            implicitKick.solve(getTransaction(), s, guess, velocities, h, a);
+            return a;
+        }
+        double[] a = acceleration(s);
+        kick(s, a, h);
+        return a;
+    }
+}

@@ -1,0 +1,136 @@
+package deSolvers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.problems.ReferenceProblem;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A step continues the last one only where source, time, state and deltaT are bit for bit what that one left. */
+class LastStepTest {
+    private static final double DELTA_T = 0.5;
+
+    private static final DEStateSource SOURCE = at(3, 1, 2);
+
+    private static ReferenceProblem at(double time, double... state) {
+        ReferenceProblem source = new ReferenceProblem(state.length) {
+            @Override
+            public double[] exactState(double t) {
+                return state.clone();
+            }
+
+            @Override
+            protected void rates(double t, double[] s, double[] dSdt) {
+                throw new AssertionError("not asked for");
+            }
+        };
+        source.startAt(time);
+        return source;
+    }
+
+    /** What was kept of a step of the source that ended where the source is now. */
+    private static LastStep after(DEStateSource source, double deltaT) {
+        LastStep lastStep = new LastStep();
+        keep(lastStep, source, deltaT);
+        return lastStep;
+    }
+
+    private static void keep(LastStep lastStep, DEStateSource source, double deltaT) {
+        double[] state = new double[source.getStateSize()];
+        source.getState(state);
+        source.incTime(-deltaT);
+        StepTransaction step = new StepTransaction(new EulerSolver()).begin(source, deltaT);
+        lastStep.keep(step, state);
+        step.finish(state);
+    }
+
+    private static boolean continues(LastStep lastStep, DEStateSource source, double deltaT) {
+        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(source, deltaT)) {
+            return lastStep.continuesFrom(step);
+        }
+    }
+
+    private static boolean continuesIfMoved(double time, double... state) {
+        ReferenceProblem source = at(3, 1, 2);
+        LastStep lastStep = after(source, DELTA_T);
+        source.startAt(time);
+        if (state.length > 0) {
+            source.setState(state);
+        }
+        return continues(lastStep, source, DELTA_T);
+    }
+
+    @Test
+    void sourceTimeStateAndDeltaTHaveToBeTheSame() {
+        assertTrue(continues(after(SOURCE, DELTA_T), SOURCE, DELTA_T));
+        assertTrue(continuesIfMoved(3, 1, 2));
+        assertFalse(continues(after(SOURCE, DELTA_T), at(3, 1, 2), DELTA_T), "another source");
+        assertFalse(continuesIfMoved(Math.nextUp(3.0), 1, 2), "another time");
+        assertFalse(continuesIfMoved(3, 1, Math.nextDown(2.0)), "another state");
+        assertFalse(continues(after(SOURCE, DELTA_T), SOURCE, -DELTA_T), "another deltaT");
+    }
+
+    @Test
+    void zerosOfDifferentSignAreDifferent() {
+        ReferenceProblem source = at(3, 0.0, 1);
+        LastStep lastStep = after(source, DELTA_T);
+        source.setState(new double[] {-0.0, 1});
+        assertFalse(continues(lastStep, source, DELTA_T));
+        source = at(0.0, 1, 2);
+        lastStep = after(source, DELTA_T);
+        assertTrue(continues(lastStep, source, DELTA_T));
+        lastStep = after(source, DELTA_T);
+        source.startAt(-0.0);
+        assertFalse(continues(lastStep, source, DELTA_T));
+    }
+
+    @Test
+    void aStepIsContinuedAtMostOnce() {
+        LastStep lastStep = new LastStep();
+        assertFalse(continues(lastStep, SOURCE, DELTA_T), "there was no step yet");
+        keep(lastStep, SOURCE, DELTA_T);
+        assertTrue(continues(lastStep, SOURCE, DELTA_T));
+        assertFalse(continues(lastStep, SOURCE, DELTA_T), "the step that continued it has not ended");
+        keep(lastStep, SOURCE, DELTA_T);
+        assertFalse(continues(lastStep, at(3, 1, 2), DELTA_T));
+        assertFalse(continues(lastStep, SOURCE, DELTA_T), "another step has begun since");
+        keep(lastStep, SOURCE, DELTA_T);
+        lastStep.forget();
+        assertFalse(continues(lastStep, SOURCE, DELTA_T), "forgotten");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 6, 100})
+    void everyEntryCounts(int n) {
+        double[] left = new Random(n).doubles(n).toArray();
+        for (int i = 0; i < n; i++) {
+            ReferenceProblem source = at(0, left);
+            LastStep lastStep = after(source, DELTA_T);
+            assertTrue(continues(lastStep, source, DELTA_T));
+            keep(lastStep, source, DELTA_T);
+            double[] state = left.clone();
+            state[i] = Math.nextUp(state[i]);
+            source.setState(state);
+            assertFalse(continues(lastStep, source, DELTA_T), "entry " + i);
+        }
+    }
+
+    /** What is kept is a copy: the caller's array may change. */
+    @Test
+    void theStateIsCopied() {
+        ReferenceProblem source = at(3, 1, 2);
+        LastStep lastStep = new LastStep();
+        double[] state = {1, 2};
+        source.incTime(-DELTA_T);
+        StepTransaction step = new StepTransaction(new EulerSolver()).begin(source, DELTA_T);
+        lastStep.keep(step, state);
+        step.finish(state);
+        state[0] = 7;
+        assertEquals(3, source.getTime());
+        assertTrue(continues(lastStep, source, DELTA_T));
+    }
+}

@@ -1,0 +1,90 @@
+package deSolvers.symplectic;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DEStateSource;
+import deSolvers.DESolverException;
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Kicks and drifts of blocks of d positions and d velocities. */
+class SymplecticSolverTest {
+    private static final double H = 0.25;
+    private static final int BLOCKS = 3;
+
+    private final Random random = new Random(14);
+
+    private double[] random(int d) {
+        return random.doubles(2L * d * BLOCKS, -1, 1).toArray();
+    }
+
+    private static boolean isVelocity(int entry, int d) {
+        return entry % (2 * d) >= d;
+    }
+
+    /** Runs kicks and drifts within a step of a source with blocks of d. */
+    private static void inAStep(int d, Moves moves) {
+        new SymplecticSolver() {
+            @Override
+            void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+                moves.of(this);
+            }
+        }.stepState(new Blocks(d, new double[2 * d * BLOCKS]) {
+            @Override
+            public void getStateDerivative(double[] dSdt) {
+                throw new AssertionError("no move asks for it");
+            }
+        }, H);
+    }
+
+    /** What a step does. */
+    private interface Moves {
+        void of(SymplecticSolver solver);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4})
+    void aKickChangesVelocitiesOnly(int d) {
+        double[] state = random(d);
+        double[] a = random(d);
+        double[] kicked = state.clone();
+        inAStep(d, solver -> solver.kick(kicked, a, H));
+        for (int e = 0; e < state.length; e++) {
+            assertEquals(isVelocity(e, d) ? state[e] + H * a[e] : state[e], kicked[e], "entry " + e);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4})
+    void aDriftChangesPositionsOnly(int d) {
+        double[] state = random(d);
+        double[] drifted = state.clone();
+        inAStep(d, solver -> solver.drift(drifted, H));
+        for (int e = 0; e < state.length; e++) {
+            assertEquals(isVelocity(e, d) ? state[e] : state[e] + H * state[e + d], drifted[e], "entry " + e);
+        }
+    }
+
+    /** The derivative's position entries enter no kick; they are checked all the same. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4})
+    void everyEntryOfTheDerivativeHasToBeFinite(int d) {
+        for (int entry = 0; entry < 2 * d * BLOCKS; entry++) {
+            int bad = entry;
+            Blocks source = new Blocks(d, new double[2 * d * BLOCKS]) {
+                @Override
+                public void getStateDerivative(double[] dSdt) {
+                    dSdt[bad] = Double.NaN;
+                }
+            };
+            DESolverException e = assertThrows(DESolverException.class,
+                    () -> new SymplecticEulerSolver().stepState(source, H));
+            assertTrue(e.getMessage().contains("entry " + bad + " of the derivative is NaN"), e.getMessage());
+            assertArrayEquals(new double[2 * d * BLOCKS], source.state);
+        }
+    }
+}
