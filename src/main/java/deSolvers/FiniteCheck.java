@@ -10,29 +10,43 @@ public final class FiniteCheck {
      * @return the index of the first one that is NaN or infinite, or -1
      */
     public static int firstNonFinite(double[] values) {
+        return sum(values) * 0 == 0 ? -1 : find(values);    // the sum of finite numbers may overflow, but of no others is finite
+    }
+
+    /** Eight sums, since each addition waits for the one before. */
+    private static double sum(double[] values) {
         int n = values.length;
-        double a = 0;                                   // 0 times a finite number is 0, times any other NaN
-        double b = 0;                                   // four sums, since each addition waits for the one before
+        double a = 0;
+        double b = 0;
         double c = 0;
         double d = 0;
+        double e = 0;
+        double f = 0;
+        double g = 0;
+        double h = 0;
         int i = 0;
-        for (; i + 3 < n; i += 4) {
-            a += 0 * values[i];
-            b += 0 * values[i + 1];
-            c += 0 * values[i + 2];
-            d += 0 * values[i + 3];
+        for (; i + 7 < n; i += 8) {
+            a += values[i];
+            b += values[i + 1];
+            c += values[i + 2];
+            d += values[i + 3];
+            e += values[i + 4];
+            f += values[i + 5];
+            g += values[i + 6];
+            h += values[i + 7];
         }
         for (; i < n; i++) {
-            a += 0 * values[i];
+            a += values[i];
         }
-        return (a + b) + (c + d) == 0 ? -1 : find(values);
+        return (a + b) + (c + d) + ((e + f) + (g + h));
     }
 
     private static int find(double[] values) {
-        int i = 0;
-        while (Double.isFinite(values[i])) {
-            i++;
+        for (int i = 0; i < values.length; i++) {
+            if (!Double.isFinite(values[i])) {
+                return i;
+            }
         }
-        return i;
+        return -1;
     }
 }

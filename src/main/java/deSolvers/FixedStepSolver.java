@@ -1,113 +1,119 @@
 package deSolvers;
 
 /**
- * A method that takes one step of deltaT: a subclass writes only {@link #step}, the formula of the slide. This class
- * keeps the contract of {@link DESolver} around it: the start state is kept and put back after an exception, the new
- * state is checked and handed to the source, and the clock ends at exactly t + deltaT.
+ * Base class of the methods that take one step of deltaT. A method writes only {@link #step}, as its formula stands on the
+ * slide; this class keeps the rest of the contract of {@link DESolver}.
  *
- * <p>The helpers read as the slides' formulas do:
+ * <p>The helpers read like the formulas:
  * <pre>
- *   derivative(s)          ds/dt at (s, t), where t is the source's clock
- *   times(deltaT, a)       deltaT a
- *   plus(s, k, 0.5)        s + 0.5 k
+ *   derivative(s)          f(s, t), where t is the source's clock
+ *   eulerStep(s, deltaT)   deltaT f(s, t)
+ *   plus(s, 0.5, k)        s + 0.5 k
  * </pre>
- * Every call returns an array that no other result of the same step shares. The arrays are lent for one step: the next
- * step uses them again.
+ * Each call returns an array of its own, which holds its result until the step ends.
  */
 public abstract class FixedStepSolver extends DESolver {
     private final StepTransaction transaction = new StepTransaction(this);
     private final WorkArrays arrays = new WorkArrays();
     private final LastStep lastStep = new LastStep();
-    private boolean remembering;                        // whether the method asks for the last step
+    private boolean asksForLastStep;
 
     /**
      * Makes the step.
      *
-     * @param source stands at the start (s, t); its clock may be moved to evaluate at other times
-     * @param s      holds s(t), and receives s(t + deltaT); n long
+     * @param source stands at the start (s, t); its clock may be moved, to evaluate at other times
+     * @param s      holds s(t), and receives s(t + deltaT); length n
      * @param deltaT the time step (s), not 0
      */
     protected abstract void step(DEStateSource source, double[] s, double deltaT);
 
     @Override
     public final void stepState(DEStateSource source, double deltaT) {
-        try (StepTransaction step = transaction.begin(source, deltaT)) {
-            arrays.begin(source.getStateSize());
-            double[] s = arrays.next();
+        try (StepTransaction guarded = transaction.begin(source, deltaT)) {
+            double[] s = arrays.first(source.getStateSize());
             source.getState(s);
             if (deltaT != 0) {
-                step(step, s, deltaT);
-                if (remembering) {
-                    lastStep.keep(step, s);
+                step(guarded, s, deltaT);
+                if (asksForLastStep) {
+                    lastStep.keep(guarded, s);          // before finish, which gives the array away
                 }
             }
-            double[] free = step.finish(s);
-            if (free != s) {
-                arrays.replaceFirst(free);
-            }
+            arrays.replaceFirst(guarded.finish(s));
         }
     }
 
     /**
      * The derivative at a state, at the source's time.
      *
-     * @param s a state; n long
-     * @return ds/dt = f(s, t); n long
+     * @param s a state; length n
+     * @return f(s, t); length n
+     * @throws DESolverException if an entry is not finite
      */
     protected final double[] derivative(double[] s) {
         double[] dSdt = arrays.next();
         transaction.getStateDerivative(s, dSdt);
+        transaction.requireFinite(dSdt);
         return dSdt;
     }
 
     /**
-     * A multiple of an array.
+     * The Euler step from a state, at the source's time: deltaT times the derivative.
      *
-     * @param factor a number
-     * @param a      an array; n long
-     * @return factor a; n long
+     * @param s      a state; length n
+     * @param deltaT a time step (s)
+     * @return deltaT f(s, t); length n
+     * @throws DESolverException if an entry of the derivative is not finite
      */
-    protected final double[] times(double factor, double[] a) {
-        double[] result = arrays.next();
-        for (int i = 0; i < result.length; i++) {
-            result[i] = factor * a[i];
+    protected final double[] eulerStep(double[] s, double deltaT) {
+        double[] k = derivative(s);
+        for (int i = 0; i < k.length; i++) {
+            k[i] *= deltaT;
         }
-        return result;
+        return k;
     }
 
     /**
-     * A state beside another one.
+     * A state and a multiple of a change.
      *
-     * @param s      a state; n long
-     * @param k      a change of it; n long
+     * @param s      a state; length n
      * @param factor how much of the change
-     * @return s + factor k; n long
+     * @param k      a change of the state; length n
+     * @return s + factor k; length n
      */
-    protected final double[] plus(double[] s, double[] k, double factor) {
-        double[] result = arrays.next();
-        for (int i = 0; i < result.length; i++) {
-            result[i] = s[i] + factor * k[i];
+    protected final double[] plus(double[] s, double factor, double[] k) {
+        double[] sum = arrays.next();
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] = s[i] + factor * k[i];
         }
-        return result;
+        return sum;
+    }
+
+    /**
+     * @param a an array; length n
+     * @return a copy of it
+     */
+    protected final double[] copy(double[] a) {
+        double[] copy = arrays.next();
+        System.arraycopy(a, 0, copy, 0, copy.length);
+        return copy;
     }
 
     /**
      * Whether this step begins exactly where this solver's last one ended: with the same source, state, time and deltaT,
-     * bit for bit. Only then may a method use what it remembers of the last step.
+     * bit for bit. Only then may a method use what it remembers of the last step. To be asked once in every step.
      *
      * @return true if it does; false in the first step, after {@link #reset} and after a step that failed
      */
     protected final boolean continuesLastStep() {
-        remembering = true;
+        asksForLastStep = true;
         return lastStep.continuesFrom(transaction);
     }
 
-    /** @return the step that is being made, for helpers that give it up or look at what else the source offers */
+    /** @return the step that is being made, for helpers that may have to fail it or need more of the source */
     protected final StepTransaction getTransaction() {
         return transaction;
     }
 
-    /** {@inheritDoc} The next step then continues no other. */
     @Override
     public final void reset() {
         lastStep.forget();

@@ -15,8 +15,7 @@ public final class LastStep {
     private double deltaT;
 
     /**
-     * Whether a step continues the last one. Either way the last one is forgotten: the step that begins is remembered
-     * only when it has succeeded.
+     * Whether a step continues the last one. The last one is then forgotten, whatever the answer.
      *
      * @param step the step that begins
      * @return true if its source, time, state and deltaT are bit for bit what the last step left
@@ -47,7 +46,7 @@ public final class LastStep {
         known = true;
     }
 
-    /** Forgets the last step; nothing continues it any more. */
+    /** Forgets the last step. */
     public void forget() {
         known = false;
     }

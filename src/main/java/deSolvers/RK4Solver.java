@@ -10,10 +10,7 @@ package deSolvers;
  *   ----+--------------------
  *       | 1/6  1/3  1/3  1/6
  * </pre>
- * The slide's k<sub>1</sub> ... k<sub>4</sub> include the factor deltaT; here, as in most books, it stands where they are
- * used.
- *
- * <p><b>Order</b> 4.<br>
+ * <b>Order</b> 4.<br>
  * <b>Evaluations</b> 4 a step.<br>
  * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24: stable for h |lambda| &le; 2.7853 on
  * the negative real axis and for h omega &le; 2.8284 on the imaginary axis, where it damps by (h omega)<sup>6</sup>/144 a
@@ -26,14 +23,14 @@ public final class RK4Solver extends FixedStepSolver {
 
     @Override
     protected void step(DEStateSource source, double[] s, double deltaT) {
-        double[] k1 = derivative(s);                                // at (s, t)
+        double[] k1 = eulerStep(s, deltaT);                     // at (s, t)
         source.incTime(deltaT / 2);
-        double[] k2 = derivative(plus(s, k1, deltaT / 2));          // at (s + deltaT k1/2, t + deltaT/2)
-        double[] k3 = derivative(plus(s, k2, deltaT / 2));          // at (s + deltaT k2/2, t + deltaT/2)
+        double[] k2 = eulerStep(plus(s, 0.5, k1), deltaT);      // at (s + k1/2, t + deltaT/2)
+        double[] k3 = eulerStep(plus(s, 0.5, k2), deltaT);      // at (s + k2/2, t + deltaT/2)
         source.incTime(deltaT / 2);
-        double[] k4 = derivative(plus(s, k3, deltaT));              // at (s + deltaT k3, t + deltaT)
+        double[] k4 = eulerStep(plus(s, 1, k3), deltaT);        // at (s + k3, t + deltaT)
         for (int i = 0; i < s.length; i++) {
-            s[i] += deltaT * (1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + 1.0 / 3 * k3[i] + 1.0 / 6 * k4[i]);
+            s[i] += 1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + 1.0 / 3 * k3[i] + 1.0 / 6 * k4[i];
         }
     }
 }

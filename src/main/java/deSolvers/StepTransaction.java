@@ -14,8 +14,7 @@ import java.util.Arrays;
  * Between the two calls this object stands for the client and passes every call on. If the method ends without
  * {@link #finish}, the client gets back the state and the time that {@link #begin} found.
  *
- * <p>NaN and infinity are looked for once, in the new state: every derivative enters it, and no finite factor makes an
- * infinity or a NaN finite again. Only when that check fails is the cause looked for.
+ * <p>The new state is checked for NaN and infinity; if it has one, the message names the first cause.
  */
 public final class StepTransaction implements DEStateSource, AutoCloseable {
     private final DESolver solver;
@@ -47,7 +46,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         }
         if (this.client != client) {
             this.client = client;
-            hasArrays = client instanceof ArrayStateSource;     // asked once: that it is not costs as much as a small step
+            hasArrays = client instanceof ArrayStateSource;     // kept, since a failing instanceof is slow
         }
         direct = hasArrays;
         if (!direct) {
@@ -191,7 +190,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         return new DESolverException(solver, startTime, deltaT, entry, cause);
     }
 
-    /** Looks for the cause where the step began: in the state, in the derivative, or else in the size of the step. */
+    /** The first cause: a bad start state, a bad derivative there, or else a step that is too long. */
     private DESolverException notFinite(int entry, double value) {
         requireFiniteStart();
         close();

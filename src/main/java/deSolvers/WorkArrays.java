@@ -2,19 +2,23 @@ package deSolvers;
 
 import java.util.Arrays;
 
-/** The arrays that a step works with: made once, lent one by one, and all free again when the next step begins. */
+/**
+ * The arrays that a step works with. They are made once and lent one by one; when the next step begins, all are free
+ * again.
+ */
 final class WorkArrays {
     private double[][] arrays = {};
     private int lent;
     private int n;
 
-    /** Takes all arrays back; arrays of another size are dropped. */
-    void begin(int n) {
+    /** Takes all arrays back and lends the first; arrays of another length are dropped. */
+    double[] first(int n) {
         if (n != this.n) {
             arrays = new double[0][];
             this.n = n;
         }
         lent = 0;
+        return next();
     }
 
     /** An array that no other call returns until the next step begins; its entries are arbitrary. */
@@ -26,8 +30,10 @@ final class WorkArrays {
         return arrays[lent++];
     }
 
-    /** Puts another array in the place of the first one, which was given away. */
+    /** Puts another array in the place of the first one, which may have been given away. */
     void replaceFirst(double[] array) {
-        arrays[0] = array;
+        if (arrays[0] != array) {
+            arrays[0] = array;
+        }
     }
 }

@@ -22,23 +22,22 @@
  *
  * slide "Mid-point method: Algorithm"            {@link deSolvers.MidpointSolver}
  *
- *   &Delta;s = &Delta;t f(s, t)                                double[] deltaS = times(deltaT, derivative(s));
+ *   &Delta;s = &Delta;t f(s, t)                                double[] deltaS = eulerStep(s, deltaT);
  *                                                  source.incTime(deltaT / 2);
- *   g_mid = f(s + &Delta;s/2, t + &Delta;t/2)                  double[] gMid = derivative(plus(s, deltaS, 0.5));
+ *   g_mid = f(s + &Delta;s/2, t + &Delta;t/2)                  double[] gMid = derivative(plus(s, 0.5, deltaS));
  *   s(t + &Delta;t) = s + &Delta;t g_mid                       s[i] += deltaT * gMid[i];
  *
  * slide "4th-Order Runge-Kutta Algorithm"        {@link deSolvers.RK4Solver}
  *
- *   k1 = &Delta;t f(s, t)                                double[] k1 = derivative(s);
+ *   k1 = &Delta;t f(s, t)           (Euler step)       double[] k1 = eulerStep(s, deltaT);
  *                                                  source.incTime(deltaT / 2);
- *   k2 = &Delta;t f(s + k1/2, t + &Delta;t/2)                  double[] k2 = derivative(plus(s, k1, deltaT / 2));
- *   k3 = &Delta;t f(s + k2/2, t + &Delta;t/2)                  double[] k3 = derivative(plus(s, k2, deltaT / 2));
+ *   k2 = &Delta;t f(s + k1/2, t + &Delta;t/2)                  double[] k2 = eulerStep(plus(s, 0.5, k1), deltaT);
+ *   k3 = &Delta;t f(s + k2/2, t + &Delta;t/2)                  double[] k3 = eulerStep(plus(s, 0.5, k2), deltaT);
  *                                                  source.incTime(deltaT / 2);
- *   k4 = &Delta;t f(s + k3, t + &Delta;t)                      double[] k4 = derivative(plus(s, k3, deltaT));
- *   s(t + &Delta;t) = s + k1/6 + k2/3 + k3/3 + k4/6      s[i] += deltaT * (1.0 / 6 * k1[i] + ... + 1.0 / 6 * k4[i]);
+ *   k4 = &Delta;t f(s + k3, t + &Delta;t)                      double[] k4 = eulerStep(plus(s, 1, k3), deltaT);
+ *   s(t + &Delta;t) = s + k1/6 + k2/3 + k3/3 + k4/6      s[i] += 1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + ...
  * </pre>
- * The slide's k<sub>1</sub> ... k<sub>4</sub> include the factor &Delta;t; in the class, as in most books, it stands where
- * they are used. The symplectic methods are written the same way: see {@code deSolvers.symplectic}.
+ * The slides' fourth method, the "Simple Particle System Algorithm", is in {@code deSolvers.symplectic}.
  *
  * <h2>From the slides' symbols to the names in the code</h2>
  * <table>
@@ -50,14 +49,14 @@
  * <tr><td>&Delta;s</td><td>{@code deltaS}</td><td>an Euler step, deltaT times dSdt</td></tr>
  * <tr><td>g<sub>mid</sub></td><td>{@code gMid}</td><td>the derivative half way through the step</td></tr>
  * <tr><td>k<sub>1</sub> ... k<sub>4</sub></td><td>{@code k1 ... k4}</td>
- *     <td>the derivatives at RK4's four stages; on the slide they include the factor deltaT</td></tr>
+ *     <td>the four Euler steps of RK4; they include the factor deltaT</td></tr>
  * <tr><td>k<sub>ij</sub>, l<sub>ij</sub>, k<sub>d</sub></td>
  *     <td>{@code stiffness}, {@code restLength}, {@code damping}</td><td>a spring's constants</td></tr>
  * <tr><td>r, k<sub>f</sub>, N</td><td>{@code restitution}, {@code friction}, {@code normal}</td>
  *     <td>what a plane does to a particle</td></tr>
  * </table>
  *
- * <p>Two letters of the field stand in the theory: h is deltaT, z is lambda deltaT for the test equation
- * s' = lambda s, and R(z) is the factor by which a method multiplies s in one step, its stability function.
+ * <p>The javadoc uses three textbook symbols: h is deltaT, z is lambda h for the test equation s' = lambda s, and the
+ * stability function R(z) is the factor by which a method multiplies s in one step.
  */
 package deSolvers;

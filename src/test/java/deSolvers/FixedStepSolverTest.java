@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.problems.ArraySpySource;
 import deSolvers.problems.DragInWind;
 import deSolvers.problems.Oscillator;
+import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SpySource;
 import java.util.ArrayList;
 import java.util.List;
@@ -41,12 +42,16 @@ class FixedStepSolverTest {
             return derivative(s);
         }
 
-        double[] timesOf(double factor, double[] a) {
-            return times(factor, a);
+        double[] eulerStepFrom(double[] s, double deltaT) {
+            return eulerStep(s, deltaT);
         }
 
-        double[] plusOf(double[] s, double[] k, double factor) {
-            return plus(s, k, factor);
+        double[] sum(double[] s, double factor, double[] k) {
+            return plus(s, factor, k);
+        }
+
+        double[] copyOf(double[] a) {
+            return copy(a);
         }
 
         boolean continues() {
@@ -63,8 +68,9 @@ class FixedStepSolverTest {
             results.add(s);
             for (int round = 1; round <= 3; round++) {
                 results.add(solver.derivativeAt(s));
-                results.add(solver.timesOf(round, s));
-                results.add(solver.plusOf(s, s, round));
+                results.add(solver.eulerStepFrom(s, round));
+                results.add(solver.sum(s, round, s));
+                results.add(solver.copyOf(s));
                 while (copies.size() < results.size()) {
                     copies.add(results.get(copies.size()).clone());
                 }
@@ -88,9 +94,32 @@ class FixedStepSolverTest {
             assertArrayEquals(new double[] {1, 0}, s);
             assertArrayEquals(new double[] {0, -1}, solver.derivativeAt(s));
             assertArrayEquals(new double[] {3, -1}, solver.derivativeAt(new double[] {1, 3}));
-            assertArrayEquals(new double[] {4, 0}, solver.timesOf(4, s));
-            assertArrayEquals(new double[] {1.5, 3}, solver.plusOf(s, new double[] {1, 6}, 0.5));
+            assertArrayEquals(new double[] {0, -4}, solver.eulerStepFrom(s, 4));
+            assertArrayEquals(new double[] {1.5, 3}, solver.sum(s, 0.5, new double[] {1, 6}));
+            assertArrayEquals(s, solver.copyOf(s));
         }).stepState(new Oscillator(), H);
+    }
+
+    /** The mid-point method's first derivative enters the new state only through the second, which may be finite again. */
+    @Test
+    void anInfiniteDerivativeIsReportedEvenIfTheNewStateIsFinite() {
+        for (DESolver solver : new DESolver[] {new EulerSolver(), new MidpointSolver(), new RK4Solver()}) {
+            ReferenceProblem hyperbola = new ReferenceProblem(1) {
+                @Override
+                public double[] exactState(double t) {
+                    return new double[] {Math.sqrt(2 * t)};
+                }
+
+                @Override
+                protected void rates(double t, double[] s, double[] dSdt) {
+                    dSdt[0] = 1 / s[0];
+                }
+            };
+            hyperbola.setState(new double[] {0});
+            DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(hyperbola, H));
+            assertTrue(e.getMessage().contains("entry 0 of the derivative is Infinity at t = 0.0"), e.getMessage());
+            assertArrayEquals(new double[] {0}, hyperbola.state());
+        }
     }
 
     /** A method may also move the source itself, as the slides do; the start is put back if it then fails. */

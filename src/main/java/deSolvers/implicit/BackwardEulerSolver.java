@@ -54,7 +54,7 @@ public final class BackwardEulerSolver extends FixedStepSolver {
     @Override
     protected void step(DEStateSource source, double[] s, double deltaT) {
         source.incTime(deltaT);
-        stage.solve(getTransaction(), times(1, s), deltaT, way, s);         // s = s(t) + h f(s, t + h)
+        stage.solve(getTransaction(), copy(s), deltaT, way, s);         // s = s(t) + h f(s, t + h)
     }
 
     /** @return what was done in all steps so far */

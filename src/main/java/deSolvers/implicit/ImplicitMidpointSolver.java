@@ -32,7 +32,7 @@ public final class ImplicitMidpointSolver extends FixedStepSolver {
     @Override
     protected void step(DEStateSource source, double[] s, double deltaT) {
         source.incTime(deltaT / 2);
-        double[] mid = times(1, s);
+        double[] mid = copy(s);
         stage.solve(getTransaction(), s, deltaT / 2, ImplicitStage.Way.FROM_PLACE, mid);    // mid = s + h/2 f(mid, t + h/2)
         for (int i = 0; i < s.length; i++) {
             s[i] = 2 * mid[i] - s[i];

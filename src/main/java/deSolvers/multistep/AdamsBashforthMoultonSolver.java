@@ -12,18 +12,18 @@ import deSolvers.FixedStepSolver;
  *   correct  s(t+h) = s + h/24 ( 9 f_new + 19 f_0 - 5 f_1 +  f_2)
  *   evaluate f_0 at the corrected state, when the next step begins
  * </pre>
- * The first three steps of a course are RK4. A new course begins whenever state, time, deltaT or source are not what the
- * last step left.
+ * The first three steps are RK4, and so are the three after a restart. It restarts whenever source, state, time or deltaT
+ * are not what the last step left.
  *
  * <p><b>Order</b> 4.<br>
  * <b>Evaluations</b> 2 a step; 4 in each of the first three.<br>
- * <b>Stability</b> h |lambda| &le; 1.28 on the negative real axis; nothing on the imaginary axis, though there the growth
- * is only 1.6e-7 a step at h omega = 0.1 and 1.5e-3 at 0.5.<br>
+ * <b>Stability</b> h |lambda| &le; 1.28 on the negative real axis; unstable on the imaginary axis, though there
+ * the growth is only 1.6e-7 a step at h omega = 0.1 and 1.5e-3 at 0.5.<br>
  * <b>When to use</b> costly derivatives and smooth motion at a fixed deltaT: half the evaluations of {@code rk4} for a
  * step of the same length, at less than half the stable length; not where bounces and contacts restart it again and
  * again, nor for long undamped oscillation.<br>
- * <b>Source</b> the slides name predictor-corrector methods after W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,
- * section 16.7; F. Bashforth, J. C. Adams (1883), F. R. Moulton (1926).
+ * <b>Source</b> the slides quote W. H. Press et al., <i>Numerical Recipes</i>, on predictor-corrector methods (2nd ed.,
+ * section 16.7); F. Bashforth, J. C. Adams (1883), F. R. Moulton (1926).
  */
 public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
     private double[] f1 = {};                           // the derivative one step ago
@@ -47,7 +47,7 @@ public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
     }
 
     private void predictAndCorrect(DEStateSource source, double[] s, double[] f0, double h) {
-        double[] p = times(1, s);
+        double[] p = copy(s);
         for (int i = 0; i < s.length; i++) {
             p[i] += h / 24 * (55 * f0[i] - 59 * f1[i] + 37 * f2[i] - 9 * f3[i]);
         }
@@ -61,10 +61,10 @@ public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
     /** One step of RK4; f0 is its first derivative. */
     private void rungeKuttaStep(DEStateSource source, double[] s, double[] f0, double h) {
         source.incTime(h / 2);
-        double[] g = derivative(plus(s, f0, h / 2));    // at (s + h/2 f0, t + h/2)
-        double[] gRefined = derivative(plus(s, g, h / 2));
+        double[] g = derivative(plus(s, h / 2, f0));    // at (s + h/2 f0, t + h/2)
+        double[] gRefined = derivative(plus(s, h / 2, g));
         source.incTime(h / 2);
-        double[] fNew = derivative(plus(s, gRefined, h));
+        double[] fNew = derivative(plus(s, h, gRefined));
         for (int i = 0; i < s.length; i++) {
             s[i] += h / 6 * (f0[i] + 2 * (g[i] + gRefined[i]) + fNew[i]);
         }
@@ -79,7 +79,7 @@ public final class AdamsBashforthMoultonSolver extends FixedStepSolver {
         }
     }
 
-    /** The derivative of this step is the one of a step ago from now on; the oldest one's array takes it. */
+    /** Shifts the history by one step. */
     private void shiftHistory(double[] f0) {
         double[] oldest = f3;
         f3 = f2;

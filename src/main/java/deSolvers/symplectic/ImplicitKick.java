@@ -23,10 +23,12 @@ final class ImplicitKick {
      * @param s          holds (x, v0); receives (x, v)
      * @param guess      an acceleration nearby
      * @param velocities the indices of the velocity entries
+     * @param d          how far before its velocity a position stands
      * @param h          the kick's length (s)
      * @param a          receives the acceleration at (x, v)
      */
-    void solve(StepTransaction source, double[] s, double[] guess, int[] velocities, double h, double[] a) {
+    void solve(StepTransaction source, double[] s, double[] guess, int[] velocities, int d, double h,
+               double[] a) {
         if (before.length != s.length) {
             before = new double[s.length];
         }
@@ -47,13 +49,12 @@ final class ImplicitKick {
             if (change <= TOLERANCE * scale) {
                 return;
             }
-            int d = velocities[0];
             if (iteration > 0 && change >= last
                     && change * Math.abs(h) <= ROUND_OFF * largest(s, velocities, d)) {
                 return;                                 // near rest, where large forces cancel, only round-off is left
             }
         }
-        throw source.failure(-1, "the velocity at the end of the step was not found in " + MOST_ITERATIONS
+        throw source.failure(-1, "the velocity at the end of the step did not converge in " + MOST_ITERATIONS
                 + " iterations (last change " + change + " of " + scale + "); drag or spring damping is too stiff for"
                 + " this deltaT: take a smaller one or an implicit solver");
     }
@@ -78,7 +79,7 @@ final class ImplicitKick {
         return largest;
     }
 
-    /** The larger one, NaN if one is; Math.max would make each entry wait for the one before. */
+    /** The larger one, NaN if one is. */
     private static double larger(double size, double largest) {
         return size <= largest ? largest : Double.isNaN(largest) ? largest : size;
     }

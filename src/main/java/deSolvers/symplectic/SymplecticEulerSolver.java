@@ -9,8 +9,8 @@ import deSolvers.DEStateSource;
  *   v(t + h) = v(t) + h a(x(t), v(t), t)
  *   x(t + h) = x(t) + h v(t + h)
  * </pre>
- * One letter apart from the Euler method of the later slides, which uses the old velocity - and stable where that one
- * spirals out.
+ * One line differs from the Euler method of the later slides, which moves with the old velocity: this one is stable where
+ * that one spirals out. (The slide's loop moves the clock first; here, as in the field, forces are those at t.)
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> 1 a step.<br>
@@ -24,7 +24,7 @@ public final class SymplecticEulerSolver extends SymplecticSolver {
 
     @Override
     void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
-        double[] a = acceleration(s);           // a(x(t), v(t), t)
+        double[] a = derivative(s);             // a(x(t), v(t), t)
         kick(s, a, deltaT);                     // v(t + deltaT) = v(t) + deltaT a
         drift(s, deltaT);                       // x(t + deltaT) = x(t) + deltaT v(t + deltaT)
     }

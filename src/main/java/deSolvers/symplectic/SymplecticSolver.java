@@ -58,19 +58,12 @@ abstract class SymplecticSolver extends FixedStepSolver {
         return entries;
     }
 
-    /** The acceleration at a state, at the source's time. */
-    final double[] acceleration(double[] s) {
-        double[] a = derivative(s);
-        getTransaction().requireFinite(a);              // its position entries go nowhere else
-        return a;
-    }
-
     /** The acceleration at the start: the remembered one where this step continues the last, which saves an evaluation. */
     final double[] startAcceleration(double[] s) {
-        return continuesLastStep() ? remembered : acceleration(s);
+        return continuesLastStep() ? remembered : derivative(s);
     }
 
-    /** Keeps the acceleration at the end of the step for the next one. */
+    /** Keeps the acceleration at the end of the step for the next step. */
     final void remember(double[] a) {
         System.arraycopy(a, 0, remembered, 0, a.length);
     }
@@ -100,11 +93,11 @@ abstract class SymplecticSolver extends FixedStepSolver {
      */
     final double[] closingKick(double[] s, double[] guess, double h) {
         if (secondOrder().accelerationDependsOnVelocity()) {
-            double[] a = times(1, guess);
-            implicitKick.solve(getTransaction(), s, guess, velocities, h, a);
+            double[] a = copy(guess);
+            implicitKick.solve(getTransaction(), s, guess, velocities, d, h, a);
             return a;
         }
-        double[] a = acceleration(s);
+        double[] a = derivative(s);
         kick(s, a, h);
         return a;
     }

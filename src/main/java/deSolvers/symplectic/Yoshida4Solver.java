@@ -3,7 +3,8 @@ package deSolvers.symplectic;
 import deSolvers.DEStateSource;
 
 /**
- * Yoshida's method of fourth order: three leapfrogs, forward, backward and forward, so long that their errors cancel.
+ * Yoshida's method of fourth order: three leapfrogs, forward, backward and forward, with lengths
+ * chosen so that their errors cancel.
  * <pre>
  *   w1 = 1 / (2 - 2^(1/3)) = 1.3512...,    w0 = 1 - 2 w1 = -1.7024...
  *   s(t + h) = leapfrog(w1 h) after leapfrog(w0 h) after leapfrog(w1 h)
@@ -13,7 +14,7 @@ import deSolvers.DEStateSource;
  *
  * <p><b>Order</b> 4, also with drag and damping.<br>
  * <b>Evaluations</b> 3 a step (and 1 to start with); with drag or damping some more for the iteration.<br>
- * <b>Stability</b> an undamped spring for h omega &lt; 1.5734, less than {@code verlet} allows for a third of the work. Up
+ * <b>Stability</b> an undamped spring for h omega &lt; 1.5734, a shorter step than {@code verlet} allows, at three times the work. Up
  * to there the energy error does not grow; on x'' = -x from (1, 0) it is 0.076 h<sup>4</sup> of the energy for small h.
  * Reversible.<br>
  * <b>When to use</b> long undamped motion whose path matters, orbits above all; not near the stability limit, where

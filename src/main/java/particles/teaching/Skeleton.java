@@ -5,14 +5,14 @@ import java.util.List;
 /** The text of a class to begin with: it compiles, and has the algorithm's outline as comments. */
 public final class Skeleton {
     private static final List<String> MIDPOINT = List.of("deltaS = deltaT * derivative at (s, t)                      the Euler step",
-            "gMid   = derivative at (s + deltaS/2, t + deltaT/2)         setState and incTime before getStateDerivative",
+            "gMid   = derivative at (s + deltaS/2, t + deltaT/2)         after half the time and half of deltaS",
             "new s  = s + deltaT * gMid                                  from the start s, not from the middle");
 
     private static final List<String> RK4 = List.of("k1 = deltaT * derivative at (s, t)                          the Euler step",
             "k2 = deltaT * derivative at (s + k1/2, t + deltaT/2)        the midpoint step",
             "k3 = deltaT * derivative at (s + k2/2, t + deltaT/2)        the refined midpoint step",
             "k4 = deltaT * derivative at (s + k3, t + deltaT)            the refined refined step",
-            "new s = s + k1/6 + k2/3 + k3/3 + k4/6                       1/6 is 0 in Java; write 1.0/6");
+            "new s = s + k1/6 + k2/3 + k3/3 + k4/6                       in Java 1/6 * k1[i] is 0: write 1.0/6 * k1[i]");
 
     private static final List<String> SIMPLE = List.of("for each particle: a = F/m                                  the derivative has it where v stands in s",
             "v += a * deltaT", "x += v * deltaT                                             with the new v");
@@ -62,7 +62,8 @@ public final class Skeleton {
                 protected void step(DEStateSource source, double[] s, double deltaT) {
                     double[] dSdt = derivative(s);              // the derivative at (s, t)
 
-                    // derivative(a), times(deltaT, a) and plus(s, k, 0.5), which is s + 0.5 k, each return a new array
+                    // helpers: eulerStep(a, deltaT) is deltaT times the derivative at a; plus(s, 0.5, k) is s + 0.5 k;
+                    // source.incTime(deltaT / 2) moves the clock before the next derivative
             OUTLINE
                     // at the end s is the new state: s[i] = ...; FixedStepSolver hands it over and sets the clock to t + deltaT
                 }

@@ -99,7 +99,7 @@ class BlowUpMessageTest {
     @Test
     void whatTheSolverSaysIsPartOfTheLine() {
         String line = blowUp(chain("verlet", 30, new Overrides()));
-        assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step was not found in 100"
+        assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
                 + " iterations.*; the stiffest spring, .*, with damping .*; the limit of verlet is 2: try --deltaT=0\\.00\\d+"), line);
     }
 
