@@ -1,10 +1,10 @@
 package particles;
 
 /**
- * An effect in parts that several threads can evaluate at once. The parts are the nodes of a binary tree: the n leaves
- * are blocks, each with a range of particles to itself; a joint holds what acts across the two nodes below it, and is
- * evaluated when these are done. The division depends on the effect alone and never on the number of threads, so that
- * sums have the same bits for any number.
+ * An effect whose forces are split into parts that several threads can evaluate at once. The parts form a binary tree:
+ * the n leaves are blocks, which own disjoint ranges of particles; an inner node, a joint, has the forces between its two
+ * children and is evaluated after them. The tree does not depend on the number of threads, so that sums have the same
+ * bits for any number.
  */
 public interface DivisibleEffect extends Effect {
 

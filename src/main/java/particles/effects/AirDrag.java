@@ -7,7 +7,7 @@ import particles.Particles;
 import particles.PerParticleEffect;
 
 /**
- * What all laws of air drag have in common: the force -c(|w|) w against the velocity w = v - u through the air. Its power is
+ * Base class for air drag: the force -c(|w|) w against the velocity w = v - u through the air. Its power is
  * -c |w|&sup2; - c w . u: the first part becomes heat, the second is what the wind does.
  */
 abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
@@ -49,7 +49,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
         double[] w = relative;
         if (w.length < STRIDE * particles.count()) {
             w = new double[STRIDE * particles.count()];
-            relative = w;                               // threads that get here at once go on with arrays of their own
+            relative = w;                               // each thread that gets here at the same time has its own
         }
         wind.getVelocities(state, time, w, from, to);
         for (int v = STRIDE * from + 3; v < STRIDE * to; v += STRIDE) {

@@ -4,7 +4,7 @@ import java.util.List;
 
 /** The effects that scenes can name. */
 public final class EffectCatalog {
-    /** All effects, in the order in which they are built: what others ask for comes first. */
+    /** All effects, in the order in which they are built: wind before drag, which asks for it. */
     public static final List<EffectKind> ALL = List.of(
             new Gravity.Keys(),
             new GustyWind.Keys(),

@@ -7,9 +7,8 @@ import particles.spec.MappingType;
 import particles.spec.Values;
 
 /**
- * What a scene can say of an effect: the effect's name, its keys, and how it is built from their values. Each law
- * declares it in a nested class {@code Keys}, with a public constructor without parameters. Nothing of the law itself
- * is loaded until a scene names it.
+ * An effect's entry in scene files: its name, its keys, and how it is built from their values. Each effect declares it in
+ * a nested class {@code Keys} with a public constructor without parameters.
  */
 public abstract class EffectKind implements Kind {
     private final String name;

@@ -43,6 +43,18 @@ public final class SceneBuilder {
         return build(scene, solver.orElseThrow());
     }
 
+    /** A law that is named by its class is somebody's own, and may fail in any way. */
+    private static void build(Chosen<EffectKind> effect, SceneAssembly assembly) {
+        try {
+            effect.kind().build(effect.values(), assembly);
+        } catch (RuntimeException | LinkageError e) {
+            if (EffectCatalog.ALL.contains(effect.kind())) {
+                throw e;
+            }
+            throw new SceneException(List.of(effect.place() + ": " + effect.kind().name() + " cannot be built: " + e));
+        }
+    }
+
     private static Scene build(SceneDescription scene, Supplier<DESolver> solvers) {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
@@ -59,7 +71,7 @@ public final class SceneBuilder {
         }
         SceneAssembly assembly = new SceneAssembly(system, springs, index);
         scene.effects().stream().sorted(Comparator.comparingInt(SceneBuilder::turn))
-                .forEach(effect -> effect.kind().build(effect.values(), assembly));
+                .forEach(effect -> build(effect, assembly));
         scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
         DESolver solver = solvers.get();

@@ -142,8 +142,8 @@ public final class Skeleton {
 
                     /** In a scene: - exercises.NAME: {strength: 2} */
                     public static final class Keys extends EffectKind {
-                        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.any("N"),
-                                "How strong the force is (N).");
+                        private static final Key<Double> STRENGTH = Key.required("strength", NumberType.any("N s/m"),
+                                "The force for each m/s of velocity (N s/m).");
 
                         public Keys() {
                             super("exercises.NAME", "My own force.", STRENGTH);

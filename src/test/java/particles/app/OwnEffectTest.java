@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -77,10 +78,10 @@ class OwnEffectTest {
     /** A turn takes pi/w = 2 s. */
     private static final String SCENE = """
             title: A puck on a turntable
-            teaches: Seen from a turning frame a free puck goes in circles, of half the frame's period.
+            teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table turns once.
             solver: rk4
             deltaT: 0.01
-            duration: 0.5
+            duration: 2
             particles:
               - {id: puck, position: [0, 0, 0], velocity: [1, 0, 0]}
             effects:
@@ -131,10 +132,41 @@ class OwnEffectTest {
         scene.simulation().run();
         double[] state = scene.system().getOwnState();
         double radius = 1 / Math.PI;                    // v/(2 w)
-        assertEquals(radius, state[0], 1e-8, "a quarter of the circle");
-        assertEquals(-radius, state[1], 1e-8);
-        assertEquals(0, state[3], 1e-7);
-        assertEquals(-1, state[4], 1e-7);
+        assertEquals(0, state[0], 1e-7, "back where the circle began");
+        assertEquals(0, state[1], 1e-7);
+        assertEquals(1, state[3], 1e-7);
+        assertEquals(0, state[4], 1e-7);
+        double lowest = lowestOf(SCENE);
+        assertEquals(-2 * radius, lowest, 1e-3, "the circle's diameter");
+    }
+
+    /** The lowest y at the end of any step; a step goes at most 0.01 m, and from the lowest point 1.6e-4 m up. */
+    private static double lowestOf(String text) {
+        Scene scene = scene(text);
+        double[] lowest = {0};
+        scene.simulation().addRule(new Rule() {
+            @Override
+            public String getName() {
+                return "lowest";
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem system, double deltaT) {
+                lowest[0] = Math.min(lowest[0], system.getOwnState()[1]);
+                return false;
+            }
+        });
+        scene.simulation().run();
+        return lowest[0];
+    }
+
+    @Test
+    void aLawThatFailsWhileItIsBuiltIsOneLine() throws IOException {
+        write("Coriolis", LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
+        SceneException e = assertThrows(SceneException.class, () -> scene(SCENE));
+        assertEquals(1, e.getLines().size());
+        assertTrue(e.getMessage().startsWith("x.yaml:9:5: exercises.Coriolis cannot be built: java.lang.ArrayIndex"),
+                e.getMessage());
     }
 
     @Test
