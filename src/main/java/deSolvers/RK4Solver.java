@@ -30,7 +30,7 @@ public final class RK4Solver extends FixedStepSolver {
         source.incTime(deltaT / 2);
         double[] k4 = eulerStep(plus(s, 1, k3), deltaT);        // at (s + k3, t + deltaT)
         for (int i = 0; i < s.length; i++) {
-            s[i] += 1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + 1.0 / 3 * k3[i] + 1.0 / 6 * k4[i];
+            s[i] = s[i] + 1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + 1.0 / 3 * k3[i] + 1.0 / 6 * k4[i];
         }
     }
 }

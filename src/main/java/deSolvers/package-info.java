@@ -35,7 +35,7 @@
  *   k3 = &Delta;t f(s + k2/2, t + &Delta;t/2)                  double[] k3 = eulerStep(plus(s, 0.5, k2), deltaT);
  *                                                  source.incTime(deltaT / 2);
  *   k4 = &Delta;t f(s + k3, t + &Delta;t)                      double[] k4 = eulerStep(plus(s, 1, k3), deltaT);
- *   s(t + &Delta;t) = s + k1/6 + k2/3 + k3/3 + k4/6      s[i] += 1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + ...
+ *   s(t + &Delta;t) = s + k1/6 + k2/3 + k3/3 + k4/6      s[i] = s[i] + 1.0 / 6 * k1[i] + ...
  * </pre>
  * The slides' fourth method, the "Simple Particle System Algorithm", is in {@code deSolvers.symplectic}.
  *
