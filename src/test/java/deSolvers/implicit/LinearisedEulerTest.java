@@ -2,7 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DESolver;
 import deSolvers.FixedStepContract;
-import deSolvers.StepMatrix;
+import deSolvers.StepMatrixFormula;
 
 /** Backward Euler with one linearised solve: the same order and, on linear problems, the same step. */
 class LinearisedEulerTest extends FixedStepContract {
@@ -23,6 +23,6 @@ class LinearisedEulerTest extends FixedStepContract {
 
     @Override
     protected double[] oscillatorStep(double h) {
-        return StepMatrix.rational(h, new double[] {1}, new double[] {1, -1});
+        return StepMatrixFormula.rational(h, new double[] {1}, new double[] {1, -1});
     }
 }

@@ -9,7 +9,7 @@ public final class Kepler extends SecondOrderProblem {
 
     /** @param eccentricity 0 to below 1 */
     public Kepler(double eccentricity) {
-        super(2, 1);
+        super(2, new double[4]);
         this.e = eccentricity;
         startAt(0);
     }
@@ -28,11 +28,11 @@ public final class Kepler extends SecondOrderProblem {
                 low = anomaly;
             }
             double next = anomaly - f / (1 - e * StrictMath.cos(anomaly));
-            if (!(next > low && next < high)) {
-                next = (low + high) / 2;
-            }
             if (next == anomaly) {
                 break;
+            }
+            if (!(next > low && next < high)) {
+                next = (low + high) / 2;
             }
             anomaly = next;
         }
