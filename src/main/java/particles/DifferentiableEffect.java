@@ -9,8 +9,8 @@ public interface DifferentiableEffect extends Effect {
     }
 
     /**
-     * Adds the derivatives of all forces by positions and velocities. By default there are none: the force on a particle is
-     * always the same.
+     * Adds the derivatives of all forces by positions and velocities. By default there are none: the force on a
+     * particle is always the same.
      *
      * @param state       the particles' state; read only
      * @param time        t (s)

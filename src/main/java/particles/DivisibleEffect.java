@@ -1,10 +1,10 @@
 package particles;
 
 /**
- * An effect in parts that several threads can evaluate at once. The parts are the nodes of a binary tree: the n leaves are
- * blocks, each with a range of particles to itself; a joint holds what acts across the two nodes below it, and is evaluated
- * when these are done. The division depends on the effect alone and never on the number of threads, so that sums have the
- * same bits for any number.
+ * An effect in parts that several threads can evaluate at once. The parts are the nodes of a binary tree: the n leaves
+ * are blocks, each with a range of particles to itself; a joint holds what acts across the two nodes below it, and is
+ * evaluated when these are done. The division depends on the effect alone and never on the number of threads, so that
+ * sums have the same bits for any number.
  */
 public interface DivisibleEffect extends Effect {
 
@@ -28,8 +28,8 @@ public interface DivisibleEffect extends Effect {
     /**
      * Adds the forces of one block or joint.
      *
-     * @param part  0 to n - 1 for the blocks; n to n + n/2 - 1 for the joints of two blocks, in order; the next n/4 join these,
-     *              and so on up to 2 n - 2, which joins all
+     * @param part  0 to n - 1 for the blocks; n to n + n/2 - 1 for the joints of two blocks, in order; the next n/4
+     *              join these, and so on up to 2 n - 2, which joins all
      * @param state the particles' state; read only
      * @param time  t (s)
      * @param force adds the forces (N) where the velocities stand in the state

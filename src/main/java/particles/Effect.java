@@ -5,11 +5,12 @@ import java.util.Set;
 /**
  * A force law: the force on each particle as a function of state and time, and where the energy goes.
  *
- * <p>Arrays have the layout of the state: the position of particle i in the entries 6 i, 6 i + 1 and 6 i + 2, its velocity in
- * the next three. A force stands where the velocity does.
+ * <p>Arrays have the layout of the state: the position of particle i in the entries 6 i, 6 i + 1 and 6 i + 2, its
+ * velocity in the next three. A force stands where the velocity does.
  *
- * <p>A law that pushes each particle by itself is easier to write as a {@link ParticleForce}. The other interfaces that a law
- * may add are {@link PerParticleEffect}, {@link DivisibleEffect}, {@link DifferentiableEffect} and {@link IndexedEffect}.
+ * <p>A law that pushes each particle by itself is easier to write as a {@link ParticleForce}. The other interfaces that
+ * a law may add are {@link PerParticleEffect}, {@link DivisibleEffect}, {@link DifferentiableEffect} and
+ * {@link IndexedEffect}.
  */
 public interface Effect {
 
@@ -37,8 +38,8 @@ public interface Effect {
      *
      * @param state the particles' state (m, m/s), 6 doubles a particle; read only
      * @param time  t (s)
-     * @param force adds each particle's force (N) to the three entries where its velocity stands in the state; 6 doubles a
-     *              particle, no more
+     * @param force adds each particle's force (N) to the three entries where its velocity stands in the state; 6
+     *              doubles a particle, no more
      */
     void addForces(double[] state, double time, double[] force);
 
@@ -73,7 +74,8 @@ public interface Effect {
     /**
      * @param state the particles' state
      * @param time  t (s)
-     * @return the power that something outside puts into the particles through this law (W); negative where it takes power out
+     * @return the power that something outside puts into the particles through this law (W); negative where it takes
+     *         power out
      */
     default double getDrivenPower(double[] state, double time) {
         return 0;

@@ -57,7 +57,8 @@ final class ForceSum {
             throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
         }
         parallel.ifPresent(ParallelForces::close);
-        parallel = threads == 1 ? Optional.empty() : Optional.of(new ParallelForces(this, particles, threads, paysFrom));
+        parallel = threads == 1 ? Optional.empty()
+                : Optional.of(new ParallelForces(this, particles, threads, paysFrom));
     }
 
     private void sortEffects() {

@@ -8,7 +8,7 @@ import java.util.List;
  * and so are the bits.
  */
 final class ParallelForces implements AutoCloseable {
-    /** With fewer forces one thread is done sooner. Cloths, rk4: two are as fast at 8,000, and take 0.8 of it at 16,000. */
+    /** With fewer forces one thread is faster. Cloths, rk4: two are as fast at 8,000 and take 0.8 of it at 16,000. */
     static final long PAYS_FROM = 16_384;
     private static final int NOBODY = -1;
 

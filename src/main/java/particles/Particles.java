@@ -46,7 +46,7 @@ public final class Particles {
                     + "; it has to be positive and finite (a particle that stays where it is, is fixed)");
         }
         if (count == ids.length) {
-            int capacity = Math.max(8, count + count / 2);
+            int capacity = count + count / 2;
             ids = Arrays.copyOf(ids, capacity);
             masses = Arrays.copyOf(masses, capacity);
             inverseMasses = Arrays.copyOf(inverseMasses, capacity);

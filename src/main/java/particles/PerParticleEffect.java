@@ -1,8 +1,8 @@
 package particles;
 
 /**
- * An effect whose force on a particle depends on that particle alone, as gravity and drag do. The particles can then be taken
- * range by range, by several threads at once.
+ * An effect whose force on a particle depends on that particle alone, as gravity and drag do. The particles can then be
+ * taken range by range, by several threads at once.
  */
 public interface PerParticleEffect extends Effect {
 

@@ -33,8 +33,8 @@ class ArchitectureTest {
 
     /**
      * What a package may use besides itself and the plain JDK; a name that ends in a dot stands for all packages below it.
-     * A package two levels down, such as particles.experiments.problems, has the rights of the one it is in, and may be used
-     * like it.
+     * A package two levels down, such as particles.experiments.problems, has the rights of the one it is in, and may be
+     * used like it.
      */
     private static final Map<String, Set<String>> MAY_USE = new TreeMap<>(Map.ofEntries(
             Map.entry("deSolvers", Set.of()),

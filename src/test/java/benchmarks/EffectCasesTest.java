@@ -27,7 +27,8 @@ class EffectCasesTest {
     void theCasesAreTheEffectsOfTheSceneFormatAndTheSprings() {
         Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|").matcher(SceneFormat.reference("###"));
         assertTrue(list.find());
-        Set<String> all = new TreeSet<>(Set.of(list.group(1).replaceFirst(", or the full name.*", "").replace("`", "").split(", ")));
+        Set<String> all = new TreeSet<>(Set.of(list.group(1).replaceFirst(", or the full name.*", "").replace("`",
+                "").split(", ")));
         all.add("springs");
         assertEquals(all, new TreeSet<>(names()));
     }

@@ -64,7 +64,9 @@ class ParticleForceTest {
         assertEquals("Weight", weight.getName());
     }
 
-    /** One call and at most three small objects for each particle and evaluation, of which the compiler leaves most out. */
+    /**
+     * One call and at most three small objects for each particle and evaluation, of which the compiler leaves most out.
+     */
     @Test
     void aStepCostsOneCallForEachParticleAndEvaluation() {
         ParticleSystem cloth = Cloth.hanging(64, 20, 0.02);

@@ -174,7 +174,8 @@ class ThreadsTest {
         network.getEffects().get(0).addForces(network.getOwnState(), 0, singly);
         for (int s = springs.size() - 1; s >= 0; s--) {
             SpringForce one = new SpringForce(network.getParticles());
-            one.addSpring(springs.from(s), springs.to(s), springs.stiffness(s), springs.restLength(s), springs.damping(s));
+            one.addSpring(springs.from(s), springs.to(s), springs.stiffness(s), springs.restLength(s),
+                    springs.damping(s));
             one.addForces(network.getOwnState(), 0, singly);
         }
         for (int i = 0; i < network.getParticles().count(); i++) {

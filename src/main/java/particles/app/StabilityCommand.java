@@ -75,7 +75,8 @@ final class StabilityCommand extends ExperimentCommand {
         if (!deltaT.isEmpty()) {
             overrides.with("deltaT", deltaT, style().option("deltaT"));
         }
-        return SceneBuilder.build(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()), overrides).description();
+        return SceneBuilder.build(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()),
+                overrides).description();
     }
 
     @Override

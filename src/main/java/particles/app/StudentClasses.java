@@ -12,8 +12,8 @@ final class StudentClasses implements ClassNames {
     public <K extends Kind> K find(String name, Class<K> type) {
         K kind = make(name, type);
         if (!kind.name().equals(name)) {
-            throw new IllegalArgumentException("the Keys of " + name + " call it '" + kind.name() + "'; write super(\"" + name
-                    + "\", ...) in their constructor");
+            throw new IllegalArgumentException("the Keys of " + name + " call it '" + kind.name() + "'; write super(\""
+                    + name + "\", ...) in their constructor");
         }
         return kind;
     }
@@ -23,14 +23,16 @@ final class StudentClasses implements ClassNames {
         try {
             return Class.forName(name + KEYS, true, loader).asSubclass(type).getConstructor().newInstance();
         } catch (ClassNotFoundException e) {
-            throw new IllegalArgumentException(isThere(name, loader) ? name + " has no keys for scenes; it needs a 'public static"
+            throw new IllegalArgumentException(isThere(name, loader) ? name
+                    + " has no keys for scenes; it needs a 'public static"
                     + " final class Keys extends " + type.getSimpleName() + "', such as gradle newEffect writes"
-                    : "there is no class " + name + "; a class of your own stands in src/main/java/exercises, and gradle newEffect"
-                    + " writes one to begin with", e);
+                    : "there is no class " + name + "; a class of your own stands in src/main/java/exercises, and"
+                    + " gradle newEffect writes one to begin with", e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException | ClassCastException e) {
-            throw new IllegalArgumentException("the Keys of " + name + " cannot be made; they have to be a 'public static final"
+            throw new IllegalArgumentException("the Keys of " + name
+                    + " cannot be made; they have to be a 'public static final"
                     + " class Keys extends " + type.getSimpleName() + "' with a 'public Keys()'", e);
-        } catch (InvocationTargetException | LinkageError e) {      // at the second time a failed static field has no cause
+        } catch (InvocationTargetException | LinkageError e) {      // a static field that fails twice has no cause
             throw new IllegalArgumentException("the Keys of " + name + " cannot be made: "
                     + (e.getCause() == null ? e : e.getCause()), e);
         }

@@ -210,8 +210,8 @@ public final class Cohesion implements DifferentiableEffect {
 
         /** The one for all scenes. */
         public Keys() {
-            super("cohesion", "Near particles repel and less near ones attract each other, so that many hold together like a"
-                    + " drop.", RANGE, BALANCE, DEPTH, DAMPING);
+            super("cohesion", "Near particles repel and less near ones attract each other, so that many hold together"
+                    + " like a drop.", RANGE, BALANCE, DEPTH, DAMPING);
         }
 
         @Override

@@ -7,9 +7,9 @@ import particles.spec.MappingType;
 import particles.spec.Values;
 
 /**
- * What a scene can say of an effect: the effect's name, its keys, and how it is built from their values. Each law declares
- * it in a nested class {@code Keys}, with a public constructor without parameters. Nothing of the law itself is loaded until
- * a scene names it.
+ * What a scene can say of an effect: the effect's name, its keys, and how it is built from their values. Each law
+ * declares it in a nested class {@code Keys}, with a public constructor without parameters. Nothing of the law itself
+ * is loaded until a scene names it.
  */
 public abstract class EffectKind implements Kind {
     private final String name;
@@ -35,7 +35,7 @@ public abstract class EffectKind implements Kind {
      */
     public abstract void build(Values values, EffectContext scene);
 
-    /** @return names of effects of which the scene must have at least one, because this one acts through them; may be empty */
+    /** @return names of effects through which this one acts; unless empty, the scene must have one of them */
     public List<String> needs() {
         return List.of();
     }

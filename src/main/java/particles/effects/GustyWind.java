@@ -60,7 +60,8 @@ public final class GustyWind implements Wind {
 
     /** Steady and gusty wind in scenes. */
     public static final class Keys extends EffectKind {
-        private static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"), "The wind's steady part (m/s).");
+        private static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"),
+                "The wind's steady part (m/s).");
         private static final Key<Vector3> GUST = Key.withDefault("gust", VectorType.of("m/s"), Vector3.ZERO,
                 "The amplitude of its varying part, gust sin(2 pi t / period) (m/s).");
         private static final Key<Double> PERIOD = Key.withDefault("period", NumberType.positive("s"), 1.0,

@@ -37,7 +37,7 @@ public final class LinearDrag extends AirDrag {
 
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double[] w = velocityThroughAir(state, time, from, to);
+        double[] w = velocityThroughAir(state, time, from, to);         // v - u
         for (int v = 6 * from + 3; v < 6 * to; v += 6) {
             force[v] -= c * w[v];
             force[v + 1] -= c * w[v + 1];

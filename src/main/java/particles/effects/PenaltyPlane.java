@@ -64,19 +64,20 @@ public final class PenaltyPlane extends Penalty {
     public static final class Keys extends EffectKind {
         private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
                 "Any point of the plane (m).");
-        private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""), new Vector3(0, 1, 0),
-                "N, the direction out of the solid; of any length.");
+        private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""),
+                new Vector3(0, 1, 0), "N, the direction out of the solid; of any length.");
 
         /** The one for all scenes. */
         public Keys() {
-            super("penaltyPlane", "A stiff plane pushes particles back that are below it.", SharedKeys.STIFFNESS, SharedKeys.LOSS,
-                    POINT, NORMAL);
+            super("penaltyPlane", "A stiff plane pushes particles back that are below it.", SharedKeys.STIFFNESS,
+                    SharedKeys.LOSS, POINT, NORMAL);
         }
 
         @Override
         public void build(Values values, EffectContext scene) {
             Plane plane = new Plane(values.get(POINT), values.get(NORMAL));
-            scene.add(new PenaltyPlane(scene.particles(), plane, values.get(SharedKeys.STIFFNESS), values.get(SharedKeys.LOSS)));
+            scene.add(new PenaltyPlane(scene.particles(), plane, values.get(SharedKeys.STIFFNESS),
+                    values.get(SharedKeys.LOSS)));
             scene.show(plane);
         }
 

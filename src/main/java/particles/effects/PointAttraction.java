@@ -123,7 +123,8 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         private static final Key<Vector3> CENTRE = Key.withDefault("centre", VectorType.of("m"), Vector3.ZERO,
                 "The point that attracts (m).");
         private static final Key<Double> SOFTENING = Key.withDefault("softening", NumberType.notNegative("m"), 0.0,
-                "s: the force is that of a point at the distance sqrt(r^2 + s^2), and particles may pass through the point (m).");
+                "s: the force is that of a point at the distance sqrt(r^2 + s^2), and particles may pass through the"
+                + " point (m).");
 
         /** The one for all scenes. */
         public Keys() {
@@ -132,7 +133,8 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
 
         @Override
         public void build(Values values, EffectContext scene) {
-            scene.add(new PointAttraction(scene.particles(), values.get(CENTRE), values.get(STRENGTH), values.get(SOFTENING)));
+            scene.add(new PointAttraction(scene.particles(), values.get(CENTRE), values.get(STRENGTH),
+                    values.get(SOFTENING)));
         }
 
         @Override

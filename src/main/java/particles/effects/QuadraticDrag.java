@@ -33,7 +33,7 @@ public final class QuadraticDrag extends AirDrag {
 
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double[] w = velocityThroughAir(state, time, from, to);
+        double[] w = velocityThroughAir(state, time, from, to);         // v - u
         for (int v = 6 * from + 3; v < 6 * to; v += 6) {
             double speed = Math.sqrt(w[v] * w[v] + w[v + 1] * w[v + 1] + w[v + 2] * w[v + 2]);
             force[v] -= c * speed * w[v];
@@ -60,8 +60,8 @@ public final class QuadraticDrag extends AirDrag {
 
         /** The one for all scenes. */
         public Keys() {
-            super("quadraticDrag", "Air resists every particle in proportion to the square of its speed through the air.",
-                    COEFFICIENT);
+            super("quadraticDrag", "Air resists every particle in proportion to the square of its speed through the"
+                    + " air.", COEFFICIENT);
         }
 
         @Override

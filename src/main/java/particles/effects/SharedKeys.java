@@ -28,7 +28,8 @@ public final class SharedKeys {
             "k, the push for each metre of depth (N/m).");
     /** The damping of a penalty force. */
     static final Key<Double> LOSS = Key.withDefault("loss", NumberType.notNegative("s/m"), 0.0,
-            "By what part the push is larger for each m/s of speed inwards, and smaller outwards (s/m); 0 loses no energy.");
+            "By what part the push is larger for each m/s of speed inwards, and smaller outwards (s/m); 0 loses no"
+            + " energy.");
 
     private SharedKeys() {
     }

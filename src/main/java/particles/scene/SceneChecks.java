@@ -189,7 +189,8 @@ final class SceneChecks {
                         + String.join("' or '", needs)
                         + "', which the scene does not name; add '- " + needs.get(0) + ": ...' to 'effects'");
             }
-            effect.kind().excludes().stream().filter(named::containsKey).forEach(other -> problems.add(effect.place(), "'"
+            effect.kind().excludes().stream().filter(named::containsKey).forEach(other ->
+                    problems.add(effect.place(), "'"
                     + effect.kind().name() + "' and '" + other + "' cannot be combined; keep one of them"));
         }
     }

@@ -7,7 +7,8 @@ public interface ClassNames {
      * @return texts of the form of a class's full name
      */
     static TextType form(String example) {
-        return TextType.of("the full name of a class, such as " + example, "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$");
+        return TextType.of("the full name of a class, such as " + example,
+                "^[A-Za-z_$][\\w$]*(\\.[A-Za-z_$][\\w$]*)+$");
     }
 
     /**
@@ -24,7 +25,8 @@ public interface ClassNames {
         return new ClassNames() {
             @Override
             public <K extends Kind> K find(String name, Class<K> type) {
-                throw new IllegalArgumentException("class '" + name + "' cannot be used here; take an effect from the list in the"
+                throw new IllegalArgumentException("class '" + name
+                        + "' cannot be used here; take an effect from the list in the"
                         + " scene reference");
             }
         };

@@ -108,7 +108,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     @Override
     public String describe() {
-        return "one of " + String.join(", ", kinds.stream().map(Kind::name).toList()) + orClass() + ", with its keys below it";
+        return "one of " + String.join(", ", kinds.stream().map(Kind::name).toList()) + orClass()
+                + ", with its keys below it";
     }
 
     /** @return what else than a kind's name may stand in its place, to follow the names */
@@ -128,7 +129,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         Map<String, Object> mapping = new LinkedHashMap<>();
         mapping.put("type", "object");
         mapping.put("properties", properties);
-        byClass.ifPresent(other -> mapping.put("patternProperties", Map.of(other.form().pattern(), Map.of("type", "object"))));
+        byClass.ifPresent(other -> mapping.put("patternProperties",
+                Map.of(other.form().pattern(), Map.of("type", "object"))));
         mapping.put("additionalProperties", false);
         mapping.put("minProperties", 1);
         mapping.put("maxProperties", 1);

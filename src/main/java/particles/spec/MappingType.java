@@ -129,7 +129,8 @@ public final class MappingType extends Type<Values> {
     }
 
     /**
-     * @return values with which to try out what the keys describe: the defaults, and samples for the keys that are required
+     * @return values with which to try out what the keys describe: the defaults, and samples for the keys that are
+     *         required
      * @throws IllegalArgumentException if a required key has a type of which no sample is known
      */
     public Values samples() {
@@ -141,7 +142,8 @@ public final class MappingType extends Type<Values> {
     private static <T> void putSample(Key<T> key, Values values) {
         Optional<T> sample = key.type().sample();
         if (sample.isEmpty()) {
-            throw new IllegalArgumentException("no value for the key '" + key.name() + "' can be made up; give it a default");
+            throw new IllegalArgumentException("no value for the key '" + key.name()
+                    + "' can be made up; give it a default");
         }
         values.put(key, sample, values.place(), true);
     }

@@ -64,7 +64,8 @@ public final class Reference {
         } else if (type instanceof ListType<?> list && !(list.element() instanceof NameType)) {
             return "a list of: " + values(list.element());
         } else if (type instanceof KindType<?> kinds) {
-            return String.join(", ", kinds.kinds().stream().map(kind -> "`" + kind.name() + "`").toList()) + kinds.orClass();
+            return String.join(", ", kinds.kinds().stream().map(kind -> "`" + kind.name() + "`").toList())
+                    + kinds.orClass();
         }
         return type.describe();
     }

@@ -75,7 +75,10 @@ public final class EffectCheck {
         return EffectWriting.entry(system, k);
     }
 
-    /** Newton's third law: the forces add up to 0. Where they do not, it looks for a pair of particles that breaks the law. */
+    /**
+     * Newton's third law: the forces add up to 0. Where they do not, it looks for a pair of particles that breaks the
+     * law.
+     */
     private void partners() {
         if (!effect.getTraits().contains(Trait.INTERNAL)) {
             return;
@@ -90,7 +93,8 @@ public final class EffectCheck {
         double rest = Math.max(Math.abs(sum[0]), Math.max(Math.abs(sum[1]), Math.abs(sum[2])));
         if (rest > 1e-10 * size) {
             int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
-            wrong(Kind.METHOD, wrongPair(force).orElse("the forces on all particles add up to " + Formula.number(rest) + " along "
+            wrong(Kind.METHOD, wrongPair(force).orElse("the forces on all particles add up to " + Formula.number(rest)
+                    + " along "
                     + EffectWriting.axis(axis) + " and not to 0: F_ji has to be -F_ij"));
         }
     }

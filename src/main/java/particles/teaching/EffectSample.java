@@ -80,7 +80,8 @@ public final class EffectSample {
         if (Character.isLowerCase(name.charAt(0)) && !name.contains(".")) {
             TreeSet<String> known = new TreeSet<>(List.of(SPRINGS, DAMPED_SPRINGS));
             EffectCatalog.ALL.forEach(kind -> known.add(kind.name()));
-            throw new NoSuchElementException("no effect is called '" + name + "'; known effects: " + String.join(", ", known));
+            throw new NoSuchElementException("no effect is called '" + name + "'; known effects: "
+                    + String.join(", ", known));
         }
         return classes.find(name.contains(".") ? name : "exercises." + name, EffectKind.class);
     }

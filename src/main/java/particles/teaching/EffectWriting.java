@@ -83,8 +83,10 @@ final class EffectWriting {
         double[] parts = inTwoRanges(effect, state, 0).orElse(force);
         for (int k = 0; k < n; k++) {
             if (Math.abs(parts[k] - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
-                return wrong(Kind.STATE, entry(system, k) + " is " + parts[k] + " when the particles are asked for in two ranges, one"
-                        + " after the other, and " + force[k] + " at once: the loop has to go from 'from' to 'to', and over nothing else");
+                return wrong(Kind.STATE, entry(system, k) + " is " + parts[k]
+                        + " when the particles are asked for in two ranges, one"
+                        + " after the other, and " + force[k]
+                        + " at once: the loop has to go from 'from' to 'to', and over nothing else");
             }
         }
         return Optional.empty();

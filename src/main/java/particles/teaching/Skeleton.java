@@ -136,7 +136,7 @@ public final class Skeleton {
                         return Vector3.ZERO;
                     }
 
-                    // A conservative force also overrides getPotentialEnergy, and getTraits to claim Trait.CONSERVATIVE;
+                    // A conservative force also overrides getPotentialEnergy, and claims CONSERVATIVE in getTraits;
                     // one that damps overrides getDissipatedPower.
 
                     /** In a scene: - exercises.NAME: {strength: 2} */

@@ -199,9 +199,12 @@ class CheckEffectCommandTest {
 
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
-        assertTrue(here(ExitCode.BAD_INPUT, "gravty", folder).contains("no effect is called 'gravty'; known effects: attraction,"
-                + " cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs, turbulence, wind"));
-        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class exercises.MyGravity; a class of your"
+        assertTrue(here(ExitCode.BAD_INPUT, "gravty", folder).contains("no effect is called 'gravty'; known effects:"
+                + " attraction,"
+                + " cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs,"
+                + " turbulence, wind"));
+        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class exercises.MyGravity; a"
+                + " class of your"
                 + " own stands in src/main/java/exercises, and gradle newEffect writes one to begin with"));
     }
 

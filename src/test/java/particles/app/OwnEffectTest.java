@@ -59,8 +59,8 @@ class OwnEffectTest {
 
                 /** In a scene: - exercises.Coriolis: {angularVelocity: [0, 0, 1.57]} */
                 public static final class Keys extends EffectKind {
-                    private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity", VectorType.of("rad/s"),
-                            "How fast the frame turns, about which axis (rad/s).");
+                    private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity",
+                            VectorType.of("rad/s"), "How fast the frame turns, about which axis (rad/s).");
 
                     public Keys() {
                         super("exercises.Coriolis", "The Coriolis force of a turning frame.", ANGULAR_VELOCITY);
@@ -106,7 +106,8 @@ class OwnEffectTest {
     }
 
     private static Scene scene(String text) {
-        return SceneBuilder.build(SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8), new StudentClasses()),
+        return SceneBuilder.build(SceneReader.read("x.yaml", text.getBytes(StandardCharsets.UTF_8),
+                new StudentClasses()),
                 new Overrides());
     }
 
@@ -147,7 +148,8 @@ class OwnEffectTest {
     @Test
     void whatNewEffectWritesRunsInAScene() throws IOException {
         write("MyForce", Skeleton.effect("MyForce"));
-        assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*", "exercises.MyForce: {strength: 2}")).system().getEffects()
+        assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*",
+                "exercises.MyForce: {strength: 2}")).system().getEffects()
                 .get(0).getName());
     }
 
@@ -158,33 +160,39 @@ class OwnEffectTest {
                 + " angularVelocity", "exercises.Coriolis: {angularVelocty: [0, 0, 1], angularVelocity: [0, 0, 1]}");
         assertRefused("43: 'angularVelocity' is 3; it has to be three numbers [x, y, z] (rad/s)",
                 "exercises.Coriolis: {angularVelocity: 3}");
-        assertRefused("5: 'exercises.Coriolis' alone is not enough; after a colon it needs a mapping with keys of angularVelocity",
+        assertRefused("5: 'exercises.Coriolis' alone is not enough; after a colon it needs a mapping with keys of"
+                + " angularVelocity",
                 "exercises.Coriolis");
     }
 
     @Test
     void aClassThatCannotBeUsedIsOneLine() throws IOException {
-        assertRefused("5: there is no class exercises.Missing; a class of your own stands in src/main/java/exercises, and gradle"
+        assertRefused("5: there is no class exercises.Missing; a class of your own stands in src/main/java/exercises,"
+                + " and gradle"
                 + " newEffect writes one to begin with", "exercises.Missing: {strength: 2}");
         write("Bare", "package exercises; public class Bare { }");
-        assertRefused("5: exercises.Bare has no keys for scenes; it needs a 'public static final class Keys extends EffectKind',"
+        assertRefused("5: exercises.Bare has no keys for scenes; it needs a 'public static final class Keys extends"
+                + " EffectKind',"
                 + " such as gradle newEffect writes", "exercises.Bare");
         write("Broken", "package exercises;\npublic class Broken {\n    int x = y;\n}\n");
         assertRefused("5: Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class"
                 + " exercises.Broken", "exercises.Broken");
         write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));
-        assertRefused("5: the Keys of exercises.Hidden cannot be made; they have to be a 'public static final class Keys extends"
+        assertRefused("5: the Keys of exercises.Hidden cannot be made; they have to be a 'public static final class"
+                + " Keys extends"
                 + " EffectKind' with a 'public Keys()'", "exercises.Hidden");
         write("Copied", LAW.replace("class Coriolis", "class Copied").replace("new Coriolis", "new Copied")
                 .replace("public Coriolis", "public Copied"));
-        assertRefused("5: the Keys of exercises.Copied call it 'exercises.Coriolis'; write super(\"exercises.Copied\", ...) in"
+        assertRefused("5: the Keys of exercises.Copied call it 'exercises.Coriolis'; write"
+                + " super(\"exercises.Copied\", ...) in"
                 + " their constructor", "exercises.Copied");
     }
 
     @Test
     void withoutClassesTheSceneIsRefused() {
         byte[] text = SCENE.getBytes(StandardCharsets.UTF_8);
-        assertEquals(List.of("x.yaml:9:5: class 'exercises.Coriolis' cannot be used here; take an effect from the list in the scene"
+        assertEquals(List.of("x.yaml:9:5: class 'exercises.Coriolis' cannot be used here; take an effect from the"
+                + " list in the scene"
                 + " reference"), assertThrows(SceneException.class, () -> SceneReader.read("x.yaml", text)).getLines());
     }
 }

@@ -29,7 +29,8 @@ class EffectFactsTest {
     private static final Plane GROUND = Plane.ground(0);
     private static final Sphere BALL = new Sphere(Vector3.ZERO, 1, false);
     /** Blows harder with the height, and does not say how. */
-    private static final Wind SHEAR = (state, time, wind, from, to) -> Arrays.fill(wind, 6 * from, 6 * to, state[6 * from + 1]);
+    private static final Wind SHEAR = (state, time, wind, from, to) ->
+            Arrays.fill(wind, 6 * from, 6 * to, state[6 * from + 1]);
 
     private final Particles particles = new ParticleSystem().getParticles();
 
@@ -37,7 +38,8 @@ class EffectFactsTest {
         assertEquals(name, effect.getName());
         assertEquals(perParticle, effect instanceof PerParticleEffect, name + " acts on each particle by itself");
         assertEquals(byVelocity, effect.dependsOnVelocity(), name + " depends on velocity");
-        assertTrue(effect instanceof DifferentiableEffect known && known.hasForceDerivatives(), name + " knows its derivatives");
+        assertTrue(effect instanceof DifferentiableEffect known && known.hasForceDerivatives(), name
+                + " knows its derivatives");
         assertTrue(effect.getTraits().contains(trait), name + " is " + effect.getTraits());
     }
 

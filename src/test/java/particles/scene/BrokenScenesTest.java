@@ -47,7 +47,8 @@ class BrokenScenesTest {
                         "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: " + KEYS),
                 added("effects:\n  gravity: {}\n",
                         "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a dash: "
-                                + "one of " + EFFECTS + ", or the full name of a class, such as exercises.MyForce, with its keys below it"),
+                                + "one of " + EFFECTS + ", or the full name of a class, such as exercises.MyForce,"
+                                + " with its keys below it"),
                 added("effects:\n  - gravity:\n",
                         "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration; or write "
                                 + "'- gravity', without the colon"),

@@ -161,7 +161,8 @@ class PlantedEffectsTest {
 
     @Test
     void partnerForgotten() {
-        assertFound(chain(1, 0, 0.5), "method: particle 'p1' pushes 'p0', and is not pushed itself: the partner's force F_ji = -F_ij is missing");
+        assertFound(chain(1, 0, 0.5), "method: particle 'p1' pushes 'p0', and is not pushed itself: the partner's"
+                + " force F_ji = -F_ij is missing");
     }
 
     @Test
