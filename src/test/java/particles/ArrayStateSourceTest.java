@@ -25,7 +25,7 @@ import particles.effects.Wind;
 class ArrayStateSourceTest {
 
     /** Still air for a second, then none that could be told: a step that goes on beyond fails. */
-    private static final Wind ENDING = (state, time, wind, from, to) -> Arrays.fill(wind, 3 * from, 3 * to,
+    private static final Wind ENDING = (state, time, wind, from, to) -> Arrays.fill(wind, 6 * from, 6 * to,
             time < 1 ? 0 : Double.NaN);
 
     private static ParticleSystem net() {
