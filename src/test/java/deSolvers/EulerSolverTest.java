@@ -13,6 +13,6 @@ class EulerSolverTest extends FixedStepContract {
 
     @Override
     protected double[] oscillatorStep(double h) {
-        return StepMatrix.polynomial(h, 1, 1);
+        return StepMatrixFormula.polynomial(h, 1, 1);
     }
 }

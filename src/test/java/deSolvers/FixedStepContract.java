@@ -20,7 +20,7 @@ public abstract class FixedStepContract extends DESolverContract {
     /**
      * @param h a step
      * @return the matrix (row by row) by which one step from a new start multiplies (x, v) of x'' = -x; see
-     *         {@link StepMatrix}
+     *         {@link StepMatrixFormula}
      */
     protected abstract double[] oscillatorStep(double h);
 

@@ -17,7 +17,7 @@ class LastStepTest {
     private static final DEStateSource SOURCE = at(3, 1, 2);
 
     private static ReferenceProblem at(double time, double... state) {
-        ReferenceProblem source = new ReferenceProblem(state.length) {
+        ReferenceProblem source = new ReferenceProblem(state) {
             @Override
             public double[] exactState(double t) {
                 return state.clone();

@@ -13,6 +13,6 @@ class MidpointSolverTest extends FixedStepContract {
 
     @Override
     protected double[] oscillatorStep(double h) {
-        return StepMatrix.polynomial(h, 1, 1, 1.0 / 2);
+        return StepMatrixFormula.polynomial(h, 1, 1, 1.0 / 2);
     }
 }

@@ -13,6 +13,6 @@ class RK4SolverTest extends FixedStepContract {
 
     @Override
     protected double[] oscillatorStep(double h) {
-        return StepMatrix.polynomial(h, 1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24);
+        return StepMatrixFormula.polynomial(h, 1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24);
     }
 }

@@ -3,6 +3,7 @@ package deSolvers;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.problems.ReferenceProblem;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,39 +14,21 @@ class SourceClockTest {
     private static final int CASES = 10_000;
 
     /** A source that is nothing but a clock, and counts how often it is moved. */
-    private static final class Clock implements DEStateSource {
-        private double time;
+    private static final class Clock extends ReferenceProblem {
         private int moves;
 
         Clock(double time) {
-            this.time = time;
+            super.incTime(time);
         }
 
         @Override
-        public int getStateSize() {
-            return 0;
-        }
-
-        @Override
-        public void getState(double[] state) {
-        }
-
-        @Override
-        public void setState(double[] state) {
-        }
-
-        @Override
-        public void getStateDerivative(double[] dSdt) {
-        }
-
-        @Override
-        public double getTime() {
-            return time;
+        protected void rates(double t, double[] s, double[] dSdt) {
+            throw new AssertionError("not asked for");
         }
 
         @Override
         public void incTime(double deltaT) {
-            time += deltaT;
+            super.incTime(deltaT);
             moves++;
         }
     }
@@ -65,7 +48,7 @@ class SourceClockTest {
             Clock clock = new Clock(start);
             SourceClock.moveWithin(clock, start, deltaT * random.nextDouble());
             SourceClock.moveToEnd(clock, start, deltaT);
-            assertEquals(start + deltaT, clock.time, "case " + n);
+            assertEquals(start + deltaT, clock.getTime(), "case " + n);
             again += clock.moves > 2 ? 1 : 0;
         }
         assertTrue(again > 100, "a second move was needed in " + again);
@@ -84,7 +67,7 @@ class SourceClockTest {
                 SourceClock.moveWithin(clock, start, deltaT);
             }
             SourceClock.moveToEnd(clock, start, deltaT);
-            assertEquals(start + deltaT, clock.time, "case " + n);
+            assertEquals(start + deltaT, clock.getTime(), "case " + n);
             assertEquals(1, clock.moves, "case " + n);
         }
     }
@@ -98,7 +81,7 @@ class SourceClockTest {
             Clock clock = new Clock(start);
             SourceClock.moveWithin(clock, start, number(random));
             SourceClock.moveTo(clock, start);
-            assertEquals(start, clock.time, "case " + n);
+            assertEquals(start, clock.getTime(), "case " + n);
         }
     }
 }

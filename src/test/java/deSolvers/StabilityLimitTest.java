@@ -4,8 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.Chain;
-import deSolvers.problems.Oscillator;
-import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Decay;
+import deSolvers.problems.LinearPair;
+import deSolvers.problems.StepMatrix;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import deSolvers.symplectic.VelocityVerletSolver;
 import java.util.function.Supplier;
@@ -15,41 +16,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The stability limits on both axes, found by bisection on the solvers' real code. */
 class StabilityLimitTest {
-
-    /** s' = -s. */
-    private static final class Decay extends ReferenceProblem {
-        Decay() {
-            super(1);
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return new double[] {StrictMath.exp(-t)};
-        }
-
-        @Override
-        protected void rates(double t, double[] s, double[] dSdt) {
-            dSdt[0] = -s[0];
-        }
-    }
-
     private static double growthOfDecay(DESolver solver, double h) {
-        Decay decay = new Decay();
+        Decay decay = new Decay(1);
         solver.stepState(decay, h);
         return Math.abs(decay.state()[0]);
     }
 
     /** The larger eigenvalue's modulus of the 2x2 matrix of one step on x'' = -x. */
     private static double growthOfOscillator(DESolver solver, double h) {
-        Oscillator x = new Oscillator(1, 1, 0);
-        Oscillator v = new Oscillator(1, 0, 1);
-        solver.stepState(x, h);
-        solver.stepState(v, h);
-        double halfTrace = (x.state()[0] + v.state()[1]) / 2;
-        double determinant = x.state()[0] * v.state()[1] - v.state()[0] * x.state()[1];
-        double discriminant = halfTrace * halfTrace - determinant;
-        return discriminant < 0 ? Math.sqrt(determinant) : Math.abs(halfTrace) + Math.sqrt(discriminant);
+        return StepMatrix.of(solver, LinearPair.spring(1, 0), 1, h, 1).radius();
     }
 
     private interface Growth {

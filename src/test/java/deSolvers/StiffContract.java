@@ -3,8 +3,8 @@ package deSolvers;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.problems.Decay;
 import deSolvers.problems.ProtheroRobinson;
-import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.StiffPair;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
@@ -14,25 +14,6 @@ import org.junit.jupiter.api.Test;
  * statement is a static method of its own, so that the contrary can be asserted of explicit solvers.
  */
 public abstract class StiffContract {
-
-    /** s' = -1e6 s. */
-    private static final class FastDecay extends ReferenceProblem {
-        FastDecay() {
-            super(1);
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return new double[] {StrictMath.exp(-1e6 * t)};
-        }
-
-        @Override
-        protected void rates(double t, double[] s, double[] dSdt) {
-            dSdt[0] = -1e6 * s[0];
-        }
-    }
-
     /** @return a new solver, which makes one step of its method for each call where it controls its steps */
     protected abstract DESolver createSolver();
 
@@ -70,7 +51,7 @@ public abstract class StiffContract {
      * @param factor |R(-1e6)|
      */
     public static void assertNoGrowth(DESolver solver, double factor) {
-        FastDecay decay = new FastDecay();
+        Decay decay = new Decay(1e6);
         double before = 1;
         for (int i = 0; i < 20; i++) {
             solver.stepState(decay, 1);

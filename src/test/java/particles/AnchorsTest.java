@@ -8,6 +8,7 @@ import static particles.Systems.GRAVITY;
 import deSolvers.DESolver;
 import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.PlainSource;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -10,6 +10,7 @@ import deSolvers.DESolverException;
 import deSolvers.DEStateSource;
 import deSolvers.SecondOrderStateSource;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.PlainSource;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;

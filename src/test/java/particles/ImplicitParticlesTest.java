@@ -7,6 +7,7 @@ import deSolvers.DESolver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
 import deSolvers.implicit.ImplicitWork;
+import deSolvers.problems.PlainSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

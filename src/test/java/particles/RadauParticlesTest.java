@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.implicit.ImplicitWork;
 import deSolvers.implicit.RadauIIASolver;
+import deSolvers.problems.PlainSource;
 import java.util.Set;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

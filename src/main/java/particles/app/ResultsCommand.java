@@ -2,6 +2,9 @@ package particles.app;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.NoSuchElementException;
+import particles.experiments.SolverChoice;
 import picocli.CommandLine.Option;
 
 /** A command with a folder of results of its own, build/out/NAME. */
@@ -44,6 +47,15 @@ abstract class ResultsCommand extends ProgramCommand {
     /** @return the failure that says what is wrong with an option */
     Failure wrong(String option, String why) {
         return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
+    }
+
+    /** @return the solvers that the option names */
+    final List<SolverChoice> solverChoices(String names) {
+        try {
+            return SolverChoice.list(names);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            throw wrong("solvers", e.getMessage());
+        }
     }
 
     /** Refuses a whole number that is out of its range; {@link Integer#MAX_VALUE} is no upper limit. */

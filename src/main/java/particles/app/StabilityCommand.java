@@ -2,11 +2,9 @@ package particles.app;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.NoSuchElementException;
 import particles.DataTable;
 import particles.experiments.ProgressListener;
 import particles.experiments.SceneStability;
-import particles.experiments.SolverChoice;
 import particles.experiments.StabilityLimits;
 import particles.experiments.StabilityRegion;
 import particles.experiments.StabilityRegion.Window;
@@ -54,19 +52,11 @@ final class StabilityCommand extends ExperimentCommand {
             throw wrong(solvers.isEmpty() ? "deltaT" : "solvers", "goes with " + style().option("scene") + " only");
         }
         if (!scene.isEmpty()) {
-            chosen();
+            solverChoices(solvers.isEmpty() ? "all" : solvers);
             if (SceneStability.spectrum(described()).modes().stream().noneMatch(mode -> mode.re() <= 0)) {
                 throw wrong("scene", "at the start of this scene nothing moves by itself that a long step could make grow: choose one with"
                         + " springs, drag or rods between particles that can move");
             }
-        }
-    }
-
-    private List<SolverChoice> chosen() {
-        try {
-            return SolverChoice.list(solvers.isEmpty() ? "all" : solvers);
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            throw wrong("solvers", e.getMessage());
         }
     }
 
@@ -81,7 +71,7 @@ final class StabilityCommand extends ExperimentCommand {
 
     @Override
     ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        return scene.isEmpty() ? limits(progress) : SceneStabilityPage.measure(described(), chosen(), progress);
+        return scene.isEmpty() ? limits(progress) : SceneStabilityPage.measure(described(), solverChoices(solvers.isEmpty() ? "all" : solvers), progress);
     }
 
     private static ResultPage limits(ProgressListener progress) {

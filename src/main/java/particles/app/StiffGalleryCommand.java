@@ -2,7 +2,6 @@ package particles.app;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.NoSuchElementException;
 import particles.experiments.ProgressListener;
 import particles.experiments.SolverChoice;
 import particles.experiments.StiffCharts;
@@ -39,21 +38,13 @@ final class StiffGalleryCommand extends ExperimentCommand {
 
     @Override
     void check() {
-        chosen();
+        solverChoices(solvers);
         requireWithin("decades", decades, 5, 8);
-    }
-
-    private List<SolverChoice> chosen() {
-        try {
-            return SolverChoice.list(solvers);
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            throw wrong("solvers", e.getMessage());
-        }
     }
 
     @Override
     ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        List<SolverChoice> choices = chosen();
+        List<SolverChoice> choices = solverChoices(solvers);
         List<Sweep> sweeps = new ArrayList<>();
         for (SolverChoice choice : choices) {
             progress.reached((double) sweeps.size() / choices.size(), choice.label());

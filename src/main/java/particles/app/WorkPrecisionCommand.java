@@ -49,7 +49,7 @@ final class WorkPrecisionCommand extends ExperimentCommand {
 
     @Override
     void check() {
-        chosen();
+        solverChoices(solvers);
         for (String name : names()) {
             if (!WorkProblems.NAMES.contains(name)) {
                 try {
@@ -70,19 +70,11 @@ final class WorkPrecisionCommand extends ExperimentCommand {
         return names;
     }
 
-    private List<SolverChoice> chosen() {
-        try {
-            return SolverChoice.list(solvers);
-        } catch (NoSuchElementException | IllegalArgumentException e) {
-            throw wrong("solvers", e.getMessage());
-        }
-    }
-
     @Override
     ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Map<WorkProblem, List<Curve>> all = new LinkedHashMap<>();
         List<String> names = names();
-        List<SolverChoice> choices = chosen();
+        List<SolverChoice> choices = solverChoices(solvers);
         for (String name : names) {
             progress.reached((double) all.size() / names.size(), name + ", the reference");
             WorkProblem solved = WorkProblems.of(name);

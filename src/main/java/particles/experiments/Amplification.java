@@ -4,6 +4,8 @@ import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.problems.LinearPair;
+import deSolvers.problems.StepMatrix;
 import java.util.function.Supplier;
 
 /**

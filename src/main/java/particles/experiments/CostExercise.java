@@ -2,11 +2,11 @@ package particles.experiments;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Oscillator;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import particles.DataTable;
-import particles.experiments.problems.Oscillator;
 
 /** The lecture's exercise: "Estimate cost of RK4 versus midpoint for similar accuracy", on x'' = -x over 100 s. */
 public final class CostExercise {
@@ -54,9 +54,8 @@ public final class CostExercise {
         for (int n = 0; n < steps; n++) {
             solver.stepState(oscillator, DURATION / steps);
         }
-        double[] state = new double[2];
-        oscillator.getState(state);
-        double[] exact = Oscillator.exactState(DURATION);
+        double[] state = oscillator.state();
+        double[] exact = oscillator.exactState(DURATION);
         double dx = state[0] - exact[0];
         double dv = state[1] - exact[1];
         return Math.sqrt(dx * dx + dv * dv);

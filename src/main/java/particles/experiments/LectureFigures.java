@@ -2,6 +2,7 @@ package particles.experiments;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Oscillator;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -17,7 +18,6 @@ import particles.ChartData.Mark;
 import particles.ChartData.Series;
 import particles.DataTable;
 import particles.VectorField;
-import particles.experiments.problems.Oscillator;
 
 /**
  * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state space,
@@ -102,7 +102,7 @@ public final class LectureFigures {
                 .map(r -> new Theory(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
         return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]),
                 turned - figure.steps() * figure.deltaT(),
-                theory, oscillator.getEvaluations(), x, v);
+                theory, oscillator.evaluations(), x, v);
     }
 
     /**
@@ -113,7 +113,7 @@ public final class LectureFigures {
     public static ChartData chart(Result result, String title) {
         int n = result.figure().steps();
         Mark mark = n <= 200 ? Mark.LINE_AND_POINTS : Mark.LINE;
-        double[] end = Oscillator.exactState(n * result.figure().deltaT());
+        double[] end = new Oscillator().exactState(n * result.figure().deltaT());
         return new ChartData(title, "position x (m)", "velocity v (m/s)", false, false, List.of(
                 new Series(SolverChoice.of(result.figure().solver()).label(), mark, result.x(), result.v()), exact(),
                 point("start", Mark.POINTS, 1, 0),

@@ -1,6 +1,8 @@
 package particles.experiments;
 
 import deSolvers.DESolver;
+import deSolvers.problems.LinearPair;
+import deSolvers.problems.StepMatrix;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;

@@ -2,9 +2,9 @@ package particles.experiments;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
+import deSolvers.problems.StiffSpringPair;
 import java.util.ArrayList;
 import java.util.List;
-import particles.experiments.problems.StiffPair;
 
 /**
  * What stiffness costs: two masses whose slow swing does not depend on the spring between them, while that spring gets
@@ -123,7 +123,7 @@ public final class StiffGallery {
     }
 
     private static Run run(SolverChoice choice, double k, int steps, double tolerance, int toGrow) {
-        StiffPair pair = new StiffPair(k);
+        StiffSpringPair pair = new StiffSpringPair(k);
         DESolver solver = choice.create(tolerance);
         double left = 0;
         try {
@@ -135,15 +135,15 @@ public final class StiffGallery {
                 }
             }
         } catch (DESolverException e) {
-            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, pair.getEvaluations());
+            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, pair.evaluations());
         }
         double error = Math.abs(pair.centre() - StrictMath.cos(DURATION));
-        long evaluations = pair.getEvaluations();
+        long evaluations = pair.evaluations();
         boolean stable = left < UNSTABLE && staysBounded(solver, pair, DURATION / steps, toGrow - steps);
         return new Run(error, left, stable, evaluations);
     }
 
-    private static boolean staysBounded(DESolver solver, StiffPair pair, double deltaT, int steps) {
+    private static boolean staysBounded(DESolver solver, StiffSpringPair pair, double deltaT, int steps) {
         try {
             for (int n = 0; n < steps; n++) {
                 solver.stepState(pair, deltaT);
@@ -161,7 +161,7 @@ public final class StiffGallery {
         if (choice.adaptive()) {
             return false;
         }
-        StiffPair pair = new StiffPair(1);
+        StiffSpringPair pair = new StiffSpringPair(1);
         DESolver solver = choice.create(0);
         double[] quarters = new double[4];
         for (int n = 0; n < LONG_RUN; n++) {

@@ -42,7 +42,7 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
         Probe probe = new SecondOrderProbe(start, dimension, START, (evaluation, dSdt) -> dSdt[(1 + evaluation) * width
                 + dimension] = 1);
         solver.stepState(probe, h);
-        int stages = probe.evaluations().size();
+        int stages = probe.recorded().size();
         double[] last = probe.state();
         double[] x = new double[stages];
         double[] v = new double[stages];
@@ -50,7 +50,7 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
         double[] pAt = new double[stages];
         double[] c = new double[stages];
         for (int j = 0; j < stages; j++) {
-            Probe.Evaluation evaluation = probe.evaluations().get(j);
+            Probe.Evaluation evaluation = probe.recorded().get(j);
             x[j] = last[(1 + j) * width] / (h * h);
             v[j] = last[(1 + j) * width + dimension] / h;
             c[j] = (evaluation.time() - START) / h;
@@ -79,7 +79,7 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
         Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0, dSdt,
                 0, dSdt.length));
         solver.stepState(probe, h);
-        if (probe.evaluations().size() != v.length) {
+        if (probe.recorded().size() != v.length) {
             return 1;
         }
         double[] last = probe.state();

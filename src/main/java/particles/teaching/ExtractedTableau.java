@@ -44,7 +44,7 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
         start[KEPT] = 1;
         Probe probe = new Probe(start, START, (evaluation, dSdt) -> dSdt[1 + evaluation] = 1);
         solver.stepState(probe, h);
-        List<Probe.Evaluation> evaluations = probe.evaluations();
+        List<Probe.Evaluation> evaluations = probe.recorded();
         int stages = evaluations.size();
         double[][] a = new double[stages][];
         double[] c = new double[stages];
@@ -84,7 +84,7 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
         solver.stepState(probe, h);
         double[] found = probe.state();
         double[] misfit = new double[SIZE];
-        if (probe.evaluations().size() != stages()) {
+        if (probe.recorded().size() != stages()) {
             Arrays.fill(misfit, 1);
             return misfit;
         }

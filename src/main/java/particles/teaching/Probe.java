@@ -1,6 +1,5 @@
 package particles.teaching;
 
-import deSolvers.DEStateSource;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -8,7 +7,7 @@ import java.util.List;
  * A source that writes down all that a solver does with it, and answers evaluations as it is told to. It copies every array
  * and keeps no reference, as the contract says.
  */
-class Probe implements DEStateSource {
+class Probe extends StudentSource {
     /** More evaluations than this in a step are no tableau that anybody writes by hand. */
     static final int MOST_EVALUATIONS = 16;
 
@@ -40,14 +39,11 @@ class Probe implements DEStateSource {
         }
     }
 
-    private final double[] state;
     private final Answer answer;
-    private double time;
     private boolean stateSet;
     private boolean everSet;
-    private final List<Evaluation> evaluations = new ArrayList<>();
+    private final List<Evaluation> recorded = new ArrayList<>();
     private final List<Double> clockMoves = new ArrayList<>();
-    private final List<Integer> wrongLengths = new ArrayList<>();
 
     /**
      * @param start  the state
@@ -55,24 +51,19 @@ class Probe implements DEStateSource {
      * @param answer what evaluations give
      */
     Probe(double[] start, double time, Answer answer) {
-        this.state = start.clone();
-        this.time = time;
+        super(start);
+        super.incTime(time);
         this.answer = answer;
     }
 
     /** @return the evaluations, in their order */
-    List<Evaluation> evaluations() {
-        return evaluations;
+    List<Evaluation> recorded() {
+        return recorded;
     }
 
     /** @return by how much the clock was moved each time (s) */
     List<Double> clockMoves() {
         return clockMoves;
-    }
-
-    /** @return the lengths of arrays that were not as long as the state */
-    List<Integer> wrongLengths() {
-        return wrongLengths;
     }
 
     /** @return whether the state was set after the last evaluation */
@@ -85,55 +76,28 @@ class Probe implements DEStateSource {
         return everSet;
     }
 
-    /** @return a copy of the state */
-    double[] state() {
-        return state.clone();
-    }
-
-    @Override
-    public int getStateSize() {
-        return state.length;
-    }
-
-    @Override
-    public void getState(double[] s) {
-        System.arraycopy(state, 0, s, 0, common(s));
-    }
-
     @Override
     public void setState(double[] s) {
-        System.arraycopy(s, 0, state, 0, common(s));
+        super.setState(s);
         stateSet = true;
         everSet = true;
     }
 
-    private int common(double[] array) {
-        if (array.length != state.length) {
-            wrongLengths.add(array.length);
-        }
-        return Math.min(array.length, state.length);
-    }
-
     @Override
-    public void getStateDerivative(double[] dSdt) {
-        if (evaluations.size() == MOST_EVALUATIONS) {
+    protected void rates(double t, double[] s, double[] dSdt) {
+        if (recorded.size() == MOST_EVALUATIONS) {
             throw new TooManyEvaluations();
         }
-        double[] all = new double[state.length];
-        answer.fill(evaluations.size(), all);
-        evaluations.add(new Evaluation(state.clone(), time, stateSet));
+        double[] all = new double[s.length];
+        answer.fill(recorded.size(), all);
+        recorded.add(new Evaluation(s.clone(), t, stateSet));
         stateSet = false;
-        System.arraycopy(all, 0, dSdt, 0, common(dSdt));
-    }
-
-    @Override
-    public double getTime() {
-        return time;
+        System.arraycopy(all, 0, dSdt, 0, Math.min(s.length, dSdt.length));
     }
 
     @Override
     public void incTime(double deltaT) {
         clockMoves.add(deltaT);
-        time += deltaT;
+        super.incTime(deltaT);
     }
 }

@@ -106,7 +106,7 @@ public final class SolverCheck {
         for (int step = 0; step < 6; step++) {
             WindyOscillators twin = source.copy();
             maker.get().stepState(twin, 1.0 / 16);
-            int before = source.evaluations();
+            long before = source.evaluations();
             solver.stepState(source, 1.0 / 16);
             double[] expected = twin.state();
             double[] found = source.state();
@@ -226,7 +226,7 @@ public final class SolverCheck {
         return new Diagnosis(identity, found);
     }
 
-    private int evaluations(double deltaT) {
+    private long evaluations(double deltaT) {
         WindyOscillators source = new WindyOscillators(1);
         maker.get().stepState(source, deltaT);
         return source.evaluations();

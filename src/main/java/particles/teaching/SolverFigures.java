@@ -2,6 +2,7 @@ package particles.teaching;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.StepMatrix;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -109,17 +110,17 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                                    StabilityFigures stability) {
         List<List<Object>> rows = new ArrayList<>();
         rows.add(List.of("order, measured", text(order.order()), "over the same time the error falls as deltaT to this power"));
-        int small = evaluations(maker, 0.1);
-        int large = evaluations(maker, 1);
+        long small = evaluations(maker, 0.1);
+        long large = evaluations(maker, 1);
         rows.add(List.of("evaluations in a step", String.valueOf(large), small == large ? "for any deltaT"
                 : "with deltaT = 1 s; " + small + " with 0.1 s"));
         if (!verdict.multistep()) {                     // else a step does not multiply the state by a matrix
-            Springs springs = step(maker, 1);
-            rows.add(List.of("amplitude of a spring, a step of deltaT omega = 1", text(springs.amplification()),
+            StepMatrix step = step(maker, 1);
+            rows.add(List.of("amplitude of a spring, a step of deltaT omega = 1", text(step.radius()),
                     "exactly 1; more grows without end, less is damped"));
-            rows.add(List.of("the same with deltaT omega = 0.1", text(step(maker, 0.1).amplification()), "exactly 1"));
-            double area = springs.area() - 1;
-            rows.add(List.of("area in state space, a step of deltaT omega = 1", text(springs.area()), small != large
+            rows.add(List.of("the same with deltaT omega = 0.1", text(step(maker, 0.1).radius()), "exactly 1"));
+            double area = step.determinant() - 1;
+            rows.add(List.of("area in state space, a step of deltaT omega = 1", text(step.determinant()), small != large
                     ? "off by what the tolerance lets pass" : Math.abs(area) > 1e-10
                     ? "not symplectic: " + (area > 0 ? "gains" : "loses") + " area"
                     : "symplectic on the spring: areas are kept"));
@@ -142,17 +143,17 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         return energy.stream().mapToDouble(p -> p[1]).max().orElse(Double.NaN);
     }
 
-    private static Springs step(Supplier<DESolver> maker, double h) {
+    private static StepMatrix step(Supplier<DESolver> maker, double h) {
         Springs springs = new Springs();
         maker.get().stepState(springs, h);
-        return springs;
+        return springs.steps();
     }
 
     /** In a later step, when what is needed to begin with is there. */
-    private static int evaluations(Supplier<DESolver> maker, double h) {
+    private static long evaluations(Supplier<DESolver> maker, double h) {
         Springs springs = new Springs();
         DESolver solver = maker.get();
-        int before = 0;
+        long before = 0;
         for (int step = 0; step < BEGINNING; step++) {
             before = springs.evaluations();
             solver.stepState(springs, h);

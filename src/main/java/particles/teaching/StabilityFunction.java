@@ -1,12 +1,12 @@
 package particles.teaching;
 
 import deSolvers.DESolver;
+import deSolvers.problems.StepMatrix;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.experiments.StepMatrix;
 
 /**
  * The function R(z) by which a step multiplies the solution of y' = lambda y, z = deltaT lambda, as a fraction of two

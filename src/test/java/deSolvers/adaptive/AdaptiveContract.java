@@ -13,6 +13,8 @@ import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.Pole;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.SlowAndFastSpring;
+import deSolvers.problems.StiffPair;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -223,22 +225,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     /** Of 0.5 cos(300 t) beside cos(t): the amplitude after 10 s in 600 steps, in units of the one at the start. */
     protected final double fastAmplitude(double tolerance) {
         double omega = 300;
-        ReferenceProblem problem = new ReferenceProblem(4) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {StrictMath.cos(t), -StrictMath.sin(t),
-                    0.5 * StrictMath.cos(omega * t), -0.5 * omega * StrictMath.sin(omega * t)};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = s[1];
-                dSdt[1] = -s[0];
-                dSdt[2] = s[3];
-                dSdt[3] = -omega * omega * s[2];
-            }
-        };
-        problem.startAt(0);
+        ReferenceProblem problem = new SlowAndFastSpring(omega, 0);
         DESolver solver = createSolver(tolerance, 1e-3 * tolerance);
         for (int i = 0; i < 600; i++) {
             solver.stepState(problem, 1.0 / 60);
@@ -265,24 +252,9 @@ public abstract class AdaptiveContract extends DESolverContract {
         }
     }
 
-    /** u' = 998 u + 1998 v, v' = -999 u - 1999 v from (1, 0): u = 2 e^-t - e^-1000t, v = -e^-t + e^-1000t. */
     @Test
     void aStiffPairIsCrawledThroughAndNotBlownUp() {
-        ReferenceProblem problem = new ReferenceProblem(2) {
-            @Override
-            public double[] exactState(double t) {
-                double slow = StrictMath.exp(-t);
-                double fast = StrictMath.exp(-1000 * t);
-                return new double[] {2 * slow - fast, fast - slow};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = 998 * s[0] + 1998 * s[1];
-                dSdt[1] = -999 * s[0] - 1999 * s[1];
-            }
-        };
-        problem.startAt(0);
+        ReferenceProblem problem = new StiffPair();
         createSolver(1e-6, 1e-9).stepState(problem, 2);
         // Measured 4.0e-7 (bulirsch-stoer) and less, with 4370 (dormand-prince) to 13051 (bulirsch-stoer) evaluations.
         assertTrue(problem.error() < 1e-6, "error " + problem.error());

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.extrapolation.BulirschStoerSolver;
+import deSolvers.problems.Decay;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.SlowAndFastSpring;
 import deSolvers.problems.StiffPair;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
@@ -49,7 +51,7 @@ class FastPartScanTest {
             Scan scan = new Scan(maker, tolerance);
             for (double lambda = 20; lambda < 400; lambda *= 1.06) {
                 for (double deltaT : new double[] {0.1, 0.25, 1}) {
-                    scan.run(decay(lambda), deltaT, largestError(tolerance), "lambda " + lambda);
+                    scan.run(new Decay(lambda), deltaT, largestError(tolerance), "lambda " + lambda);
                 }
             }
             scan.assertBelow(bound, name);
@@ -138,40 +140,8 @@ class FastPartScanTest {
         };
     }
 
-    private static ReferenceProblem decay(double lambda) {
-        return new ReferenceProblem(1) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {StrictMath.exp(-lambda * t)};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = -lambda * s[0];
-            }
-        };
-    }
-
     /** Damped a twentieth of the critical damping. */
     private static ReferenceProblem spring(double omega) {
-        double gamma = 0.05 * omega;
-        double damped = Math.sqrt(omega * omega - gamma * gamma);
-        return new ReferenceProblem(4) {
-            @Override
-            public double[] exactState(double t) {
-                double c = 0.5 * StrictMath.exp(-gamma * t) * StrictMath.cos(damped * t);
-                double s = 0.5 * StrictMath.exp(-gamma * t) * StrictMath.sin(damped * t);
-                return new double[] {StrictMath.cos(t), -StrictMath.sin(t), c + gamma / damped * s,
-                    -omega * omega / damped * s};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = s[1];
-                dSdt[1] = -s[0];
-                dSdt[2] = s[3];
-                dSdt[3] = -omega * omega * s[2] - 2 * gamma * s[3];
-            }
-        };
+        return new SlowAndFastSpring(omega, 0.05 * omega);
     }
 }

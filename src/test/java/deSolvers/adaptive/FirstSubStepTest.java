@@ -66,9 +66,9 @@ class FirstSubStepTest {
         Scripted solver = new Scripted(true, (offset, h) -> 0.81);
         Ramp square = new Ramp(0.5, t -> 0) {
             @Override
-            public void getStateDerivative(double[] dSdt) {
-                asked.add(time);
-                dSdt[0] = state * state;
+            protected void rates(double t, double[] s, double[] dSdt) {
+                asked.add(t);
+                dSdt[0] = s[0] * s[0];
             }
         };
         solver.stepState(square, 50);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
-import deSolvers.StepMatrix;
+import deSolvers.StepMatrixFormula;
 import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.problems.Oscillator;
 import java.util.function.DoubleUnaryOperator;
@@ -43,8 +43,8 @@ class OneSubStepTest {
     @Test
     void theOscillatorsStepIsTheClosedForm() {
         for (double h : new double[] {0.01, 0.1, 0.5, 1, -0.5}) {
-            assertStep(new DormandPrinceSolver(EVERYTHING, EVERYTHING), h, StepMatrix.polynomial(h, DORMAND_PRINCE));
-            double[] twice = square(StepMatrix.polynomial(h / 2, RK4));
+            assertStep(new DormandPrinceSolver(EVERYTHING, EVERYTHING), h, StepMatrixFormula.polynomial(h, DORMAND_PRINCE));
+            double[] twice = square(StepMatrixFormula.polynomial(h / 2, RK4));
             assertStep(new StepDoublingSolver(EVERYTHING, EVERYTHING), h, twice);
         }
     }
@@ -72,9 +72,9 @@ class OneSubStepTest {
     @Test
     void theStabilityLimits() {
         assertEquals(3.3066, limit(x -> Math.abs(at(DORMAND_PRINCE, -x)), 2, 5), 5e-5);
-        assertEquals(0.9972, limit(y -> modulus(StepMatrix.polynomial(y, DORMAND_PRINCE)), 0.5, 1.5), 5e-5);
+        assertEquals(0.9972, limit(y -> modulus(StepMatrixFormula.polynomial(y, DORMAND_PRINCE)), 0.5, 1.5), 5e-5);
         assertEquals(5.5706, limit(x -> Math.abs(at(RK4, -x / 2)), 2, 8), 5e-5);
-        assertEquals(5.6569, limit(y -> modulus(StepMatrix.polynomial(y / 2, RK4)), 2, 8), 5e-5);
+        assertEquals(5.6569, limit(y -> modulus(StepMatrixFormula.polynomial(y / 2, RK4)), 2, 8), 5e-5);
     }
 
     private static long[] evaluationsOfTwoSteps(DESolver solver) {

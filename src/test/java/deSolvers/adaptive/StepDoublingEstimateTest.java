@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.StepTransaction;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.TestEquation;
 import org.junit.jupiter.api.Test;
 
 /** What step doubling says of its own error, for s' = lambda s, over the left half of the plane of z = h lambda. */
@@ -15,22 +16,8 @@ class StepDoublingEstimateTest {
     private record Trial(double estimate, double error, double modulus) {
     }
 
-    /** s' = (re + i im) s as a system of two. */
     private static Trial tryOne(double re, double im) {
-        ReferenceProblem problem = new ReferenceProblem(2) {
-            @Override
-            public double[] exactState(double t) {
-                double size = StrictMath.exp(re * t);
-                return new double[] {size * StrictMath.cos(im * t), size * StrictMath.sin(im * t)};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = re * s[0] - im * s[1];
-                dSdt[1] = im * s[0] + re * s[1];
-            }
-        };
-        problem.startAt(0);
+        ReferenceProblem problem = new TestEquation(re, im);
         StepDoublingSolver solver = new StepDoublingSolver(0, 1);
         solver.resize(2);
         double[] newState = new double[2];

@@ -131,7 +131,7 @@ class SubStepControlTest {
                 long accepted = solver.offsets.stream().distinct().count();
                 // At the beginning, for the first guess, and where each but the first one begins.
                 assertEquals(known ? 2 : 1 + accepted, source.asked.size());
-                assertEquals(direction * 2, source.time);
+                assertEquals(direction * 2, source.getTime());
             }
         }
     }
@@ -145,7 +145,7 @@ class SubStepControlTest {
                 + " clock is 1\\.11\\S+E-16 s, and still cannot be made.*"), e.getMessage());
         // 4 ulp of what was done: a sub-step of exactly that was tried last.
         assertEquals(4 * Math.ulp(0.2), never.tried.get(never.tried.size() - 1));
-        assertEquals(0, source.time);
+        assertEquals(0, source.getTime());
 
         Scripted slow = new Scripted(false, (offset, h) -> 0.81);
         e = assertThrows(DESolverException.class, () -> slow.stepState(constant(), 1e6));
@@ -154,7 +154,7 @@ class SubStepControlTest {
         // A clock far from 0 resolves less.
         Scripted late = new Scripted(false, (offset, h) -> 2);
         Ramp far = constant();
-        far.time = 1e6;
+        far.incTime(1e6);
         e = assertThrows(DESolverException.class, () -> late.stepState(far, 1));
         assertTrue(e.getMessage().contains("the resolution of the clock is " + 4 * Math.ulp(1e6) + " s"), e.getMessage());
         assertEquals(4 * Math.ulp(1e6), late.tried.get(late.tried.size() - 1));
@@ -169,14 +169,14 @@ class SubStepControlTest {
     void noSubStepIsFinerThanTheClock() {
         double resolution = 4 * Math.ulp(1e9);
         Ramp far = new Ramp(2, t -> 1e12);              // the guess is 2e-12
-        far.time = 1e9;
+        far.incTime(1e9);
         Scripted good = new Scripted(false, (offset, h) -> 0.0081);
         good.stepState(far, 1);
         assertEquals(resolution, good.tried.get(0));
         for (double deltaT : new double[] {1, 1e-7}) {  // below the resolution deltaT is all that can be tried
             Scripted bad = new Scripted(false, (offset, h) -> 2);
-            far.time = 1e9;
-            far.state = 2;
+            far.incTime(1e9 - far.getTime());
+            far.setState(new double[] {2});
             assertThrows(DESolverException.class, () -> bad.stepState(far, deltaT));
             assertEquals(List.of(Math.min(deltaT, resolution)), bad.tried);
         }
@@ -194,7 +194,7 @@ class SubStepControlTest {
         solver.stepState(source, 1);
         solver.stepState(source, 1);
         assertEquals(1, solver.restarts);
-        source.state += 1;
+        source.setState(new double[] {source.state()[0] + 1});
         solver.stepState(source, 1);
         assertEquals(2, solver.restarts, "moved");
         solver.stepState(source, 0.5);

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.StepTransaction;
 import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.TestEquation;
 import org.junit.jupiter.api.Test;
 
 /** The table for s' = lambda s over a stretch of 1 s: its columns' stability functions, and what they say of their errors. */
@@ -15,18 +16,7 @@ class ExtrapolationTableTest {
 
     /** From s = 1 with lambda = re + i im, as a system of two: all columns, from the second on. */
     private static Column[] cover(double re, double im) {
-        ReferenceProblem problem = new ReferenceProblem(2) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {1, 0};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = re * s[0] - im * s[1];
-                dSdt[1] = im * s[0] + re * s[1];
-            }
-        };
+        ReferenceProblem problem = new TestEquation(re, im);
         ModifiedMidpoint midpoint = new ModifiedMidpoint();
         ExtrapolationTable results = new ExtrapolationTable();
         ExtrapolationTable smoothings = new ExtrapolationTable();

@@ -19,8 +19,7 @@ class ResonanceTest {
 
     private static final class Resonance extends SecondOrderProblem {
         Resonance() {
-            super(1, 1);
-            startAt(0);
+            super(1, 0, 0);
         }
 
         @Override

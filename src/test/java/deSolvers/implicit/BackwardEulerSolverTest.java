@@ -2,7 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DESolver;
 import deSolvers.FixedStepContract;
-import deSolvers.StepMatrix;
+import deSolvers.StepMatrixFormula;
 
 class BackwardEulerSolverTest extends FixedStepContract {
     @Override
@@ -22,6 +22,6 @@ class BackwardEulerSolverTest extends FixedStepContract {
 
     @Override
     protected double[] oscillatorStep(double h) {
-        return StepMatrix.rational(h, new double[] {1}, new double[] {1, -1});
+        return StepMatrixFormula.rational(h, new double[] {1}, new double[] {1, -1});
     }
 }

@@ -31,7 +31,7 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
      * @param blocks    what is said of the blocks; approximate ones leave out the hard springs and a tenth of all others
      */
     BlockParticles(int n, double stiffness, boolean symmetric, Blocks blocks) {
-        super(3, n);
+        super(3, new double[6 * n]);
         this.blocks = blocks;
         this.stiffness = stiffness;
         Random random = new Random(n);

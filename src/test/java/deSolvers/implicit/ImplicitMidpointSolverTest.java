@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.FixedStepContract;
-import deSolvers.StepMatrix;
+import deSolvers.StepMatrixFormula;
 import deSolvers.problems.Chain;
 import deSolvers.problems.Kepler;
 import deSolvers.problems.Oscillator;
@@ -31,7 +31,7 @@ class ImplicitMidpointSolverTest extends FixedStepContract {
 
     @Override
     protected double[] oscillatorStep(double h) {
-        return StepMatrix.rational(h, new double[] {1, 0.5}, new double[] {1, -0.5});
+        return StepMatrixFormula.rational(h, new double[] {1, 0.5}, new double[] {1, -0.5});
     }
 
     /** The energy of a linear spring is kept to rounding: the bound is 0 but for the floor of 1e-10 in the check itself. */

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolverException;
 import deSolvers.JacobianStateSource;
 import deSolvers.problems.Chain;
+import deSolvers.problems.PlainSource;
+import deSolvers.problems.Pole;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,27 +18,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** How the stage equation is solved: what Newton's method reaches, what it refuses, and each kind of linear system. */
 class ImplicitStageTest {
 
-    /** s' = s^2 from 1. */
-    private static class Square extends ReferenceProblem {
-        Square() {
-            super(1);
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return new double[] {1 / (1 - t)};
-        }
-
-        @Override
-        protected void rates(double t, double[] s, double[] dSdt) {
-            dSdt[0] = s[0] * s[0];
-        }
-    }
-
     @Test
     void newtonSolvesToRounding() {
-        Square square = new Square();
+        Pole square = new Pole();
         new BackwardEulerSolver().stepState(square, 0.1875);
         // m = 1 + 0.1875 m^2: m = (1 - sqrt(1 - 0.75)) / 0.375 = 4/3; measured 2.2e-16
         assertEquals(4.0 / 3, square.state()[0], 1e-15);
@@ -47,7 +31,7 @@ class ImplicitStageTest {
 
     @Test
     void anEquationWithoutASolutionIsAnErrorWithTheResidual() {
-        Square square = new Square();
+        Pole square = new Pole();
         DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(square, 0.3));
         assertTrue(e.getMessage().contains("did not converge") && e.getMessage().contains("residual"), e.getMessage());
         assertArrayEquals(new double[] {1}, square.state());
@@ -68,35 +52,9 @@ class ImplicitStageTest {
     }
 
     /** Hides from a solver all but the plain source and its products. */
-    private record WithProducts(Chain chain) implements JacobianStateSource {
-        @Override
-        public int getStateSize() {
-            return chain.getStateSize();
-        }
-
-        @Override
-        public void getState(double[] state) {
-            chain.getState(state);
-        }
-
-        @Override
-        public void setState(double[] state) {
-            chain.setState(state);
-        }
-
-        @Override
-        public void getStateDerivative(double[] dSdt) {
-            chain.getStateDerivative(dSdt);
-        }
-
-        @Override
-        public double getTime() {
-            return chain.getTime();
-        }
-
-        @Override
-        public void incTime(double deltaT) {
-            chain.incTime(deltaT);
+    private static final class WithProducts extends PlainSource implements JacobianStateSource {
+        WithProducts(Chain chain) {
+            super(chain);
         }
 
         @Override
@@ -160,13 +118,11 @@ class ImplicitStageTest {
     /** Pendulums x'' = -sin x, released at rest from angles up to 3. */
     private static final class Pendulums extends ReferenceProblem {
         Pendulums(int n) {
-            super(2 * n);
-            startAt(0);
+            super(start(2 * n));
         }
 
-        @Override
-        public double[] exactState(double t) {
-            double[] start = new double[getStateSize()];
+        private static double[] start(int size) {
+            double[] start = new double[size];
             for (int i = 0; i < start.length; i += 2) {
                 start[i] = 3.0 * (i + 1) / start.length;
             }

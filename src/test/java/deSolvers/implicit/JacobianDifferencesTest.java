@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import deSolvers.DEStateSource;
 import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
+import deSolvers.problems.Law;
 import deSolvers.problems.ReferenceProblem;
 import java.util.Random;
 import org.ejml.data.DMatrixRMaj;
@@ -20,18 +21,10 @@ class JacobianDifferencesTest {
     /** f = size (s0 s1, s2^2 - s0, 3 s1) with a state that is told. */
     private static class Curved extends ReferenceProblem {
         private final double size;
-        private final double[] at;
 
         Curved(double size, double... at) {
-            super(3);
+            super(at);
             this.size = size;
-            this.at = at;
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return at.clone();
         }
 
         @Override
@@ -112,34 +105,18 @@ class JacobianDifferencesTest {
     }
 
     /** s' = -2 (s - 1) above 1 and -3 (s - 1) below it, and then a slope that drives it one way or the other. */
-    private static final class Kinked extends ReferenceProblem {
-        private final double drive;
-
-        Kinked(double drive) {
-            super(1);
-            this.drive = drive;
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return new double[] {1};
-        }
-
-        @Override
-        protected void rates(double t, double[] s, double[] dSdt) {
-            dSdt[0] = drive - (s[0] > 1 ? 2 : 3) * (s[0] - 1);
-        }
+    private static Law kinked(double drive) {
+        return new Law((t, s, dSdt) -> dSdt[0] = drive - (s[0] > 1 ? 2 : 3) * (s[0] - 1), 1);
     }
 
     /** A difference looks to where the step will go, not to where it came from. */
     @Test
     void differencesLookAhead() {
         double[] state = {1};
-        assertEquals(-2, dense(new Kinked(1), state, 0.1).get(0), 1e-6);
-        assertEquals(-3, dense(new Kinked(1), state, -0.1).get(0), 1e-6);
-        assertEquals(-3, dense(new Kinked(-1), state, 0.1).get(0), 1e-6);
-        assertEquals(-2, dense(new Kinked(-1), state, -0.1).get(0), 1e-6);
+        assertEquals(-2, dense(kinked(1), state, 0.1).get(0), 1e-6);
+        assertEquals(-3, dense(kinked(1), state, -0.1).get(0), 1e-6);
+        assertEquals(-3, dense(kinked(-1), state, 0.1).get(0), 1e-6);
+        assertEquals(-2, dense(kinked(-1), state, -0.1).get(0), 1e-6);
     }
 
     /** Where all is 0 but a step moves it, that far; numbers so small that a part of them would vanish are still varied. */

@@ -1,28 +1,11 @@
 package deSolvers.implicit;
 
 import deSolvers.DESolver;
-import deSolvers.FixedStepContract;
-import deSolvers.StepMatrix;
 
 /** Backward Euler with one linearised solve: the same order and, on linear problems, the same step. */
-class LinearisedEulerTest extends FixedStepContract {
+class LinearisedEulerTest extends BackwardEulerSolverTest {
     @Override
     protected DESolver createSolver() {
         return BackwardEulerSolver.linearised();
-    }
-
-    @Override
-    protected boolean takesTheArray() {
-        return false;
-    }
-
-    @Override
-    protected int order() {
-        return 1;
-    }
-
-    @Override
-    protected double[] oscillatorStep(double h) {
-        return StepMatrix.rational(h, new double[] {1}, new double[] {1, -1});
     }
 }

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
-import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Law;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
@@ -58,19 +58,10 @@ class RadauNewtonTest {
     }
 
     private boolean solve(DoubleUnaryOperator f, double start, RadauSystems systems, Tolerance tolerance) {
-        ReferenceProblem problem = new ReferenceProblem(1) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {start};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                asked.add(t);
-                dSdt[0] = f.applyAsDouble(s[0]);
-            }
-        };
-        problem.startAt(0);
+        Law problem = new Law((t, s, dSdt) -> {
+            asked.add(t);
+            dSdt[0] = f.applyAsDouble(s[0]);
+        }, start);
         newton = new RadauNewton(work, tolerance, 1);
         for (double[] stage : z) {
             stage[0] = 0;

@@ -11,7 +11,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DEStateSource;
 import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
-import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Law;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -168,17 +168,7 @@ class RadauSystemsTest {
     @ParameterizedTest
     @CsvSource({"dense", "products"})
     void aSingularSystemIsRefused(String kind) {
-        ReferenceProblem growth = new ReferenceProblem(2) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {1, 2};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                System.arraycopy(s, 0, dSdt, 0, 2);
-            }
-        };
+        Law growth = new Law((t, s, dSdt) -> System.arraycopy(s, 0, dSdt, 0, 2), 0, 0);
         RadauSystems systems = systems(kind, 2);
         systems.setJacobian(begin(growth), new double[2], new double[2], 0, 1);     // differences are exact at 0
         double[] x = new double[2];

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.JacobianStateSource;
-import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.Law;
 import deSolvers.problems.Robertson;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
@@ -17,34 +17,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Small unknowns beside large ones: each is as right as if it were alone, or an exception says that it is not. */
 class SmallUnknownsTest {
-
-    /** A law that is told. */
-    private static class Law extends ReferenceProblem {
-        private final double[] start;
-        private final Rates rates;
-
-        interface Rates {
-            void of(double[] s, double[] dSdt);
-        }
-
-        Law(Rates rates, double... start) {
-            super(start.length);
-            this.rates = rates;
-            this.start = start;
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return start.clone();
-        }
-
-        @Override
-        protected void rates(double t, double[] s, double[] dSdt) {
-            rates.of(s, dSdt);
-        }
-    }
-
     /** m = s + g f(m) for a falling f, by bisection. */
     private static double root(double s, double g, DoubleUnaryOperator f, double low, double high) {
         for (int i = 0; i < 200; i++) {
@@ -64,7 +36,7 @@ class SmallUnknownsTest {
     void aDecayBesideAConstant(double constant) {
         for (double start : new double[] {1, 1e-3}) {
             DoubleUnaryOperator f = y -> -1e6 / (start * start) * y * y * y;
-            Law law = new Law((s, dSdt) -> {
+            Law law = new Law((t, s, dSdt) -> {
                 dSdt[0] = f.applyAsDouble(s[0]);
                 dSdt[1] = 0;
             }, start, constant);
@@ -81,7 +53,7 @@ class SmallUnknownsTest {
     @CsvSource({"0, false", "6.4e6, false", "1.5e11, false", "0, true", "6.4e6, true", "1.5e11, true"})
     void dragFarFromTheOrigin(double x, boolean midpoint) {
         double c = 1e4;
-        Law law = new Law((s, dSdt) -> {
+        Law law = new Law((t, s, dSdt) -> {
             dSdt[0] = s[1];
             dSdt[1] = -c * s[1] * Math.abs(s[1]);
         }, x, 0.1);
@@ -99,7 +71,7 @@ class SmallUnknownsTest {
     @ValueSource(doubles = {0, 1, 1e4, 1e6, 1e9, 1e12})
     void dryFrictionHasNoSolutionAnywhere(double x) {
         for (DESolver solver : new DESolver[] {new BackwardEulerSolver(), new ImplicitMidpointSolver()}) {
-            Law law = new Law((s, dSdt) -> {
+            Law law = new Law((t, s, dSdt) -> {
                 dSdt[0] = s[1];
                 dSdt[1] = -5 * Math.signum(s[1]);
             }, x, 0.1);
@@ -137,7 +109,7 @@ class SmallUnknownsTest {
             start[i + 1] = 3 * small;
         }
         double exact = root(3 * small, 0.1, f, small, 3 * small);
-        Law.Rates rates = (s, dSdt) -> {
+        Law.Rates rates = (t, s, dSdt) -> {
             for (int i = 0; i < s.length; i += 2) {
                 dSdt[i] = -50 * s[i] * (1 + s[i] * s[i] / (large * large));
                 dSdt[i + 1] = f.applyAsDouble(s[i + 1]);
@@ -184,7 +156,7 @@ class SmallUnknownsTest {
     @Test
     void theLinearSolversFailureIsTold() {
         int n = ImplicitStage.LARGEST_FULL + 1;
-        Law shift = new Law((s, dSdt) -> {
+        Law shift = new Law((t, s, dSdt) -> {
             for (int i = 0; i < n; i++) {
                 dSdt[i] = s[i] - s[(i + 1) % n] + (i == 0 ? 1 : 0);
             }

@@ -22,13 +22,7 @@ class SpringInsideOutTest {
     /** x'' = -k (|x| - l) x/|x|, of mass 1. */
     private static final class Spring extends SecondOrderProblem implements JacobianStateSource {
         Spring() {
-            super(3, 1);
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return new double[] {LENGTH, 0, 0, SPEED, 0, 0};        // only where it starts
+            super(3, LENGTH, 0, 0, SPEED, 0, 0);
         }
 
         private static double length(double[] s) {

@@ -12,6 +12,7 @@ import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
+import deSolvers.problems.Law;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
@@ -27,19 +28,11 @@ class StageSolutionTest {
 
     /** s' = f(s) from a given state. */
     private static final class Scalar extends ReferenceProblem {
-        private final double start;
         private final DoubleUnaryOperator f;
 
         Scalar(double start, DoubleUnaryOperator f) {
-            super(1);
-            this.start = start;
+            super(start);
             this.f = f;
-            startAt(0);
-        }
-
-        @Override
-        public double[] exactState(double t) {
-            return new double[] {start};
         }
 
         @Override
@@ -146,19 +139,10 @@ class StageSolutionTest {
     @Test
     void theEquationOfASmallSource() {
         double[] j = {1, -2, 3, 0.5};
-        ReferenceProblem linear = new ReferenceProblem(2) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {2, -1};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = j[0] * s[0] + j[1] * s[1];
-                dSdt[1] = j[2] * s[0] + j[3] * s[1];
-            }
-        };
-        linear.startAt(0);
+        Law linear = new Law((t, s, dSdt) -> {
+            dSdt[0] = j[0] * s[0] + j[1] * s[1];
+            dSdt[1] = j[2] * s[0] + j[3] * s[1];
+        }, 2, -1);
         DenseProblem problem = new DenseProblem(new ImplicitWork.Counter());
         Random random = new Random(3);
         for (double g : new double[] {0.25, -0.125, 2}) {

@@ -4,7 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
-import deSolvers.StepMatrix;
+import deSolvers.StepMatrixFormula;
+import deSolvers.problems.Decay;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
@@ -29,7 +30,7 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
     /** The first step of a course is RK4. */
     @Override
     protected double[] oscillatorStep(double h) {
-        return StepMatrix.polynomial(h, 1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24);
+        return StepMatrixFormula.polynomial(h, 1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24);
     }
 
     @Override
@@ -52,7 +53,7 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
     void polynomialsUpToDegreeFourAreExact() {
         for (int degree = 1; degree <= 5; degree++) {
             final int m = degree;
-            ReferenceProblem problem = new ReferenceProblem(1) {
+            ReferenceProblem problem = new ReferenceProblem(0) {
                 @Override
                 public double[] exactState(double t) {
                     return new double[] {StrictMath.pow(t, m)};
@@ -63,7 +64,6 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
                     dSdt[0] = m * StrictMath.pow(t, m - 1);
                 }
             };
-            problem.startAt(0);
             DESolver solver = createSolver();
             for (int i = 0; i < 64; i++) {
                 solver.stepState(problem, 1.0 / 64);
@@ -104,17 +104,7 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
 
     @Test
     void theLimitOnTheRealAxis() {
-        ReferenceProblem decay = new ReferenceProblem(1) {
-            @Override
-            public double[] exactState(double t) {
-                return new double[] {StrictMath.exp(-t)};
-            }
-
-            @Override
-            protected void rates(double t, double[] s, double[] dSdt) {
-                dSdt[0] = -s[0];
-            }
-        };
+        ReferenceProblem decay = new Decay(1);
         double low = 1;
         double high = 2;
         while (high - low > 1e-4) {

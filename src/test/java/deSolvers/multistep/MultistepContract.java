@@ -91,7 +91,7 @@ public abstract class MultistepContract extends FixedStepContract {
     /** s' = 1 until t = 1, then s' = -1, switched by hand. */
     private double errorWithJump(boolean reset) {
         double[] rate = {1};
-        ReferenceProblem problem = new ReferenceProblem(1) {
+        ReferenceProblem problem = new ReferenceProblem(0) {
             @Override
             public double[] exactState(double t) {
                 return new double[] {t <= 1 ? t : 2 - t};
@@ -102,7 +102,6 @@ public abstract class MultistepContract extends FixedStepContract {
                 dSdt[0] = rate[0];
             }
         };
-        problem.startAt(0);
         DESolver solver = createSolver();
         evaluationsOf(solver, problem, 16);
         rate[0] = -1;

@@ -23,7 +23,7 @@ public final class Chain extends SecondOrderProblem {
      * @param damping c of every spring, less than 2/w
      */
     public Chain(int n, int mode, double damping) {
-        super(1, n);
+        super(1, new double[2 * n]);
         this.n = n;
         this.mode = mode;
         this.damping = damping;

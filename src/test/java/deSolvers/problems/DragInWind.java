@@ -18,7 +18,7 @@ public final class DragInWind extends SecondOrderProblem {
      * @param blocks how many blocks; 0 is a state of size 0
      */
     public DragInWind(int d, int blocks) {
-        super(d, blocks);
+        super(d, new double[2 * d * blocks]);
         this.d = d;
         this.blocks = blocks;
         startAt(0);

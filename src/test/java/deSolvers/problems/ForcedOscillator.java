@@ -3,8 +3,7 @@ package deSolvers.problems;
 /** x'' = -x + cos 2t: an acceleration of position and time; x = 4/3 cos t + 1/2 sin t - 1/3 cos 2t. */
 public final class ForcedOscillator extends SecondOrderProblem {
     public ForcedOscillator() {
-        super(1, 1);
-        startAt(0);
+        super(1, 1, 0.5);
     }
 
     @Override

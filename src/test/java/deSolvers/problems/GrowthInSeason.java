@@ -7,7 +7,6 @@ package deSolvers.problems;
 public final class GrowthInSeason extends ReferenceProblem {
     public GrowthInSeason() {
         super(1);
-        startAt(0);
     }
 
     @Override

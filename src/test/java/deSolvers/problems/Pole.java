@@ -4,7 +4,6 @@ package deSolvers.problems;
 public final class Pole extends ReferenceProblem {
     public Pole() {
         super(1);
-        startAt(0);
     }
 
     @Override

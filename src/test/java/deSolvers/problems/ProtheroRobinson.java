@@ -13,7 +13,6 @@ public final class ProtheroRobinson extends ReferenceProblem {
     public ProtheroRobinson(double lambda) {
         super(1);
         this.lambda = lambda;
-        startAt(0);
     }
 
     @Override

@@ -10,8 +10,7 @@ public final class Robertson extends ReferenceProblem {
     public static final double END = 40;
 
     public Robertson() {
-        super(3);
-        startAt(0);
+        super(1, 0, 0);
     }
 
     /** Known at 0 and 40 only. */

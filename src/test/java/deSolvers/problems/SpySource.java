@@ -20,7 +20,7 @@ public class SpySource implements SecondOrderStateSource {
         private static final long serialVersionUID = 1L;
     }
 
-    private final SecondOrderProblem problem;
+    private SecondOrderProblem problem;
     private final Map<Call, Integer> calls = new EnumMap<>(Call.class);
     private final List<double[]> arraysSeen = new ArrayList<>();
     private Call failingCall;
@@ -63,6 +63,11 @@ public class SpySource implements SecondOrderStateSource {
     /** @return how often a method was called since the last {@link #failAt}, or ever */
     public int calls(Call call) {
         return calls.getOrDefault(call, 0);
+    }
+
+    /** @param other the problem to step from now on */
+    public void become(SecondOrderProblem other) {
+        problem = other;
     }
 
     /** @return the problem behind */

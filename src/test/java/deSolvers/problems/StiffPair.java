@@ -3,8 +3,7 @@ package deSolvers.problems;
 /** u' = 998 u + 1998 v, v' = -999 u - 1999 v from (1, 0): u = 2 e^-t - e^-1000t, v = -e^-t + e^-1000t. */
 public final class StiffPair extends ReferenceProblem {
     public StiffPair() {
-        super(2);
-        startAt(0);
+        super(1, 0);
     }
 
     @Override

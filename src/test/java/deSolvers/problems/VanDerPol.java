@@ -10,8 +10,7 @@ public final class VanDerPol extends ReferenceProblem {
     private static final double EPS = 1e-6;
 
     public VanDerPol() {
-        super(2);
-        startAt(0);
+        super(2, 0);
     }
 
     /** Known at 0 and 2 only. */

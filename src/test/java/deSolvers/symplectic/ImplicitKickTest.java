@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolverException;
+import deSolvers.problems.SecondOrderProblem;
+import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,10 +21,9 @@ class ImplicitKickTest {
      * Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity, none
      * for the others.
      */
-    private static class OneMoves extends Blocks {
+    private static class OneMoves extends SecondOrderProblem {
         private static final int MOVING = 7;            // the last velocity where d is 2; its position is entry 5
         private final DoubleUnaryOperator acceleration;
-        private int evaluations;
 
         OneMoves(DoubleUnaryOperator acceleration) {
             this(2, acceleration);
@@ -34,18 +35,18 @@ class ImplicitKickTest {
         }
 
         @Override
-        public boolean accelerationDependsOnVelocity() {
-            return true;
+        protected void accelerate(double t, double[] s, double[] dSdt) {
+            int d = getDimension();
+            Arrays.fill(dSdt, d, 2 * d, 0);
+            Arrays.fill(dSdt, 3 * d, 4 * d, 0);
+            dSdt[4 * d - 1] = acceleration.applyAsDouble(s[4 * d - 1]);
         }
 
-        @Override
-        public void getStateDerivative(double[] dSdt) {
-            evaluations++;
-            int d = getDimension();
-            for (int x = 0; x < state.length; x++) {
-                dSdt[x] = x % (2 * d) < d ? state[x + d] : 0;
-            }
-            dSdt[4 * d - 1] = acceleration.applyAsDouble(state[4 * d - 1]);
+        OneMoves with(int entry, double value) {
+            double[] s = state();
+            s[entry] = value;
+            setState(s);
+            return this;
         }
     }
 
@@ -54,9 +55,7 @@ class ImplicitKickTest {
      * between 0 and h a. What that moves the place by, h a h/2, is allowed to be 2^-50 of the largest position.
      */
     private static OneMoves toAndFro(int d, double a, int position, double place) {
-        OneMoves source = new OneMoves(d, v -> v > 0 ? -a : a);
-        source.state[position] = place;
-        return source;
+        return new OneMoves(d, v -> v > 0 ? -a : a).with(position, place);
     }
 
     @ParameterizedTest
@@ -73,7 +72,7 @@ class ImplicitKickTest {
             for (double place : new double[] {least, -least}) {
                 OneMoves source = toAndFro(d, a, entry, place);
                 assertDoesNotThrow(() -> new VelocityVerletSolver().stepState(source, H), entry + ": " + place);
-                assertEquals(H, source.time);
+                assertEquals(H, source.getTime());
             }
             OneMoves source = toAndFro(d, a, entry, 0.75);
             assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H), "position " + entry);
@@ -86,9 +85,9 @@ class ImplicitKickTest {
         OneMoves source = toAndFro(2, 1, 0, 1);
         DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
         assertTrue(e.getMessage().contains("100 iterations (last change 0.5 of 0.75)"), e.getMessage());
-        assertEquals(101, source.evaluations);
-        assertEquals(0, source.time);
-        assertEquals(0, source.state[OneMoves.MOVING]);
+        assertEquals(101, source.evaluations());
+        assertEquals(0, source.getTime());
+        assertEquals(0, source.state()[OneMoves.MOVING]);
     }
 
     /**
@@ -97,13 +96,12 @@ class ImplicitKickTest {
      */
     @Test
     void theFirstGuessSavesAnIteration() {
-        OneMoves source = new OneMoves(v -> -v / 16);
-        source.state[OneMoves.MOVING] = 1;
+        OneMoves source = new OneMoves(v -> -v / 16).with(OneMoves.MOVING, 1);
         new VelocityVerletSolver().stepState(source, H);
         double kick = 1.0 / 64;
         // measured 1.1e-16
-        assertEquals((1 - kick) / (1 + kick), source.state[OneMoves.MOVING], 1e-15, "implicit in the second half");
-        assertEquals(8, source.evaluations);
+        assertEquals((1 - kick) / (1 + kick), source.state()[OneMoves.MOVING], 1e-15, "implicit in the second half");
+        assertEquals(8, source.evaluations());
     }
 
     /**
@@ -116,11 +114,11 @@ class ImplicitKickTest {
     void whatStopsIsMeasuredByHowFastItWas(int d) {
         OneMoves source = new OneMoves(d, v -> -126 - v / 16);
         int moving = 4 * d - 1;
-        source.state[moving] = 64;
+        source.with(moving, 64);
         new VelocityVerletSolver().stepState(source, H);
-        assertEquals(0, source.state[moving], 3e-14);           // measured 3.6e-15, a rounding of 31.5
-        assertEquals(31.5 * H, source.state[moving - d]);       // measured 0: all of it is exact in binary
-        assertEquals(9, source.evaluations, "the step's first one, seven, and one that sees it");
+        assertEquals(0, source.state()[moving], 3e-14);           // measured 3.6e-15, a rounding of 31.5
+        assertEquals(31.5 * H, source.state()[moving - d]);       // measured 0: all of it is exact in binary
+        assertEquals(9, source.evaluations(), "the step's first one, seven, and one that sees it");
     }
 
     /**
@@ -139,8 +137,8 @@ class ImplicitKickTest {
             }
         };
         new VelocityVerletSolver().stepState(source, H);
-        assertEquals(16.0 / 65, source.state[4 * d - 1], 1e-15);        // measured 0
-        assertEquals(10, source.evaluations, "the step's first one and nine");
+        assertEquals(16.0 / 65, source.state()[4 * d - 1], 1e-15);        // measured 0
+        assertEquals(10, source.evaluations(), "the step's first one and nine");
     }
 
     /** The derivative that the next step would begin with is looked at in this one. */
@@ -169,30 +167,28 @@ class ImplicitKickTest {
     /** A drag that grows beyond all bounds is no fault of the source, and no endless loop: it is said that deltaT is too long. */
     @Test
     void divergenceIsSaidToBeDivergence() {
-        OneMoves source = new OneMoves(v -> -v * v * v);
-        source.state[OneMoves.MOVING] = 100;
+        OneMoves source = new OneMoves(v -> -v * v * v).with(OneMoves.MOVING, 100);
         DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
         assertTrue(e.getMessage().contains("too stiff for this deltaT"), e.getMessage());
-        assertTrue(source.evaluations < 20, "overflows soon: " + source.evaluations);
+        assertTrue(source.evaluations() < 20, "overflows soon: " + source.evaluations());
     }
 
     /** After a failed step nothing is remembered: the next one begins with an evaluation of its own. */
     @Test
     void aFailedStepIsNotRemembered() {
         double[] factor = {1.0 / 16};
-        OneMoves source = new OneMoves(v -> -factor[0] * v);
-        source.state[OneMoves.MOVING] = 1;
+        OneMoves source = new OneMoves(v -> -factor[0] * v).with(OneMoves.MOVING, 1);
         VelocityVerletSolver solver = new VelocityVerletSolver();
         solver.stepState(source, H);
-        double[] begin = source.state.clone();
+        double[] begin = source.state();
         factor[0] = 100;
         assertThrows(DESolverException.class, () -> solver.stepState(source, H));
         factor[0] = 1.0 / 16;
-        System.arraycopy(begin, 0, source.state, 0, begin.length);
-        source.evaluations = 0;
+        source.setState(begin);
+        long before = source.evaluations();
         solver.stepState(source, H);
-        int after = source.evaluations;
+        long after = source.evaluations();
         solver.stepState(source, H);
-        assertEquals(after - 1, source.evaluations - after, "one evaluation less where the last one is remembered");
+        assertEquals(after - before - 1, source.evaluations() - after, "one evaluation less where the last one is remembered");
     }
 }

@@ -4,35 +4,25 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
+import deSolvers.problems.Pendulum;
 import org.junit.jupiter.api.Test;
 
 /** How long "does not drift" is true where forces are not linear: a pendulum that swings to 2.9 rad, omega = 1. */
 class ShadowEnergyTest {
     private static final int STEPS = 100_000;
 
-    private static final class Pendulum extends Blocks {
-        Pendulum() {
-            super(1, 2.9, 0);
-        }
-
-        @Override
-        public void getStateDerivative(double[] dSdt) {
-            dSdt[0] = state[1];
-            dSdt[1] = -StrictMath.sin(state[0]);
-        }
-
-        double energy() {
-            return state[1] * state[1] / 2 - StrictMath.cos(state[0]);
-        }
+    private static double energy(Pendulum pendulum) {
+        double[] s = pendulum.state();
+        return s[1] * s[1] / 2 - StrictMath.cos(s[0]);
     }
 
     private static double worstError(DESolver solver, double h) {
-        Pendulum pendulum = new Pendulum();
-        double start = pendulum.energy();
+        Pendulum pendulum = new Pendulum(2.9);
+        double start = energy(pendulum);
         double worst = 0;
         for (int i = 0; i < STEPS; i++) {
             solver.stepState(pendulum, h);
-            worst = Math.max(worst, Math.abs(pendulum.energy() - start));
+            worst = Math.max(worst, Math.abs(energy(pendulum) - start));
         }
         return worst;
     }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DEStateSource;
 import deSolvers.DESolverException;
+import deSolvers.problems.SecondOrderProblem;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -33,9 +34,9 @@ class SymplecticSolverTest {
             void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
                 moves.of(this);
             }
-        }.stepState(new Blocks(d, new double[2 * d * BLOCKS]) {
+        }.stepState(new SecondOrderProblem(d, new double[2 * d * BLOCKS]) {
             @Override
-            public void getStateDerivative(double[] dSdt) {
+            protected void accelerate(double t, double[] s, double[] dSdt) {
                 throw new AssertionError("no move asks for it");
             }
         }, H);
@@ -75,16 +76,16 @@ class SymplecticSolverTest {
     void everyEntryOfTheDerivativeHasToBeFinite(int d) {
         for (int entry = 0; entry < 2 * d * BLOCKS; entry++) {
             int bad = entry;
-            Blocks source = new Blocks(d, new double[2 * d * BLOCKS]) {
+            SecondOrderProblem source = new SecondOrderProblem(d, new double[2 * d * BLOCKS]) {
                 @Override
-                public void getStateDerivative(double[] dSdt) {
+                protected void accelerate(double t, double[] s, double[] dSdt) {
                     dSdt[bad] = Double.NaN;
                 }
             };
             DESolverException e = assertThrows(DESolverException.class,
                     () -> new SymplecticEulerSolver().stepState(source, H));
             assertTrue(e.getMessage().contains("entry " + bad + " of the derivative is NaN"), e.getMessage());
-            assertArrayEquals(new double[2 * d * BLOCKS], source.state);
+            assertArrayEquals(new double[2 * d * BLOCKS], source.state());
         }
     }
 }

@@ -8,6 +8,7 @@ import deSolvers.DESolver;
 import deSolvers.DESolverException;
 import deSolvers.SecondOrderStateSource;
 import deSolvers.problems.ForcedOscillator;
+import deSolvers.problems.PlainSource;
 import deSolvers.problems.SecondOrderProblem;
 import org.junit.jupiter.api.Test;
 
@@ -56,9 +57,8 @@ class VelocityVerletSolverTest extends SymplecticContract {
         private final double c;
 
         Drag(double c) {
-            super(1, 1);
+            super(1, 0, 1);
             this.c = c;
-            startAt(0);
         }
 
         @Override
@@ -86,45 +86,17 @@ class VelocityVerletSolverTest extends SymplecticContract {
 
     @Test
     void aLayoutThatDoesNotFitIsRefused() {
-        SecondOrderStateSource wrong = new SecondOrderStateSource() {
-            private final SecondOrderProblem problem = new Drag(1);
+        final class Wrong extends PlainSource implements SecondOrderStateSource {
+            Wrong() {
+                super(new Drag(1));
+            }
 
             @Override
             public int getDimension() {
                 return 3;                               // of a state of 2
             }
-
-            @Override
-            public int getStateSize() {
-                return problem.getStateSize();
-            }
-
-            @Override
-            public void getState(double[] state) {
-                problem.getState(state);
-            }
-
-            @Override
-            public void setState(double[] state) {
-                problem.setState(state);
-            }
-
-            @Override
-            public void getStateDerivative(double[] dSdt) {
-                problem.getStateDerivative(dSdt);
-            }
-
-            @Override
-            public double getTime() {
-                return problem.getTime();
-            }
-
-            @Override
-            public void incTime(double deltaT) {
-                problem.incTime(deltaT);
-            }
-        };
-        Exception e = assertThrows(IllegalArgumentException.class, () -> createSolver().stepState(wrong, 0.1));
+        }
+        Exception e = assertThrows(IllegalArgumentException.class, () -> createSolver().stepState(new Wrong(), 0.1));
         assertTrue(e.getMessage().contains("dimension 3"), e.getMessage());
     }
 }

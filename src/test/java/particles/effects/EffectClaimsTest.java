@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.util.List;
-import java.util.Random;
 import java.util.Set;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
@@ -19,22 +18,13 @@ import particles.Plane;
 import particles.Sphere;
 import particles.Vector3;
 import particles.teaching.EffectClaims;
+import particles.teaching.EffectSample;
 
 /** Every effect keeps what it claims, and effects with a planted error do not. */
 class EffectClaimsTest {
     private static final GustyWind WIND = new GustyWind(new Vector3(2, 0, 1), new Vector3(1, 0.5, 0), 1.7);
 
     private static final TurbulentWind TURBULENCE = new TurbulentWind(new Vector3(2, 0, 1), 1.5, 2, 42);
-
-    /** Six particles about a unit apart, of different masses, one of them fixed. */
-    private static ParticleSystem system() {
-        ParticleSystem system = new ParticleSystem();
-        Random random = new Random(715);
-        for (int i = 0; i < 6; i++) {
-            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO, i == 4);
-        }
-        return system;
-    }
 
     private static SpringForce springs(Particles particles, double damping) {
         SpringForce springs = new SpringForce(particles);
@@ -62,7 +52,7 @@ class EffectClaimsTest {
     }
 
     private static List<String> broken(Function<Particles, Effect> maker) {
-        ParticleSystem system = system();
+        ParticleSystem system = EffectSample.system();
         return EffectClaims.broken(system, maker.apply(system.getParticles()), 2003);
     }
 

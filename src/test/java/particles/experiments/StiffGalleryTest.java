@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.problems.StiffSpringPair;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,7 +12,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ChartData;
 import particles.experiments.StiffGallery.Sweep;
-import particles.experiments.problems.StiffPair;
 
 class StiffGalleryTest {
     private static Sweep sweep(String solver, int decades) {
@@ -41,7 +41,7 @@ class StiffGalleryTest {
     void whatCountsAsStableIsWithinTheLimit(String solver, int evaluations, double most) {
         double limit = SolverChoice.of(solver).info().orElseThrow().imaginaryLimit();
         for (StiffGallery.Cost cost : sweep(solver, 5).costs()) {
-            double fewest = 10 * new StiffPair(cost.stiffness()).omega() / limit;
+            double fewest = 10 * new StiffSpringPair(cost.stiffness()).omega() / limit;
             double steps = Math.floor(cost.toBeStable() / evaluations);
             assertTrue(steps > fewest * (1 - 5e-4) && steps < 1.01 * fewest + 2,
                     cost + ": " + fewest + " steps at the limit");
@@ -97,10 +97,10 @@ class StiffGalleryTest {
     /** The 1 % is of the slow swing alone: the stiff spring adds a millionth of it, and is at rest but for that. */
     @Test
     void theStiffModeIsAtRest() {
-        StiffPair pair = new StiffPair(1e8);
+        StiffSpringPair pair = new StiffSpringPair(1e8);
         assertEquals(1, pair.vibration(), 1e-9);
         assertEquals(1, pair.centre());
-        assertEquals(1e-6, StiffPair.SEED);
+        assertEquals(1e-6, StiffSpringPair.SEED);
         double[] dSdt = new double[4];
         pair.getStateDerivative(dSdt);
         assertEquals(-1, (dSdt[2] + dSdt[3]) / 2, 1e-12, "the swing does not feel it");

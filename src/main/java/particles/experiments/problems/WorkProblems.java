@@ -3,6 +3,11 @@ package particles.experiments.problems;
 import deSolvers.DEStateSource;
 import deSolvers.catalog.DidYouMean;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Kepler;
+import deSolvers.problems.Oscillator;
+import deSolvers.problems.Pendulum;
+import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.ShakenChain;
 import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
@@ -24,8 +29,6 @@ public final class WorkProblems {
     /** Their names, the smooth ones first. */
     public static final List<String> NAMES = List.of("oscillator", "pendulum", "kepler", "network", "stiff-chain", "cloth");
 
-    private static final double ECCENTRICITY = 0.6;
-    private static final double KEPLER_SECONDS = 5;
     private static final double SHAKEN_SECONDS = 2;
     private static final double TIGHT = 1e-13;
     private static final String REFERENCE = "bulirsch-stoer";
@@ -47,16 +50,13 @@ public final class WorkProblems {
      */
     public static WorkProblem of(String name) {
         return switch (name) {
-            case "oscillator" -> exact(name, "The oscillator x'' = \u2212x", 100, Oscillator::new,
-                    Oscillator.exactState(100), LONG);
-            case "pendulum" -> exact(name, "A pendulum released at 1.5 rad", 10, Pendulum::new, Pendulum.exactState(10),
-                    SMALL);
-            case "kepler" -> exact(name, "A Kepler orbit, e = 0.6", KEPLER_SECONDS, () -> new Kepler(ECCENTRICITY),
-                    Kepler.exactState(ECCENTRICITY, KEPLER_SECONDS), SMALL);
+            case "oscillator" -> exact(name, "The oscillator x'' = \u2212x", 100, Oscillator::new, LONG);
+            case "pendulum" -> exact(name, "A pendulum released at 1.5 rad", 10, () -> new Pendulum(1.5), SMALL);
+            case "kepler" -> exact(name, "A Kepler orbit, e = 0.6", 5, () -> new Kepler(0.6), SMALL);
             case "network" -> computed(name, "A damped spring network", 2, WorkProblems::network,
                     new Budget(70_000, 10_000, 1e-8));
             case "stiff-chain" -> new WorkProblem(name, "A stiff chain, shaken", SHAKEN_SECONDS, ShakenChain::new,
-                    WorkProblems::evaluations, ShakenChain.exactState(SHAKEN_SECONDS), "exact", true, 1e-14,
+                    WorkProblems::evaluations, new ShakenChain().exactState(SHAKEN_SECONDS), "exact", true, 1e-14,
                     new Budget(1_200_000, 80_000, TIGHTEST),
                     Optional.of(new Stiff(ShakenChain.STIFF_DELTA_T, Map.of("radau", 3.0))));
             case "cloth" -> computed(name, "A cloth of 36 particles that falls", 0.5, WorkProblems::cloth,
@@ -66,12 +66,10 @@ public final class WorkProblems {
         };
     }
 
-    private static WorkProblem exact(String name, String title, double duration, Supplier<TestProblem> start,
-            double[] reference,
+    private static WorkProblem exact(String name, String title, double duration, Supplier<ReferenceProblem> start,
                                      Budget budget) {
-        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations, reference, "exact", false, FLOOR,
-                budget,
-                Optional.empty());
+        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations, start.get().exactState(duration),
+                "exact", false, FLOOR, budget, Optional.empty());
     }
 
     private static WorkProblem computed(String name, String title, double duration, Supplier<? extends DEStateSource> start,
@@ -85,7 +83,7 @@ public final class WorkProblems {
     }
 
     private static long evaluations(DEStateSource source) {
-        return source instanceof ParticleSystem system ? system.getEvaluations() : ((TestProblem) source).getEvaluations();
+        return source instanceof ParticleSystem system ? system.getEvaluations() : ((ReferenceProblem) source).evaluations();
     }
 
     /**

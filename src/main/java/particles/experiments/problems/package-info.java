@@ -1,2 +1,2 @@
-/** Motions with known solutions, which experiments measure solvers on. */
+/** The problems of the work-precision diagrams, with their references and budgets. */
 package particles.experiments.problems;

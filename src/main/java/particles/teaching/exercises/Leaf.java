@@ -1,18 +1,16 @@
 package particles.teaching.exercises;
 
 import deSolvers.DESolver;
-import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.ReferenceProblem;
 
 /**
  * A leaf that the wind carries along, and the wind freshens: v' = -(c/m)(v - b t). The state is the one number v; since its
  * derivative depends on time, a clock that is wrong within a step shows.
  */
-final class Leaf implements DEStateSource {
+final class Leaf extends ReferenceProblem {
     private final double rate;
     private final double freshening;
-    private double v;
-    private double time;
 
     /**
      * @param rate       c/m (1/s)
@@ -20,9 +18,9 @@ final class Leaf implements DEStateSource {
      * @param v          the velocity at t = 0 (m/s)
      */
     Leaf(double rate, double freshening, double v) {
+        super(v);
         this.rate = rate;
         this.freshening = freshening;
-        this.v = v;
     }
 
     /** @return v after so many steps of a solver of the catalogue (m/s) */
@@ -31,7 +29,7 @@ final class Leaf implements DEStateSource {
         for (int n = 0; n < steps; n++) {
             made.stepState(this, deltaT);
         }
-        return v;
+        return state()[0];
     }
 
     /**
@@ -45,6 +43,8 @@ final class Leaf implements DEStateSource {
      * @return v after these steps (m/s)
      */
     double afterSlip(int steps, double deltaT, double[] times, double[][] stages, double[] weight) {
+        double v = state()[0];
+        double time = 0;
         for (int n = 0; n < steps; n++) {
             double[] k = new double[times.length];
             double next = v;
@@ -67,32 +67,7 @@ final class Leaf implements DEStateSource {
     }
 
     @Override
-    public int getStateSize() {
-        return 1;
-    }
-
-    @Override
-    public void getState(double[] state) {
-        state[0] = v;
-    }
-
-    @Override
-    public void setState(double[] state) {
-        v = state[0];
-    }
-
-    @Override
-    public void getStateDerivative(double[] dSdt) {
-        dSdt[0] = slope(v, time);
-    }
-
-    @Override
-    public double getTime() {
-        return time;
-    }
-
-    @Override
-    public void incTime(double deltaT) {
-        time += deltaT;
+    protected void rates(double t, double[] s, double[] dSdt) {
+        dSdt[0] = slope(s[0], t);
     }
 }

@@ -2,10 +2,10 @@ package particles.teaching.exercises;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
-import particles.experiments.problems.TestProblem;
+import deSolvers.problems.SecondOrderProblem;
 
 /** A particle on a spring and a damper, m x'' = -k x - c x', and what solvers make of it. */
-final class Spring extends TestProblem {
+final class Spring extends SecondOrderProblem {
     private static final int FINE = 1000;
 
     private final double mass;
@@ -20,14 +20,14 @@ final class Spring extends TestProblem {
      * @param v         how fast (m/s)
      */
     Spring(double mass, double stiffness, double damping, double x, double v) {
-        super(x, v);
+        super(1, x, v);
         this.mass = mass;
         this.stiffness = stiffness;
         this.damping = damping;
     }
 
     @Override
-    protected void accelerate(double[] s, double[] dSdt) {
+    protected void accelerate(double t, double[] s, double[] dSdt) {
         dSdt[1] = (-stiffness * s[0] - damping * s[1]) / mass;
     }
 
@@ -47,12 +47,6 @@ final class Spring extends TestProblem {
     double energy() {
         double[] s = state();
         return (mass * s[1] * s[1] + stiffness * s[0] * s[0]) / 2;
-    }
-
-    private double[] state() {
-        double[] s = new double[2];
-        getState(s);
-        return s;
     }
 
     /** @return this, after so many steps of a solver of the catalogue */

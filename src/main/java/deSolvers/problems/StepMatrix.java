@@ -1,4 +1,4 @@
-package particles.experiments;
+package deSolvers.problems;
 
 import deSolvers.DESolver;
 
@@ -33,7 +33,7 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
      * @param size   of the state at its start
      * @return the matrix of all these steps
      */
-    static StepMatrix of(DESolver solver, LinearPair source, int steps, double deltaT, double size) {
+    public static StepMatrix of(DESolver solver, LinearPair source, int steps, double deltaT, double size) {
         source.start(size);
         for (int i = 0; i < steps; i++) {
             solver.stepState(source, deltaT);
@@ -42,41 +42,52 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
         return new StepMatrix(sized.xx / size, sized.xv / size, sized.vx / size, sized.vv / size, sized.nonlinearity);
     }
 
-    static StepMatrix of(LinearPair source) {
+    /**
+     * @param source a linear pair that was started with size 1 and stepped since
+     * @return the matrix of all its steps
+     */
+    public static StepMatrix of(LinearPair source) {
         double[] m = source.product();
         return new StepMatrix(m[0], m[1], m[2], m[3], source.nonlinearity());
     }
 
     /** @return by how much it multiplies areas in state space */
-    double determinant() {
+    public double determinant() {
         return xx * vv - xv * vx;
     }
 
     /** @return the larger modulus of its eigenvalues */
-    double radius() {
+    public double radius() {
         double half = (xx + vv) / 2;
         double discriminant = half * half - determinant();
         return discriminant < 0 ? Math.sqrt(determinant()) : Math.abs(half) + Math.sqrt(discriminant);
     }
 
-    /** @return what an earlier matrix has to be multiplied by from the left to become this */
-    StepMatrix over(StepMatrix earlier) {
+    /**
+     * @param earlier the matrix of the first of these steps
+     * @return the matrix of the steps after them: earlier, multiplied by it from the left, is this
+     */
+    public StepMatrix over(StepMatrix earlier) {
         double d = earlier.determinant();
         return new StepMatrix((xx * earlier.vv - xv * earlier.vx) / d, (xv * earlier.xx - xx * earlier.xv) / d,
                 (vx * earlier.vv - vv * earlier.vx) / d, (vv * earlier.xx - vx * earlier.xv) / d, nonlinearity);
     }
 
-    boolean isIdentity() {
+    /** @return whether the steps leave every state as it was */
+    public boolean isIdentity() {
         return xx == 1 && xv == 0 && vx == 0 && vv == 1;
     }
 
     /** @return how far it is from multiplying x + i v by one complex number, as a part of the largest entry */
-    double distinction() {
+    public double distinction() {
         return new StepMatrix(xx, -vx, vx, xx, 0).difference(this);
     }
 
-    /** @return the largest difference of the entries, as a part of the largest */
-    double difference(StepMatrix other) {
+    /**
+     * @param other another matrix
+     * @return the largest difference of the entries, as a part of the largest
+     */
+    public double difference(StepMatrix other) {
         double largest = Math.max(Math.max(Math.abs(xx), Math.abs(xv)), Math.max(Math.abs(vx), Math.abs(vv)));
         double difference = Math.max(Math.max(Math.abs(xx - other.xx), Math.abs(xv - other.xv)),
                 Math.max(Math.abs(vx - other.vx), Math.abs(vv - other.vv)));

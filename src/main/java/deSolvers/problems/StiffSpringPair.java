@@ -1,26 +1,31 @@
-package particles.experiments.problems;
+package deSolvers.problems;
 
 /**
  * Two masses of 1/2 kg on a line: each on a soft spring of 1/2 N/m, and a spring of k between them. Their centre swings with
  * omega = 1 whatever k is; the spring between them vibrates with omega = sqrt(1 + 4 k), and is at rest but for a seed.
  */
-public final class StiffPair extends TestProblem {
+public final class StiffSpringPair extends SecondOrderProblem {
     /** The amplitude of the stiff vibration at the start: far below 1 %, far above rounding (m). */
     public static final double SEED = 1e-6;
 
     private final double stiffness;
 
     /** @param stiffness k of the spring between the masses (N/m) */
-    public StiffPair(double stiffness) {
-        super(1 - SEED, 1 + SEED, 0, 0);
+    public StiffSpringPair(double stiffness) {
+        super(2, 1 - SEED, 1 + SEED, 0, 0);
         this.stiffness = stiffness;
     }
 
     @Override
-    protected void accelerate(double[] s, double[] dSdt) {
+    protected void accelerate(double t, double[] s, double[] dSdt) {
         double pull = 2 * stiffness * (s[1] - s[0]);
         dSdt[2] = -s[0] + pull;
         dSdt[3] = -s[1] - pull;
+    }
+
+    @Override
+    public boolean accelerationDependsOnVelocity() {
+        return false;
     }
 
     /** @return the angular frequency of the stiff vibration (1/s) */
@@ -30,15 +35,13 @@ public final class StiffPair extends TestProblem {
 
     /** @return where the centre is (m); cos t, exactly */
     public double centre() {
-        double[] s = new double[4];
-        getState(s);
+        double[] s = state();
         return (s[0] + s[1]) / 2;
     }
 
     /** @return the energy of the stiff vibration over that at the start */
     public double vibration() {
-        double[] s = new double[4];
-        getState(s);
+        double[] s = state();
         double x = (s[1] - s[0]) / 2;
         double v = (s[3] - s[2]) / 2 / omega();
         return (x * x + v * v) / (SEED * SEED);

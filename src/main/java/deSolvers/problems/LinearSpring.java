@@ -1,4 +1,4 @@
-package particles.experiments;
+package deSolvers.problems;
 
 import deSolvers.SecondOrderStateSource;
 

@@ -17,11 +17,10 @@ public final class Oscillator extends SecondOrderProblem {
      * @param v0    velocity at t = 0
      */
     public Oscillator(double omega, double x0, double v0) {
-        super(1, 1);
+        super(1, x0, v0);
         this.omega = omega;
         this.x0 = x0;
         this.v0 = v0;
-        startAt(0);
     }
 
     @Override

@@ -7,11 +7,11 @@ public abstract class SecondOrderProblem extends ReferenceProblem implements Sec
     private final int d;
 
     /**
-     * @param d      positions in a block
-     * @param blocks how many blocks
+     * @param d     positions in a block
+     * @param start the state at t = 0, whole blocks; a copy is taken
      */
-    protected SecondOrderProblem(int d, int blocks) {
-        super(2 * d * blocks);
+    protected SecondOrderProblem(int d, double... start) {
+        super(start);
         this.d = d;
     }
 
@@ -19,7 +19,7 @@ public abstract class SecondOrderProblem extends ReferenceProblem implements Sec
      * The acceleration, to be written into the velocity entries of the derivative.
      *
      * @param t    the time (s)
-     * @param s    the state
+     * @param s    the state; to be read only
      * @param dSdt receives the acceleration
      */
     protected abstract void accelerate(double t, double[] s, double[] dSdt);

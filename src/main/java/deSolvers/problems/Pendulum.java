@@ -1,25 +1,34 @@
-package particles.experiments.problems;
+package deSolvers.problems;
 
-/** A pendulum, theta'' = -sin theta, released at 1.5 rad. */
-final class Pendulum extends TestProblem {
-    private static final double RELEASE = 1.5;
+/** A pendulum, theta'' = -sin theta, released at rest. */
+public final class Pendulum extends SecondOrderProblem {
     private static final int HALVINGS = 6;
 
-    Pendulum() {
-        super(RELEASE, 0);
+    private final double release;
+
+    /** @param release the angle at t = 0 (rad), below pi */
+    public Pendulum(double release) {
+        super(1, release, 0);
+        this.release = release;
     }
 
     @Override
-    protected void accelerate(double[] s, double[] dSdt) {
+    protected void accelerate(double t, double[] s, double[] dSdt) {
         dSdt[1] = -StrictMath.sin(s[0]);
     }
 
+    @Override
+    public boolean accelerationDependsOnVelocity() {
+        return false;
+    }
+
     /**
-     * sin(theta/2) = k sn(K + t, k) with k = sin(1.5/2): Jacobi's elliptic function, by the arithmetic-geometric mean
+     * sin(theta/2) = k sn(K + t, k) with k = sin(release/2): Jacobi's elliptic function, by the arithmetic-geometric mean
      * (M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 16.4).
      */
-    static double[] exactState(double t) {
-        double k = StrictMath.sin(RELEASE / 2);
+    @Override
+    public double[] exactState(double t) {
+        double k = StrictMath.sin(release / 2);
         double[] a = new double[HALVINGS + 1];
         double[] c = new double[HALVINGS + 1];
         a[0] = 1;

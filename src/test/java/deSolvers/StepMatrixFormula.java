@@ -4,8 +4,8 @@ package deSolvers;
  * What one step does to (x, v) of x'' = -x, from the stability function R of a method: with A = (0 1; -1 0), whose
  * eigenvalues are +-i, the step is R(hA) = Re R(ih) I + Im R(ih) A.
  */
-public final class StepMatrix {
-    private StepMatrix() {
+public final class StepMatrixFormula {
+    private StepMatrixFormula() {
     }
 
     /**

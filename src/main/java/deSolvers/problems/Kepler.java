@@ -9,7 +9,7 @@ public final class Kepler extends SecondOrderProblem {
 
     /** @param eccentricity 0 to below 1 */
     public Kepler(double eccentricity) {
-        super(2, 1);
+        super(2, new double[4]);
         this.e = eccentricity;
         startAt(0);
     }
@@ -19,28 +19,19 @@ public final class Kepler extends SecondOrderProblem {
         double mean = StrictMath.IEEEremainder(t, 2 * Math.PI);
         double low = -Math.PI;
         double high = Math.PI;
-        double anomaly = mean;
-        for (int i = 0; i < 200; i++) {                 // Newton's method, kept inside a shrinking bracket
-            double f = anomaly - e * StrictMath.sin(anomaly) - mean;
-            if (f > 0) {
-                high = anomaly;
+        for (int i = 0; i < 60; i++) {                  // bisection, which cannot fail
+            double middle = (low + high) / 2;
+            if (middle - e * StrictMath.sin(middle) > mean) {
+                high = middle;
             } else {
-                low = anomaly;
+                low = middle;
             }
-            double next = anomaly - f / (1 - e * StrictMath.cos(anomaly));
-            if (!(next > low && next < high)) {
-                next = (low + high) / 2;
-            }
-            if (next == anomaly) {
-                break;
-            }
-            anomaly = next;
         }
-        double c = StrictMath.cos(anomaly);
-        double s = StrictMath.sin(anomaly);
+        double c = StrictMath.cos(low);
+        double s = StrictMath.sin(low);
         double b = Math.sqrt(1 - e * e);
         double rate = 1 / (1 - e * c);
-        return new double[] {c - e, b * s, -s * rate, b * c * rate};
+        return new double[] {c - e, b * s, 0 - s * rate, b * c * rate};        // 0, not -0.0, at the perihelion
     }
 
     @Override

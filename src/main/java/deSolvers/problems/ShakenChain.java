@@ -1,38 +1,35 @@
-package particles.experiments.problems;
+package deSolvers.problems;
+
+import java.util.Arrays;
 
 /**
  * A stiff, strongly damped chain: three masses of 1 kg on a line, each on a spring and a damper to the one before, the first
- * to a wall that moves as sin t. From the start on it swings as the wall does, since whatever else it can do dies away at
- * once;
+ * to a wall that moves as sin t. From the start on it swings as the wall does, since every other motion dies away at once;
  * only an integrator sees how stiff the springs are.
  *
- * <p>The shaken wall makes of each spring what A. Prothero and A. Robinson (Math. Comp. 28, 1974) studied: a slow motion
- * that
- * attracts all others. Implicit Runge-Kutta methods have there the order of their stages, not their own, as long as deltaT
- * is
+ * <p>The shaken wall makes each spring the problem of A. Prothero and A. Robinson (Math. Comp. 28, 1974): a slow motion that
+ * attracts all others. Implicit Runge-Kutta methods have there the order of their stages, not their own, as long as deltaT is
  * long against 1/omega (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section IV.15).
  */
-final class ShakenChain extends TestProblem {
+public final class ShakenChain extends SecondOrderProblem {
     /** Steps longer than this see the springs as stiff: ten times 1/omega of the slowest vibration, 1407/s. */
-    static final double STIFF_DELTA_T = 0.0071;
+    public static final double STIFF_DELTA_T = 0.0071;
 
     private static final int MASSES = 3;
     private static final double STIFFNESS = 1e7;    // N/m
     private static final double DAMPING = 6e3;      // N s/m
 
-    ShakenChain() {
-        super(exactState(0));
+    /** The chain, on its steady swing. */
+    public ShakenChain() {
+        super(MASSES, new double[2 * MASSES]);
+        startAt(0);
     }
 
     @Override
-    public boolean accelerationDependsOnVelocity() {
-        return true;
-    }
-
-    @Override
-    protected void accelerate(double[] s, double[] dSdt) {
-        double before = StrictMath.sin(getTime());
-        double beforeV = StrictMath.cos(getTime());
+    protected void accelerate(double t, double[] s, double[] dSdt) {
+        Arrays.fill(dSdt, MASSES, 2 * MASSES, 0);
+        double before = StrictMath.sin(t);
+        double beforeV = StrictMath.cos(t);
         for (int i = 0; i < MASSES; i++) {
             double force = STIFFNESS * (before - s[i]) + DAMPING * (beforeV - s[MASSES + i]);
             dSdt[MASSES + i] += force;
@@ -48,7 +45,8 @@ final class ShakenChain extends TestProblem {
      * The steady swing x_i = Im(z_i e^(it)) with z_0 = 1, the wall. A spring pulls with G (z_(i-1) - z_i), G = k + i c, and
      * that moves all masses behind it: z_(i-1) = z_i - (z_i + ... + z_n) / G, from the free end to the wall; then scaled.
      */
-    static double[] exactState(double t) {
+    @Override
+    public double[] exactState(double t) {
         double[] re = new double[MASSES + 1];
         double[] im = new double[MASSES + 1];
         re[MASSES] = 1;

@@ -1,0 +1,119 @@
+package deSolvers.problems;
+
+import deSolvers.DEStateSource;
+
+/**
+ * An initial value problem: its law, the state and the clock, and a count of the evaluations of its derivative. Where the
+ * exact solution is known, it tells that too. Refuses arrays that are not exactly as long as the state.
+ */
+public abstract class ReferenceProblem implements DEStateSource {
+    private final double[] start;
+    private final double[] state;
+    private double time;
+    private long evaluations;
+
+    /** @param start the state at t = 0; a copy is taken */
+    protected ReferenceProblem(double... start) {
+        this.start = start.clone();
+        state = start.clone();
+    }
+
+    /**
+     * The right-hand side f(s, t).
+     *
+     * @param t    the time (s)
+     * @param s    the state; to be read only
+     * @param dSdt receives the derivative
+     */
+    protected abstract void rates(double t, double[] s, double[] dSdt);
+
+    /**
+     * The exact solution. A problem whose solution is not known knows only its start, at t = 0.
+     *
+     * @param t the time (s)
+     * @return the state then; a new array
+     */
+    public double[] exactState(double t) {
+        if (t != 0) {
+            throw new UnsupportedOperationException("the exact solution is not known at t = " + t);
+        }
+        return start.clone();
+    }
+
+    /**
+     * Puts the cursor on the exact solution and the count of evaluations to 0.
+     *
+     * @param t the time (s)
+     */
+    public final void startAt(double t) {
+        time = t;
+        evaluations = 0;
+        System.arraycopy(exactState(t), 0, state, 0, state.length);
+    }
+
+    /** @return the largest deviation of an entry from the exact solution at the present time */
+    public final double error() {
+        double[] exact = exactState(time);
+        double error = 0;
+        for (int i = 0; i < exact.length; i++) {
+            error = Math.max(error, Math.abs(state[i] - exact[i]));
+        }
+        return error;
+    }
+
+    /** @return how often the derivative was evaluated since the start or the last {@link #startAt} */
+    public final long evaluations() {
+        return evaluations;
+    }
+
+    /** @return a copy of the state */
+    public final double[] state() {
+        return state.clone();
+    }
+
+    /**
+     * Called with every array that a solver hands over.
+     *
+     * @param array the solver's array
+     * @return how many of its entries to use
+     * @throws IllegalArgumentException unless it is exactly as long as the state
+     */
+    protected int checkLength(double[] array) {
+        if (array.length != state.length) {
+            throw new IllegalArgumentException("an array of " + array.length + " for a state of " + state.length);
+        }
+        return array.length;
+    }
+
+    @Override
+    public final int getStateSize() {
+        return state.length;
+    }
+
+    @Override
+    public final void getState(double[] copy) {
+        System.arraycopy(state, 0, copy, 0, checkLength(copy));
+    }
+
+    @Override
+    public void setState(double[] newState) {
+        System.arraycopy(newState, 0, state, 0, checkLength(newState));
+    }
+
+    @Override
+    public void getStateDerivative(double[] dSdt) {
+        checkLength(dSdt);
+        evaluations++;
+        rates(time, state, dSdt);
+    }
+
+    @Override
+    public final double getTime() {
+        return time;
+    }
+
+    @Override
+    public void incTime(double deltaT) {
+        time += deltaT;
+    }
+}
