@@ -18,7 +18,7 @@ public final class Skeleton {
             "v += a * deltaT", "x += v * deltaT                                             with the new v");
 
     private static final List<String> GENERAL = List.of("the derivative at (s, t): one straight step along it would be Euler's",
-            "perhaps further derivatives, each at a trial state: setState(trial), incTime, getStateDerivative",
+            "perhaps further derivatives, each at a trial state and its own time",
             "new s = s + deltaT * a mean of the derivatives; the weights add up to 1");
 
     /** The class that solvers extend on the slides. */
