@@ -34,7 +34,8 @@ public final class Main {
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
     static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
-        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new SolversCommand(),
+        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new GalleryCommand(SCENES),
+                new SolversCommand(),
                 new LectureFiguresCommand(style),
                 new EnergyDriftCommand(style),
                 new WorkPrecisionCommand(style),
