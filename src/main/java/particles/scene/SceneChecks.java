@@ -35,7 +35,7 @@ final class SceneChecks {
     }
 
     /** @return the description, if nothing at all is wrong */
-    Optional<SceneDescription> describe(String source, String sha256) {
+    Optional<SceneDescription> describe(String source) {
         checkParticles();
         checkShapes();
         RuleChecks.newIds(scene, this::take);
@@ -67,7 +67,7 @@ final class SceneChecks {
             return Optional.empty();
         }
         Values noWords = Values.none(scene.place());
-        return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
+        return Optional.of(new SceneDescription(source, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
                 scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
                         scene.get(SceneFormat.DURATION),
                 List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
