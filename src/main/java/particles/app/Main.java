@@ -45,6 +45,7 @@ public final class Main {
                 new EffectCostCommand(style),
                 new RaceCommand(style),
                 new ReportCommand(style, experiments(style)),
+                new LabCommand(SCENES, exercises(), style),
                 new CheckSolverCommand(),
                 new NewClassCommand.NewSolver(exercises(), style),
                 new NewClassCommand.NewEffect(exercises(), style),
