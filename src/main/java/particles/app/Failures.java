@@ -54,12 +54,13 @@ final class Failures {
             return ExitCode.TROUBLE;
         }
         if (thrown instanceof OutOfMemoryError) {
-            err.printf(Locale.ROOT, "the memory that Java may use, %d MiB, is full; take fewer particles, frames or runs, or give Java more:"
+            err.printf(Locale.ROOT, "out of memory: Java may use %d MiB; use fewer particles, frames or runs,"
+                    + " or give Java more:"
                     + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
                     (Runtime.getRuntime().maxMemory() >> 30) + 1);
             return ExitCode.TROUBLE;
         }
-        err.println("an error of the program itself, which should not happen:");
+        err.println("internal error; please report it:");
         thrown.printStackTrace(err);
         return ExitCode.TROUBLE;
     }
@@ -89,6 +90,7 @@ final class Failures {
         if (e instanceof NotDirectoryException) {
             return "not a folder";
         }
-        return e instanceof FileAlreadyExistsException ? "is already there, and is not a folder" : e.getClass().getSimpleName();
+        return e instanceof FileAlreadyExistsException ? "exists already and is not a"
+                + " folder" : e.getClass().getSimpleName();
     }
 }

@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle lectureFigures}: the slides' figures, from their captions. */
 @Command(name = LectureFiguresCommand.NAME,
-        description = "The figures of the lecture: Euler, midpoint and RK4 over the vector field.")
+        description = "Draws the figures of the lecture: Euler, midpoint and RK4 over the vector field.")
 final class LectureFiguresCommand extends ExperimentCommand {
     static final String NAME = "lectureFigures";
 
@@ -29,7 +29,7 @@ final class LectureFiguresCommand extends ExperimentCommand {
     private static final double DELTA_T = 0.4;
     private static final int STEPS = 100;
 
-    @Option(names = "--solver", paramLabel = "NAME", description = "One figure more, with this solver.")
+    @Option(names = "--solver", paramLabel = "NAME", description = "Adds a figure with this solver.")
     private String solver;
 
     @Option(names = "--deltaT", paramLabel = "SECONDS",
@@ -69,8 +69,7 @@ final class LectureFiguresCommand extends ExperimentCommand {
 
     private void requireSolver(String option) {
         if (solver == null) {
-            throw wrong(option, "needs " + style().option("solver") + ", whose figure it is for; the slides' figures have"
-                    + " their own");
+            throw wrong(option, "needs " + style().option("solver") + "; the slides' figures have their own values");
         }
     }
 
@@ -102,9 +101,12 @@ final class LectureFiguresCommand extends ExperimentCommand {
                 List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed"
                         + " ellipse, a circle if both axes had one scale; it takes 2 pi"
                         + " seconds to go round, clockwise. The arrows are the vector field that a solver sees.",
-                        "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N steps"
-                                + " multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R - h). The"
-                                + " table has both, measured and computed; where they agree, the picture is the method and"
+                        "One step multiplies x - iv by the method's stability function R(ih), with h the time"
+                                + " step: N steps"
+                                + " multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg"
+                                + " R - h). The"
+                                + " table has both, measured and computed; where they agree, the picture is the"
+                                + " method and"
                                 + " not a bug."),
                 pictures, List.of(LectureFigures.table(results)));
     }

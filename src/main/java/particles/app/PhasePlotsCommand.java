@@ -87,7 +87,7 @@ final class PhasePlotsCommand extends ExperimentCommand {
                 return i;
             }
         }
-        throw wrong("scene", "no particle of this scene can move when it begins, so there is no path to draw");
+        throw wrong("scene", "at its start this scene has no free particle, so there is no path to draw");
     }
 
     /** None for the axis along which a particle goes farthest. */
@@ -96,7 +96,7 @@ final class PhasePlotsCommand extends ExperimentCommand {
             return scene.phase().map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
-            throw wrong("axes", "'" + axes + "' has to be of the letters x, y and z");
+            throw wrong("axes", "'" + axes + "' has to be made of the letters x, y and z");
         }
         return Arrays.stream(axes.split("")).distinct().map(letter ->
                 Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
@@ -111,7 +111,8 @@ final class PhasePlotsCommand extends ExperimentCommand {
                 axes(scene), progress);
         List<Portrait> all = portraits.portraits();
         String finding = PhasePortraits.finding(description.title(), all);
-        String caption = "Velocity over position. The pale band is the reference, dormand-prince with a tolerance of 1e-10."
+        String caption = "Velocity over position. The pale band is the reference, dormand-prince with a"
+                + " tolerance of 1e-10."
                 + " A cross"
                 + " is the end of a run that stopped, or the place where a path leaves the picture.";
         int columns = columns((int) all.stream().map(Portrait::solver).distinct().count());
@@ -120,8 +121,10 @@ final class PhasePlotsCommand extends ExperimentCommand {
                         all.stream().map(portrait -> new Panel(portrait.chart(), false, Optional.empty())).toList());
         return new ResultPage(NAME, finding, List.of(
                 "A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral"
-                        + " outwards gains and a spiral inwards loses it. How far a path is off the curve is measured in"
-                        + " halves of the curve's width and height. A path that stays on the curve and yet ends elsewhere,"
+                        + " outwards gains and a spiral inwards loses it. How far a path is off the curve is"
+                        + " measured in"
+                        + " halves of the curve's width and height. A path that stays on the curve and yet ends"
+                        + " elsewhere,"
                         + " away from the hollow mark, has a wrong phase only."),
                 List.of(picture), List.of(portraits.table()));
     }

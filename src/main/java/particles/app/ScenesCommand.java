@@ -11,7 +11,7 @@ import particles.scene.SceneReader;
 import picocli.CommandLine.Command;
 
 /** {@code gradle scenes}: the ladder of scenes, with what each teaches. */
-@Command(name = "scenes", description = "Lists the scenes with what each teaches.")
+@Command(name = "scenes", description = "Lists the scenes and what each teaches.")
 final class ScenesCommand extends ProgramCommand {
     private static final int WIDTH = 110;
     private static final String INDENT = "    ";

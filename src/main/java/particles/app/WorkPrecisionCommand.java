@@ -25,13 +25,14 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle workPrecision}: what precision costs. */
 @Command(name = WorkPrecisionCommand.NAME,
-        description = "Sets the error of solvers against their cost, on several problems.")
+        description = "Plots error against cost of solvers, on several problems.")
 final class WorkPrecisionCommand extends ExperimentCommand {
     static final String NAME = "workPrecision";
 
     private static final String FAILURES = " Below: the runs without a result.";
 
-    @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all", description = "Problems, separated by commas:"
+    @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all", description = "Problems, separated"
+            + " by commas:"
             + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
     private String problem = "all";
 
@@ -66,7 +67,7 @@ final class WorkPrecisionCommand extends ExperimentCommand {
         List<String> names = problem.strip().equals("all") ? WorkProblems.NAMES
                 : Arrays.stream(problem.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct().toList();
         if (names.isEmpty()) {
-            throw wrong("problem", "no problem is named; known: " + String.join(", ", WorkProblems.NAMES));
+            throw wrong("problem", "choose at least one problem; known: " + String.join(", ", WorkProblems.NAMES));
         }
         return names;
     }
@@ -94,26 +95,31 @@ final class WorkPrecisionCommand extends ExperimentCommand {
             String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: " + solved.origin()
                     + ".";
             pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
-                    + " Filled points are those of the fitted slope."
+                    + " The slope is fitted through the filled points."
                     + FAILURES, WorkCharts.byEvaluations(solved, curves)));
             pictures.add(Picture.stacked(solved.name() + "-time", caption
-                    + " Times are those of a busy processor, medians of three or more runs after a warm-up; bars"
-                    + " go from the fastest to the slowest." + FAILURES,
+                    + " Times are CPU times: medians of three or more runs after a warm-up; bars go from the"
+                    + " fastest to the slowest." + FAILURES,
                     WorkCharts.byTime(solved, curves)));
         });
         return new ResultPage(NAME, CostExercise.finding(costs), List.of(
                 "Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the one"
                         + " before. Its slope is the order: with half the step, the error of rk4 falls to a sixteenth."
-                        + " Slopes are fitted only where they are those of the method: over the last three or more errors"
-                        + " in a row that are less than 0.1, above the last digits, and on a straight line, which says that"
-                        + " the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. A slope that is off"
-                        + " theory by more than 1.25 is none of the method: such errors fall for another reason, as where"
+                        + " Slopes are fitted only where they are those of the method: over the last three or"
+                        + " more errors"
+                        + " in a row that are less than 0.1, above the last digits, and on a straight line,"
+                        + " which says that"
+                        + " the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. A slope"
+                        + " that is off"
+                        + " theory by more than 1.25 is none of the method: such errors fall for another"
+                        + " reason, as where"
                         + " sub-steps become short enough to be stable. Points that are fitted are filled.",
-                "The stiff chain does nothing but follow its shaken wall. Explicit solvers have no result until their step"
-                        + " is short enough for the stiffest spring, and are then more accurate than anybody asked."
-                        + " Implicit ones take long steps, but see only the stages of a step: there radau has the order of"
-                        + " its stages, 3, and not 5, until the step is as short as the time of the springs. Its steps are"
-                        + " equal here, as those of the others."),
+                "The stiff chain only follows its shaken wall. Explicit solvers have no result until their step"
+                        + " is short enough for the stiffest spring, and are then more accurate than needed."
+                        + " Implicit ones take long steps, but see only the stages of a step: there radau has"
+                        + " the order of"
+                        + " its stages, 3, and not 5, until the step is as short as the time of the springs. It"
+                        + " uses equal steps here, like the others."),
                 pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
     }
 }

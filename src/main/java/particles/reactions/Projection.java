@@ -46,8 +46,10 @@ final class Projection {
                 return iteration > 0;
             }
             if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
-                throw new SimulationException(time, -1, String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
-                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration, error),
+                throw new SimulationException(time, -1, String.format(Locale.ROOT, "rods and wires cannot be"
+                        + " kept at t = %s"
+                        + " s: after %d iterations their lengths are still wrong by %.2g of"
+                        + " themselves", time, iteration, error),
                         null);
             }
             before = error;

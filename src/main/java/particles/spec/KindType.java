@@ -66,14 +66,16 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         }
         if (entries.size() > 1) {
             in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '" + kind.get().name()
-                    + "'; what follows is either a key of it, to be indented further, or another " + what
-                            + ", which needs a dash of its own");
+                    + "'; the next line is either one of its keys, indented further, or another " + what
+                            + ", which needs its own dash");
             return Optional.empty();
         }
         Node valueNode = entries.get(0).getValueNode();
         if (valueNode.getTag().equals(Tag.NULL)) {
-            in.problem(nameNode, "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
-                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon" : ""));
+            in.problem(nameNode, "'" + kind.get().name() + "' has no value; it has to"
+                    + " be " + kind.get().keys().describe()
+                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the"
+                    + " colon" : ""));
             return Optional.empty();
         }
         Place place = in.place(nameNode);
@@ -100,7 +102,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
         if (!kind.keys().mayBeEmpty()) {
-            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it needs " + kind.keys().describe());
+            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it"
+                    + " needs " + kind.keys().describe());
             return Optional.empty();
         }
         return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));

@@ -60,7 +60,8 @@ public final class YamlText {
         } catch (NumberFormatException e) {
             Matcher escape = NO_CHARACTER.matcher(text);
             in.problems().add(escape.find() ? SourceText.end(text.substring(0, escape.start()), in) : Place.of(in.source()),
-                    "not valid YAML: an escape has to give a character's number in hexadecimal digits, such as \\xe9, \\u00e9"
+                    "not valid YAML: an escape has to give a character's number in hexadecimal digits, such as"
+                            + " \\xe9, \\u00e9"
                     + " or \\U000000e9");
         }
         return Optional.empty();
@@ -73,7 +74,7 @@ public final class YamlText {
         for (Event event : events) {
             Place place = Place.of(in.source(), event.getStartMark());
             if (event instanceof NodeEvent && !refuse((NodeEvent) event, place, in) && ++values > MOST_VALUES) {
-                in.problems().add(place, "more than " + MOST_VALUES + " values; many particles are made by shapes");
+                in.problems().add(place, "more than " + MOST_VALUES + " values; use shapes to make many particles");
                 return;
             }
             if (event instanceof CollectionStartEvent && ++depth > DEEPEST) {
@@ -99,7 +100,8 @@ public final class YamlText {
         Optional<String> tag = event instanceof ScalarEvent ? ((ScalarEvent) event).getTag()
                 : event instanceof CollectionStartEvent ? ((CollectionStartEvent) event).getTag() : Optional.empty();
         if (tag.isPresent()) {
-            in.problems().add(place, "tags (!name) are not used in scenes; put quotes around a text that begins with !");
+            in.problems().add(place, "tags (!name) are not used in scenes; put quotes around a text that begins"
+                    + " with !");
             return true;
         }
         return false;
@@ -107,7 +109,7 @@ public final class YamlText {
 
     /** The parser's reason, and what experience says about it. */
     private static String reason(MarkedYamlEngineException e, String text) {
-        String problem = e.getProblem() == null ? "the text ends or goes on unexpectedly" : e.getProblem();
+        String problem = e.getProblem() == null ? "the text ends too early or continues unexpectedly" : e.getProblem();
         int index = e.getProblemMark().map(mark -> mark.getIndex()).orElse(0);
         if (index < text.codePointCount(0, text.length()) && text.codePointAt(text.offsetByCodePoints(0, index)) == '\t') {
             return "a tab; YAML is indented by spaces";

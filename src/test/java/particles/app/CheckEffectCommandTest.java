@@ -203,9 +203,9 @@ class CheckEffectCommandTest {
                 + " attraction,"
                 + " cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs,"
                 + " turbulence, wind"));
-        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class exercises.MyGravity; a"
-                + " class of your"
-                + " own stands in src/main/java/exercises, and gradle newEffect writes one to begin with"));
+        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class"
+                + " exercises.MyGravity; put your own class into src/main/java/exercises (gradle newEffect"
+                + " writes one to start from)"));
     }
 
     @Test
@@ -215,13 +215,15 @@ class CheckEffectCommandTest {
 
     @Test
     void aConstructorThatEndsTheProgramIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("the class ends the whole program (System.exit), in ExitsAtOnce.<init>, line ", ExitsAtOnce.class, folder);
+        assertFailure("the class ends the whole program (System.exit), in ExitsAtOnce.<init>,"
+                + " line ", ExitsAtOnce.class, folder);
     }
 
     @Tag("slow")
     @Test
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it did not come back within 8 s: an endless loop, in Loops.addForces, line ", Loops.class, folder);
+        assertFailure("it did not come back within 8 s: an endless loop, in Loops.addForces,"
+                + " line ", Loops.class, folder);
     }
 
     @Test
@@ -232,6 +234,7 @@ class CheckEffectCommandTest {
 
     @Test
     void hugeArraysAreFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it asks for more memory than the 256 MB that there are, in Hoards.addForces, line ", Hoards.class, folder);
+        assertFailure("it asks for more memory than the 256 MB that there are, in Hoards.addForces,"
+                + " line ", Hoards.class, folder);
     }
 }

@@ -19,23 +19,25 @@ class ExperimentOptionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean 'block'?",
+        "phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you"
+                + " mean 'block'?",
         "phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''",
-        "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be of the letters x, y and z",
+        "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be made of the letters x, y and z",
         "phasePlots     | -Psolvers=rk5       | option -Psolvers: no solver is called 'rk5'; did you mean 'rk4'?",
-        "phasePlots     | -Pscene=27          | option -Pscene: no particle of this scene can move when it begins",
+        "phasePlots     | -Pscene=27          | option -Pscene: at its start this scene has no free particle",
         "phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?",
-        "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean 'kepler'?",
-        "workPrecision  | '-Pproblem= ,'      | option -Pproblem: no problem is named",
+        "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean"
+                + " 'kepler'?",
+        "workPrecision  | '-Pproblem= ,'      | option -Pproblem: choose at least one problem",
         "workPrecision  | -Psolvers=no.Such   | option -Psolvers: ",
         "stability      | -Psolvers=rk4       | option -Psolvers: goes with -Pscene only",
-        "stability      | -Pscene=1           | option -Pscene: at the start of this scene nothing moves by itself",
+        "stability      | -Pscene=1           | option -Pscene: this scene has no vibration or damping",
         "stiffGallery   | -Pdecades=9         | option -Pdecades: 9 has to be from 5 to 8",
         "stiffGallery   | -Psolvers=euler,rk  | option -Psolvers: no solver is called 'rk'",
         "lectureFigures | -PdeltaT=0          | option -PdeltaT: 0.0 has to be finite and more than 0",
         "lectureFigures | -Psteps=0           | option -Psteps: 0 has to be from 1 to 200000",
-        "lectureFigures | -PdeltaT=0.1        | option -PdeltaT: needs -Psolver, whose figure it is for",
-        "lectureFigures | -Psteps=7           | option -Psteps: needs -Psolver, whose figure it is for",
+        "lectureFigures | -PdeltaT=0.1        | option -PdeltaT: needs -Psolver",
+        "lectureFigures | -Psteps=7           | option -Psteps: needs -Psolver",
         "lectureFigures | -Psolver=rk5        | option -Psolver: no solver is called 'rk5'",
         "energyDrift    | -Pscene=sprng       | there is no scene 'sprng'",
         "energyDrift    | -PdeltaT=-1         | -PdeltaT: the value is -1; it has to be a number over 0 (s)",

@@ -242,7 +242,8 @@ class FaultsTest {
         ChildProgram.End end = child().environment("LC_ALL", "C").run("run", "--scene=" + scene, "--out="
                 + top.resolve("\u00fcbung"));
         assertEquals(2, end.code(), end.lines());
-        assertTrue(end.lastLine().endsWith("is no folder's name: Malformed input or input contains unmappable characters"),
+        assertTrue(end.lastLine().endsWith("is not a folder name: Malformed input or input contains unmappable"
+                + " characters"),
                 end.lines());
     }
 }

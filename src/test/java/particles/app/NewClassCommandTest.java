@@ -114,8 +114,8 @@ class NewClassCommandTest {
         run(ExitCode.DONE, "newSolver", "HeunSolver");
         Path file = folder.resolve("exercises/HeunSolver.java");
         Files.writeString(file, "my work");
-        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver").contains("is there already, and is left as it is"));
-        assertTrue(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver").contains("is there already"));
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver").contains("exists already and was not changed"));
+        assertTrue(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver").contains("exists already"));
         assertEquals("my work", Files.readString(file));
     }
 
@@ -123,7 +123,7 @@ class NewClassCommandTest {
     void namesThatAreNoneAreRefused() {
         for (String name : List.of("3rd", "class", "My Solver", "../Up", "a.B")) {
             assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name).startsWith("option -Pclass: '" + name
-                    + "' is no name for a class"), name);
+                    + "' is not a class name"), name);
         }
     }
 }

@@ -115,7 +115,8 @@ class RunCommandTest {
         String where = "in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json";
         assertTrue(lines.toString().contains(where), lines.toString());
         String json = Files.readString(out.resolve("run.json"));
-        for (String part : List.of("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50", "\"evaluations\" : 200",
+        for (String part : List.of("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" :"
+                + " 50", "\"evaluations\" : 200",
                 "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5")) {
             assertTrue(json.contains(part), part + " in " + json);
         }
@@ -139,8 +140,10 @@ class RunCommandTest {
 
     @Test
     void aFilmThatCannotBeIsOneLine() {
-        assertEnds(ExitCode.BAD_INPUT, "option -Pvideo: 'avi' is no kind of film; allowed: none, mp4", "--video=avi");
-        assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; leave -Pframes=false away", "--video=mp4", "--frames=false");
+        assertEnds(ExitCode.BAD_INPUT, "option -Pvideo: 'avi' is not a kind of film; allowed: none,"
+                + " mp4", "--video=avi");
+        assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; remove"
+                + " -Pframes=false", "--video=mp4", "--frames=false");
     }
 
     @Test
@@ -184,7 +187,8 @@ class RunCommandTest {
     void optionsGoBeforeTheScene() throws IOException {
         assertEnds(ExitCode.DONE, "", "--frames=false", "--solver=euler", "--deltaT=0.004", "--duration=0.01");
         String json = Files.readString(out.resolve("run.json"));
-        for (String part : List.of("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" : 0.01", "\"steps\" : 3")) {
+        for (String part : List.of("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" :"
+                + " 0.01", "\"steps\" : 3")) {
             assertTrue(json.contains(part), part + " in " + json);
         }
     }
@@ -213,14 +217,16 @@ class RunCommandTest {
 
     @Test
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
-        assertEnds(ExitCode.BAD_INPUT, "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
+        assertEnds(ExitCode.BAD_INPUT, "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene,"
+                + " -Psolver, -PdeltaT,"
                 + " -Pduration, -Pthreads, -Pout, -Pframes, -Pvideo, -Phelp", "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
                 "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
-        assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64", "--threads=0");
+        assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to"
+                + " 64", "--threads=0");
         assertEnds(ExitCode.BAD_INPUT, "option -Pframes: 'maybe' is not a boolean", "--frames=maybe");
-        assertEnds(ExitCode.BAD_INPUT, "-Pout needs the name of a folder", "--out= ");
+        assertEnds(ExitCode.BAD_INPUT, "-Pout needs a folder name", "--out= ");
         assertEquals(ExitCode.BAD_INPUT, run("--solver=rk5"));
         assertTrue(errors.toString().startsWith("-Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler,"),
                 errors.toString());
@@ -244,7 +250,8 @@ class RunCommandTest {
     void aFolderThatCannotBeIsOneLineAndCode1() throws IOException {
         Files.writeString(out, "a file");
         assertEnds(ExitCode.TROUBLE, "cannot create the folder " + out + ": a file is where a folder should be");
-        assertEnds(ExitCode.TROUBLE, "cannot create the folder " + out.resolve("below") + ": a file is where a folder should be",
+        assertEnds(ExitCode.TROUBLE, "cannot create the folder " + out.resolve("below") + ": a file is where a"
+                + " folder should be",
                 "--out=" + out.resolve("below"));
         assertEquals("a file", Files.readString(out));
     }
@@ -286,6 +293,7 @@ class RunCommandTest {
         List<ProgramCommand> commands = List.of(new ScenesCommand(scenes));
         assertEquals(ExitCode.DONE, new Program(commands, OptionStyle.SHELL, new PrintWriter(lines), new PrintWriter(errors))
                 .execute("scenes"));
-        assertEquals(List.of("01  block: A block (rk4)", "    Nothing but that it runs."), lines.toString().lines().toList());
+        assertEquals(List.of("01  block: A block (rk4)", "    Nothing but that it"
+                + " runs."), lines.toString().lines().toList());
     }
 }
