@@ -1,4 +1,4 @@
-package particles.app;
+package particles.messages;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -47,7 +47,7 @@ class BlowUpMessageTest {
 
     private static String blowUp(Scene scene) {
         SimulationException e = assertThrows(SimulationException.class, scene.simulation()::run);
-        return new BlowUpMessage(scene, OptionStyle.SHELL).of(e);
+        return new BlowUpMessage(scene, name -> "--" + name).of(e);
     }
 
     @Test

@@ -1,28 +1,28 @@
-package particles.app;
+package particles.messages;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 
 /** Numbers in messages for people: a few digits, the same in every locale. */
-final class Digits {
+public final class Digits {
     private static final int FEW = 4;
 
     private Digits() {
     }
 
     /** @return the number with 4 digits at most: 0.05, 12.57, 6.022e23 */
-    static String few(double value) {
+    public static String few(double value) {
         return write(value, new MathContext(FEW, RoundingMode.HALF_EVEN));
     }
 
     /** @return the number rounded towards zero to 2 digits: what has to stay below a limit */
-    static String roundedDown(double value) {
+    public static String roundedDown(double value) {
         return write(value, new MathContext(2, RoundingMode.DOWN));
     }
 
     /** @return the number with all its digits, as people write it: 0.001, 12.566370614359172, 20 */
-    static String exact(double value) {
+    public static String exact(double value) {
         return write(value, MathContext.UNLIMITED);
     }
 

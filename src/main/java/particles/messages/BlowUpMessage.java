@@ -1,9 +1,10 @@
-package particles.app;
+package particles.messages;
 
 import deSolvers.DESolverException;
 import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import java.util.function.UnaryOperator;
 import particles.BlowUpException;
 import particles.Effect;
 import particles.Particles;
@@ -16,7 +17,7 @@ import particles.scene.Scene;
  * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame, how fast
  * the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of springs.
  */
-final class BlowUpMessage {
+public final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
     private static final double SAFETY = 0.9;
     /** Where damping is solved for by fixed point, as in verlet, a step times its rate that converges quickly. */
@@ -25,7 +26,7 @@ final class BlowUpMessage {
     private static final String STIFF = "backward-euler";
 
     private final Scene scene;
-    private final OptionStyle style;
+    private final UnaryOperator<String> options;
     private final SpringRates rates;
     private final double deltaT;
     private final double damping;
@@ -33,11 +34,11 @@ final class BlowUpMessage {
 
     /**
      * @param scene the scene that was run
-     * @param style how options are typed
+     * @param options how an option of this name is typed
      */
-    BlowUpMessage(Scene scene, OptionStyle style) {
+    public BlowUpMessage(Scene scene, UnaryOperator<String> options) {
         this.scene = scene;
-        this.style = style;
+        this.options = options;
         rates = SpringRates.of(scene.springs(), scene.system().getParticles());
         deltaT = scene.simulation().getDeltaT();
         double drag = dragRate();
@@ -49,7 +50,7 @@ final class BlowUpMessage {
      * @param e what ended the run
      * @return the line
      */
-    String of(SimulationException e) {
+    public String of(SimulationException e) {
         String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e) + ": ";
         if (e.getCause() instanceof DESolverException cause) {
             return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + stiffest() + advice();
@@ -129,7 +130,7 @@ final class BlowUpMessage {
     }
 
     private String option(String name, String value) {
-        return style.option(name) + "=" + value;
+        return options.apply(name) + "=" + value;
     }
 
     /** The fastest decay by air drag, c/m (1/s). */
