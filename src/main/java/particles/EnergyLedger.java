@@ -5,7 +5,10 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import particles.Effect.Trait;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
+import particles.law.Particles;
+import particles.law.Reaction;
 
 /**
  * The account of a run's energy: kinetic, what effects store, and the work that was done on the system - by drag, damping,

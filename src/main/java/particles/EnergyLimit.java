@@ -1,6 +1,7 @@
 package particles;
 
 import java.util.Locale;
+import particles.law.Particles;
 
 /**
  * The kinetic energy beyond which a run has blown up, which shows within a step or two and is cheap to add up.

@@ -18,7 +18,7 @@ final class EventSteps {
 
     private final ParticleSystem system;
     private final DESolver solver;
-    private final Audience audience;
+    private final Observers audience;
     private final List<EventRule> rules = new ArrayList<>();
     private final Motion motion = new Motion();
     private EventLocator locator;
@@ -29,7 +29,7 @@ final class EventSteps {
      * @param solver   what moves it
      * @param audience is told of all motions but the last of a step, and of every event
      */
-    EventSteps(ParticleSystem system, DESolver solver, Audience audience) {
+    EventSteps(ParticleSystem system, DESolver solver, Observers audience) {
         this.system = system;
         this.solver = solver;
         this.audience = audience;

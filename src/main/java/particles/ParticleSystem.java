@@ -8,6 +8,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import particles.engine.Anchors;
+import particles.engine.ForceSum;
+import particles.engine.ParallelForces;
+import particles.engine.ParticleJacobian;
+import particles.law.AnchorMotion;
+import particles.law.Effect;
+import particles.law.IndexedEffect;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.law.Vector3;
 
 /**
  * A system of n particles in space as a source for solvers: the state is
@@ -25,7 +35,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final List<Reaction> reactions = new ArrayList<>();
     final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();
-    private final ParticleJacobian jacobian = new ParticleJacobian(this, effects, reactions);
+    private final ParticleJacobian jacobian = new ParticleJacobian(this, particles, forces, effects, reactions);
     private double[] state = {};
     private double time;
     private long evaluations;

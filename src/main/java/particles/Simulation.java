@@ -5,6 +5,7 @@ import deSolvers.DESolverException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import particles.law.Particles;
 
 /**
  * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends at
@@ -21,7 +22,7 @@ public final class Simulation {
     private final EnergyLimit energyLimit;
     private final List<Rule> rules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
-    private final Audience audience = new Audience(observers);
+    private final Observers audience = new Observers(observers);
     private final EventSteps eventSteps;
     private long steps;
 

@@ -6,8 +6,8 @@
  * particles' state (x<sub>1</sub>, v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup> and lets what the
  * scene names act on it -
  * <ul>
- * <li>{@link particles.Effect}: a force that depends on state and time - gravity, springs, drag;</li>
- * <li>{@link particles.Reaction}: a force that answers the total of the others - contact, friction, rods;</li>
+ * <li>{@link particles.law.Effect}: a force that depends on state and time - gravity, springs, drag;</li>
+ * <li>{@link particles.law.Reaction}: a force that answers the total of the others - contact, friction, rods;</li>
  * <li>{@link particles.Rule}: a jump between two steps - a bounce, a birth, a tear;</li>
  * <li>{@link particles.Observer}: reads and never changes anything - frames, plots, ledgers.</li>
  * </ul>

@@ -5,7 +5,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import particles.DataTable;
+import particles.view.DataTable;
 
 /** What solvers take, as tables. */
 public final class BenchmarkTables {

@@ -6,12 +6,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
-import particles.DataTable;
-import particles.DivisibleEffect;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.experiments.ProgressListener;
+import particles.experiments.runs.ProgressListener;
+import particles.law.DivisibleEffect;
+import particles.law.Effect;
 import particles.output.FrameBenchmark;
+import particles.view.DataTable;
 
 /** All that is measured, each under a name by which it can be chosen, as tables. */
 public final class Benchmarks {

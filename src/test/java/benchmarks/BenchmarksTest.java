@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.DataTable;
+import particles.view.DataTable;
 
 /** The tables, with a stopwatch that always shows the same: 1 ms, and 3 ms for Hipparchus. */
 class BenchmarksTest {

@@ -4,11 +4,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.scene.Overrides;
+import particles.law.Effect;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 
 /** A cloth of 40 x 40 particles with one effect, each so that it acts on all of them; the air acts through drag. */
 final class EffectCases {

@@ -11,10 +11,10 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.scene.SceneFormat;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.scene.format.SceneFormat;
 
 /** Every effect that a scene can name is timed, and at work. */
 class EffectCasesTest {

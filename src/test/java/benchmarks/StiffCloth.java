@@ -14,7 +14,7 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import particles.Cloth;
 import particles.ParticleSystem;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 
 /**
  * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s, for

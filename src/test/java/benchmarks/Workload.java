@@ -12,9 +12,9 @@ import org.hipparchus.ode.nonstiff.DormandPrince853Integrator;
 import particles.Cloth;
 import particles.ParticleSystem;
 import particles.Systems;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /**
  * What is solved, from one start again and again: the lecture's oscillator behind the simple interface, a chain of 100

@@ -35,7 +35,7 @@ final class MutationTests {
             Map.entry("deSolvers.multistep", ""),
             Map.entry("deSolvers.rungeKutta", "deSolvers.adaptive.DormandPrinceSolverTest"),
             Map.entry("deSolvers.symplectic", ""),
-            Map.entry("particles.effects", "particles.LawsOnRandomSystemsTest,particles.ParticleJacobianTest,particles.ArrayStateSourceTest")));
+            Map.entry("particles.effects", "particles.LawsOnRandomSystemsTest,particles.engine.ParticleJacobianTest,particles.ArrayStateSourceTest")));
 
     private MutationTests() {
     }

@@ -18,8 +18,11 @@ import particles.effects.LinearDrag;
 import particles.effects.PenaltyPlane;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.Vector3;
 
 /** No solver that steps by deltaT allocates in a step, on the smallest source or on a system of particles. */
 class AllocationTest {

@@ -18,8 +18,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /** A system steps with the same bits whether solvers use its arrays or only the plain interface. */
 class ArrayStateSourceTest {

@@ -7,7 +7,7 @@ import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitWork;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 
 /**
  * What an implicit step of a cloth costs, from 1,000 to 250,000 springs with the same omega deltaT of about 6 (k = 100 N/m,

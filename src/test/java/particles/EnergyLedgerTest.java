@@ -24,12 +24,14 @@ import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
-import particles.effects.SpringForce;
 import particles.effects.TurbulentWind;
 import particles.effects.Wind;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.effects.springs.SpringForce;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 import particles.rules.ExactImpacts;
 
 /** The ledger's books against closed forms, and what they leave unexplained against the orders of the solvers. */

@@ -22,8 +22,10 @@ import net.jqwik.api.ShrinkingMode;
 import particles.RandomSystem.Ball;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * The laws of mechanics on masses and springs that nobody chose. A counterexample is shrunk to the smallest that still

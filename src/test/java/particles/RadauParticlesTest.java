@@ -12,7 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /** Radau's steps of particle systems through their 3 x 3 blocks, against the same steps with a full matrix. */
 class RadauParticlesTest {

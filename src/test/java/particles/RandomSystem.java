@@ -7,7 +7,8 @@ import java.util.function.UnaryOperator;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /**
  * Masses and springs, as numbers that can be printed, changed and shrunk; all of it can be built again from what is printed.

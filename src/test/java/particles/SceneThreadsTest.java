@@ -11,12 +11,15 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import particles.scene.Overrides;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.PerParticleEffect;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneDescription;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
 
 /**
  * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that here

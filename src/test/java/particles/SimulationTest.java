@@ -18,7 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /** The loop: where it ends, what it tells whom, and when it gives up. */
 class SimulationTest {

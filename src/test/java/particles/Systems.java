@@ -1,6 +1,7 @@
 package particles;
 
 import deSolvers.DESolver;
+import particles.law.Vector3;
 
 /** Small systems and runs that several tests need. */
 public final class Systems {

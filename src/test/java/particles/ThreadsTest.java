@@ -20,8 +20,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.ParticleForce;
+import particles.law.Vector3;
 
 /** Any number of threads gives the same bits, as a hash of the state shows; none is left when the work is done. */
 class ThreadsTest {

@@ -1,9 +1,9 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
-import particles.Particles;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

@@ -1,7 +1,7 @@
 package particles.effects;
 
 import java.util.List;
-import particles.Vector3;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

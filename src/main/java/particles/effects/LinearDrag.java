@@ -1,6 +1,6 @@
 package particles.effects;
 
-import particles.Particles;
+import particles.law.Particles;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

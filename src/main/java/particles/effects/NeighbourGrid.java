@@ -1,7 +1,7 @@
 package particles.effects;
 
 import java.util.Arrays;
-import particles.Particles;
+import particles.law.Particles;
 
 /**
  * Finds particles near a given one: space is divided into cubes as wide as the range, so that all within range are in the

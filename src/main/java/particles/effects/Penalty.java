@@ -1,10 +1,10 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
-import particles.Particles;
-import particles.PerParticleEffect;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
 
 /**
  * What penalty forces have in common: a particle that is inside a solid by the depth d is pushed out along the surface's

@@ -1,8 +1,8 @@
 package particles.effects;
 
-import particles.Particles;
-import particles.Plane;
-import particles.Vector3;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.Values;
 import particles.spec.VectorType;

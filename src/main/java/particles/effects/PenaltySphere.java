@@ -1,7 +1,7 @@
 package particles.effects;
 
-import particles.Particles;
-import particles.Sphere;
+import particles.law.Particles;
+import particles.law.Sphere;
 import particles.spec.Values;
 
 /**

@@ -1,11 +1,11 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
-import particles.Particles;
-import particles.PerParticleEffect;
-import particles.Vector3;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

@@ -2,9 +2,9 @@ package particles.effects;
 
 import java.util.Arrays;
 import java.util.List;
-import particles.Particles;
-import particles.SeededRandom;
-import particles.Vector3;
+import particles.law.Particles;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;

@@ -1,7 +1,8 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.Particles;
+import particles.law.Particles;
+import particles.reactions.wires.Curve;
 
 /**
  * The rows C_r(x) = 0 of rods and wires at one state, in flat arrays: values C, rates C' = J v, bends J' v (the second

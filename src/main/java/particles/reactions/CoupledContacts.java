@@ -3,9 +3,10 @@ package particles.reactions;
 import java.util.Arrays;
 import java.util.Optional;
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.SimulationException;
-import particles.reactions.ContactModes.Mode;
+import particles.law.Particles;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
 
 /**
  * What particles that hang on rods or wires touch: pushes, friction and constraint forces found together, since each
@@ -20,7 +21,7 @@ final class CoupledContacts {
     private final RestingContacts contacts;
     private final double feedback;
     private final JointSystem joint;
-    private final HoldSearch holdSearch;
+    private final StaticFrictionFeasibility holdSearch;
     private double[] accelerations = {};
     private double[] total = {};                        // forces with those of rods and wires
     private double[] queryState = {};                   // what the last query was about
@@ -36,7 +37,7 @@ final class CoupledContacts {
         this.contacts = contacts;
         this.feedback = feedback;
         joint = new JointSystem(rows, particles, contacts);
-        holdSearch = new HoldSearch(rows, contacts);
+        holdSearch = new StaticFrictionFeasibility(rows, contacts);
     }
 
     /**

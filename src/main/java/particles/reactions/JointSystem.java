@@ -1,7 +1,9 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.Particles;
+import particles.law.Particles;
+import particles.reactions.algebra.ActiveSetMethod;
+import particles.reactions.contact.ContactModes;
 
 /**
  * Rods, wires and contacts of one linkage as one dense system: rows of rods and wires first, then contacts. Column c is what
@@ -15,7 +17,7 @@ final class JointSystem {
     private final ConstraintRows rows;
     private final Particles particles;
     private final RestingContacts contacts;
-    private final ActiveSet activeSet = new ActiveSet();
+    private final ActiveSetMethod activeSet = new ActiveSetMethod();
     final ContactRows touching;
     double[] mobility = {};                             // 1/m, 0 for what does not move
     double[] right = {};
@@ -149,7 +151,7 @@ final class JointSystem {
     /**
      * Solves for {@link #right}.
      *
-     * @param signed as for {@link ActiveSet#solve}
+     * @param signed as for {@link ActiveSetMethod#solve}
      * @param bound  how many contacts, the first, hold in any case
      */
     boolean solve(boolean signed, int bound) {

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import particles.Particles;
+import particles.law.Particles;
+import particles.reactions.algebra.EnvelopeCholesky;
+import particles.reactions.algebra.MinimumNormSolution;
 
 /**
  * Rods and beads that hang together: solves A lambda = b with A = J W J<sup>T</sup>, W the inverse masses. A has an entry
@@ -24,7 +26,7 @@ final class Linkage {
     private final int[] pairs;                          // five ints each: see findPairs
     private final EnvelopeCholesky cholesky;
     private final double[] work;
-    private final MinimumNorm minimumNorm = new MinimumNorm();
+    private final MinimumNormSolution minimumNorm = new MinimumNormSolution();
     private boolean regular;
 
     Linkage(ConstraintRows rows, int[] members, Particles all) {

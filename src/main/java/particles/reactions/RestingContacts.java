@@ -2,11 +2,17 @@ package particles.reactions;
 
 import java.util.List;
 import java.util.Optional;
-import particles.ForceDerivatives;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Reaction;
-import particles.Vector3;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactResponse;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
+import particles.reactions.contact.NormalForces;
+import particles.reactions.contact.SlidingDirection;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 none;
@@ -32,7 +38,7 @@ public final class RestingContacts implements Reaction {
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
     private Optional<RigidConstraints> coupled = Optional.empty();
-    private final Sliding sliding = new Sliding();
+    private final SlidingDirection sliding = new SlidingDirection();
     private final ContactResponse response;
 
     /**
@@ -80,7 +86,7 @@ public final class RestingContacts implements Reaction {
         return response;
     }
 
-    Sliding sliding() {
+    SlidingDirection sliding() {
         return sliding;
     }
 

@@ -2,10 +2,11 @@ package particles.reactions;
 
 import java.util.Optional;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Reaction;
 import particles.SimulationException;
-import particles.SpringView;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.reactions.wires.Curve;
+import particles.view.SpringView;
 
 /**
  * Rods and wires: distances that do not change, and beads that stay on curves, by the forces that this takes and no others.
@@ -49,7 +50,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     private double[] accelerations = {};
     private double[] right = {};
     private double[] lambda = {};
-    private Projection projection = new Projection(rows, linkages, Optional.empty());
+    private ConstraintCorrection projection = new ConstraintCorrection(rows, linkages, Optional.empty());
     private Optional<CoupledContacts> coupled = Optional.empty();
     private boolean arranged;
 
@@ -106,7 +107,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     private void arrange() {
         if (!arranged) {
             linkages.arrange(rows, particles);
-            projection = new Projection(rows, linkages, coupled);
+            projection = new ConstraintCorrection(rows, linkages, coupled);
             right = new double[rows.count()];
             lambda = new double[rows.count()];
             arranged = true;

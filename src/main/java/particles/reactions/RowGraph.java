@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import particles.Particles;
+import particles.law.Particles;
 
 /** Which rows have a movable particle in common: what hangs together, and in which order its matrix is narrow. */
 final class RowGraph {

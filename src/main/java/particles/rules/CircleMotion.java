@@ -1,7 +1,7 @@
 package particles.rules;
 
-import particles.AnchorMotion;
-import particles.Vector3;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
 /** Round and round an axis, a turning crank: counter-clockwise seen against the axis. */
 public final class CircleMotion implements AnchorMotion {

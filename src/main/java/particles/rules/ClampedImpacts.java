@@ -12,13 +12,13 @@ import static particles.rules.ContactGeometry.stopAlong;
 import static particles.rules.ContactGeometry.velocity;
 
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.Rule;
-import particles.Vector3;
-import particles.reactions.ContactModes;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
 
 /**
  * Particles bounce off planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and

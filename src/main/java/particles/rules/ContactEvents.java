@@ -10,12 +10,12 @@ import java.util.function.ToDoubleFunction;
 import particles.EventRule.Event;
 import particles.Motion;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
-import particles.reactions.ContactModes;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.Friction;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.Friction;
 
 /**
  * What happens to particles in contact, at its time: a surface no longer presses and lets go, a sliding particle comes to a

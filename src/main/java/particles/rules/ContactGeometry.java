@@ -1,10 +1,10 @@
 package particles.rules;
 
-import particles.Particles;
-import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
 
 /** Where particles are with respect to surfaces, and small moves of one particle in a flat state. */
 final class ContactGeometry {

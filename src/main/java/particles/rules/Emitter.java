@@ -2,8 +2,8 @@ package particles.rules;
 
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.SeededRandom;
-import particles.Vector3;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 
 /**
  * A source of particles: the nozzle of a fountain, a fire's embers. Particle number n comes into being n/rate after the run

@@ -15,12 +15,12 @@ import java.util.List;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
-import particles.reactions.ContactModes;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
 
 /**
  * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on the

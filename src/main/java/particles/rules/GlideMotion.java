@@ -1,7 +1,7 @@
 package particles.rules;
 
-import particles.AnchorMotion;
-import particles.Vector3;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
 /**
  * Straight from one place to another, starting and stopping without a jerk: the part of the way is s = u&sup3; (10 - 15 u +

@@ -1,7 +1,7 @@
 package particles.rules;
 
-import particles.AnchorMotion;
-import particles.Vector3;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
 /** To and fro: x = centre + amplitude sin(2 pi t / period), the hand that shakes a spring. Begins in the middle, moving. */
 public final class SineMotion implements AnchorMotion {

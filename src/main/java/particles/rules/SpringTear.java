@@ -2,7 +2,7 @@ package particles.rules;
 
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 
 /**
  * Springs tear when they are stretched too far: at the end of a step a spring longer than (1 + strain) times its rest length

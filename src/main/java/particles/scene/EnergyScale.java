@@ -1,11 +1,12 @@
 package particles.scene;
 
-import particles.Effect;
-import particles.Effect.Trait;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.scene.parts.SceneAssembly;
 
 /**
  * How much energy of motion is to be expected in a scene, so that "a million times more" means that it blew up. The largest

@@ -7,18 +7,31 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.ParticleSystem;
-import particles.Scenery;
 import particles.Simulation;
-import particles.Surface;
-import particles.Vector3;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
+import particles.scene.checks.MemoryEstimate;
+import particles.scene.checks.RunLimits;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SolverFormat;
+import particles.scene.parts.Lattice;
+import particles.scene.parts.LatticeSurface;
+import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.ParticleIndex;
+import particles.scene.parts.SceneAssembly;
+import particles.scene.parts.ShapeDescription;
+import particles.scene.parts.SpringDescription;
+import particles.scene.parts.SpringFamily;
 import particles.spec.Chosen;
-import particles.spec.Problems;
+import particles.spec.messages.Problems;
+import particles.view.Scenery;
+import particles.view.Surface;
 
 /** From a description to a simulation: what it names is built, and nothing else. */
 public final class SceneBuilder {

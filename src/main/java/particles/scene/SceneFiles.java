@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import particles.spec.Wording;
+import particles.spec.messages.Wording;
 
 /** Finds scenes: by path, by name with or without number, or by number. */
 public final class SceneFiles {

@@ -5,12 +5,15 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Optional;
+import particles.scene.checks.SceneChecks;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import particles.spec.ClassNames;
-import particles.spec.Problems;
 import particles.spec.Reading;
 import particles.spec.SourceText;
 import particles.spec.Values;
 import particles.spec.YamlText;
+import particles.spec.messages.Problems;
 
 /** Reads scene files. */
 public final class SceneReader {

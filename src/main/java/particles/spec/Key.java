@@ -44,7 +44,7 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
     }
 
     /** @return the default as JSON has it, if there is one */
-    Optional<Object> defaultJson() {
+    public Optional<Object> defaultJson() {
         return defaultValue.map(type::toJson);
     }
 }

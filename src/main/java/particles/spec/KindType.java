@@ -10,6 +10,8 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Place;
+import particles.spec.messages.Wording;
 
 /**
  * A choice of one kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} where it needs no keys.
@@ -113,7 +115,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     /** @return what else than a kind's name may stand in its place, to follow the names */
-    String orClass() {
+    public String orClass() {
         return byClass.map(other -> ", or " + other.form().describe()).orElse("");
     }
 

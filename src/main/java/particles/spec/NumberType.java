@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Wording;
 
 /** A finite number in a range. */
 public final class NumberType extends Type<Double> {

@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Wording;
 
 /** A text, perhaps of a certain form. */
 public final class TextType extends Type<String> {

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
-import particles.Vector3;
+import particles.law.Vector3;
 
 /** A vector in space, written [x, y, z]. */
 public final class VectorType extends Type<Vector3> {

@@ -15,6 +15,7 @@ import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
+import particles.spec.messages.Place;
 
 /**
  * From a text to a tree of nodes with places, in YAML 1.2's core schema, so that 1e-3 is a number. The text is looked

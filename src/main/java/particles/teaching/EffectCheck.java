@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
-import particles.Effect;
-import particles.Effect.Trait;
 import particles.ParticleSystem;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
 import particles.teaching.Finding.Kind;
 
 /**

@@ -3,11 +3,11 @@ package particles.teaching;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import particles.DifferentiableEffect;
-import particles.Effect;
-import particles.Effect.Trait;
-import particles.ForceDerivatives;
 import particles.ParticleSystem;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
+import particles.law.ForceDerivatives;
 
 /**
  * Holds an effect to what it claims of itself, on random states of a system: every claim that does not hold is a line. The

@@ -3,9 +3,9 @@ package particles.teaching;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.PerParticleEffect;
+import particles.law.Effect;
+import particles.law.PerParticleEffect;
 import particles.teaching.Finding.Kind;
 
 /** Looks at how an effect writes its forces, before anybody asks what they are: added, where they belong, and some at all. */

@@ -113,9 +113,9 @@ public final class Skeleton {
         return """
                 package exercises;
 
-                import particles.ParticleForce;
-                import particles.Particles;
-                import particles.Vector3;
+                import particles.law.ParticleForce;
+                import particles.law.Particles;
+                import particles.law.Vector3;
                 import particles.effects.EffectContext;
                 import particles.effects.EffectKind;
                 import particles.spec.Key;

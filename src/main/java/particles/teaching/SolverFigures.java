@@ -8,10 +8,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.ChartData;
-import particles.ChartData.Mark;
-import particles.ChartData.Series;
-import particles.DataTable;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
 
 /**
  * What a solver does, measured on motions with known solutions.

@@ -8,10 +8,13 @@ import java.util.List;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
-import particles.DataTable;
-import particles.experiments.ProgressListener;
-import particles.output.OutputFolder;
-import particles.output.ResultPage;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.experiments.ExperimentCommand;
+import particles.experiments.runs.ProgressListener;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage;
+import particles.view.DataTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -41,12 +44,12 @@ final class BenchmarkCommand extends ExperimentCommand {
     }
 
     @Override
-    String name() {
+    protected String name() {
         return NAME;
     }
 
     @Override
-    void check() {
+    protected void check() {
         requireWithin("forks", forks, 1, Integer.MAX_VALUE);
         requireWithin("iterations", iterations, 1, Integer.MAX_VALUE);
         positive("seconds", seconds);
@@ -64,7 +67,7 @@ final class BenchmarkCommand extends ExperimentCommand {
     }
 
     @Override
-    ResultPage measure(OutputFolder folder, ProgressListener progress) {
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<DataTable> tables = new Benchmarks(included(), new Measurement(forks, iterations, seconds), progress).measure();
         return new ResultPage(NAME, BenchmarkTables.finding(tables),
                 List.of("Medians of " + forks + " x " + iterations + " iterations of " + seconds + " s by JMH, Java "

@@ -8,6 +8,9 @@ import java.io.StringWriter;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
 
 /** What cannot be measured is refused in one line. */
 class BenchmarkCommandTest {

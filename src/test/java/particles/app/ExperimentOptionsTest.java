@@ -11,6 +11,10 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.run.StopRequest;
 
 /** What cannot be measured is refused in one line, before any file is written. */
 class ExperimentOptionsTest {

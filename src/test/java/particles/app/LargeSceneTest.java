@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.app.cli.ExitCode;
 
 /**
  * 250,000 particles are simulated, drawn, filmed, plotted and written down by a program of its own, in the memory that it

@@ -15,11 +15,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.scene.Overrides;
+import particles.app.student.StudentClasses;
+import particles.app.student.StudentLoader;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 import particles.teaching.EffectCheck;
 import particles.teaching.EffectSample;
 import particles.teaching.Skeleton;
@@ -30,9 +32,9 @@ class OwnEffectTest {
             package exercises;
 
             import java.util.Set;
-            import particles.ParticleForce;
-            import particles.Particles;
-            import particles.Vector3;
+            import particles.law.ParticleForce;
+            import particles.law.Particles;
+            import particles.law.Vector3;
             import particles.effects.EffectContext;
             import particles.effects.EffectKind;
             import particles.spec.Key;

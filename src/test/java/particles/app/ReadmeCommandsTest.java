@@ -20,6 +20,10 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.run.StopRequest;
 
 /**
  * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through

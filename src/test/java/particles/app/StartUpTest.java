@@ -70,7 +70,7 @@ class StartUpTest {
     @Test
     void onlyTheNamedCommandIsMadeReady() throws IOException, InterruptedException {
         List<String> loaded = loaded(false);
-        assertTrue(loaded.contains("particles.app.RunCommand"));
+        assertTrue(loaded.contains("particles.app.run.RunCommand"));
         assertEquals(List.of(), of(loaded, "particles\\.(experiments\\.problems|teaching)\\..*"));
     }
 }

@@ -12,7 +12,8 @@ import deSolvers.RK4Solver;
 import deSolvers.symplectic.VelocityVerletSolver;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.Vector3;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /** Particle systems against closed forms: falling with drag, damped and undamped springs, a driven particle, a pendulum. */
 class ClosedFormsTest {

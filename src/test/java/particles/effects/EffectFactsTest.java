@@ -10,14 +10,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
-import particles.DifferentiableEffect;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.PerParticleEffect;
-import particles.Plane;
-import particles.Sphere;
-import particles.Vector3;
+import particles.effects.springs.SpringForce;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 
 /** What each law says of itself to those who evaluate it, and the numbers it takes: all up to the ends of their ranges. */
 class EffectFactsTest {

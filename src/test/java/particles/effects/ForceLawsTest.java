@@ -11,10 +11,10 @@ import deSolvers.RK4Solver;
 import deSolvers.symplectic.Yoshida4Solver;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.Plane;
-import particles.SeededRandom;
-import particles.Sphere;
-import particles.Vector3;
+import particles.law.Plane;
+import particles.law.SeededRandom;
+import particles.law.Sphere;
+import particles.law.Vector3;
 
 /** Drag, orbits, penalties and cohesion against their closed forms. */
 class ForceLawsTest {

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import particles.SeededRandom;
-import particles.Vector3;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 
 /** What the turbulent field promises: no divergence, its strength, its mean, the same field for the same seed. */
 class TurbulentWindTest {

@@ -13,10 +13,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 import particles.hard.HardSystems.End;
+import particles.law.Vector3;
 
 /**
  * 50 links of 10 g, each on a spring of 1e4 N/m, carry 10 kg. Hard, because the links could vibrate at 2,000 rad/s, while

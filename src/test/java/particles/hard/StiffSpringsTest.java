@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 import particles.hard.HardSystems.End;
 
 /**

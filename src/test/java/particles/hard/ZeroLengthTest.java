@@ -6,14 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.run;
 import static particles.hard.HardSystems.springs;
 
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import deSolvers.catalog.SolverCatalog;
 import particles.ParticleSystem;
-import particles.Vector3;
+import particles.law.Vector3;
 
 /**
  * Two particles run through each other against a spring of rest length 1. Hard, because the force has its full size up to

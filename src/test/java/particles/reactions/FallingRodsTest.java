@@ -12,11 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.EnergyLedger;
-import particles.Plane;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Rods that strike the ground, come to rest or turn on it, or jam. */
 class FallingRodsTest {

@@ -7,11 +7,13 @@ import java.util.ArrayList;
 import java.util.List;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
 

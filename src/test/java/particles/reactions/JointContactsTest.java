@@ -12,8 +12,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Simulation;
-import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.Friction;
 
 /** Rods and contacts, solved together, against closed forms: leaning, sliding, held. */
 class JointContactsTest {

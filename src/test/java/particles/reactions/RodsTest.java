@@ -21,8 +21,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Vector3;
 import particles.rules.ConstraintProjection;
 
 /** Rods against closed forms: what they carry, how long they stay what they are, and what they cost the solver. */

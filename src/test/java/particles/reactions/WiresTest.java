@@ -16,8 +16,12 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Vector3;
+import particles.reactions.wires.CircularWire;
+import particles.reactions.wires.Curve;
+import particles.reactions.wires.GraphWire;
+import particles.reactions.wires.StraightWire;
 import particles.rules.ConstraintProjection;
 
 /** Beads on wires against closed forms, and the curves' derivatives against differences. */

@@ -9,10 +9,10 @@ import static particles.Systems.run;
 import deSolvers.RK4Solver;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import particles.AnchorMotion;
 import particles.ParticleSystem;
-import particles.Vector3;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
 /** Given motions: their derivatives are derivatives, and an oscillator that is shaken swings as its closed form says. */
 class AnchorMotionsTest {

@@ -16,20 +16,20 @@ import org.junit.jupiter.api.Test;
 import particles.EnergyLedger;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Plane;
 import particles.Rule;
-import particles.SeededRandom;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Cohesion;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
-import particles.effects.SpringForce;
 import particles.effects.TurbulentWind;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.effects.springs.SpringForce;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Births, deaths, tears, merges and splits: when they come, what they keep, and what the energy ledger says of them. */
 class BirthAndDeathTest {
@@ -179,7 +179,7 @@ class BirthAndDeathTest {
         system.addParticle("b", 3, new Vector3(1, 0, 0), new Vector3(-1, 2, 0), false);
         EnergyLedger ledger = new EnergyLedger();
         Simulation simulation = simulation(system, 0.01, 2,
-                new EvenSamples("s", new SpringForce(system.getParticles()), 2.5, 6, 9, 1));
+                new ParticleResampler("s", new SpringForce(system.getParticles()), 2.5, 6, 9, 1));
         simulation.addObserver(ledger);
         simulation.run();
         assertEquals(1, system.getParticles().count());
@@ -203,7 +203,7 @@ class BirthAndDeathTest {
             system.addParticle("p" + i, 1, random.nextDirection(new Vector3(0, 1, 0), Math.PI).times(0.3), Vector3.ZERO, false);
         }
         system.addEffect(new LinearDrag(system.getParticles(), 0.5, new TurbulentWind(Vector3.ZERO, 1, 0.8, 9)));
-        EvenSamples even = new EvenSamples("s", new SpringForce(system.getParticles()), 0.06, 0.2, 1.0 / 16, 3);
+        ParticleResampler even = new ParticleResampler("s", new SpringForce(system.getParticles()), 0.06, 0.2, 1.0 / 16, 3);
         Simulation simulation = simulation(system, 0.01, 3, even);
         double[] before = new double[3];
         simulation.addObserver(new Observer() {
@@ -260,7 +260,7 @@ class BirthAndDeathTest {
         SpringForce springs = new SpringForce(system.getParticles());
         springs.addSpring(0, 1, 0, 0, 0);
         springs.addSpring(1, 2, 0, 0, 0);
-        assertFalse(new EvenSamples("s", springs, 0.1, 0.5, 1, 1).afterStep(system, 0.01));
+        assertFalse(new ParticleResampler("s", springs, 0.1, 0.5, 1, 1).afterStep(system, 0.01));
         assertEquals(4, system.getParticles().count());
     }
 

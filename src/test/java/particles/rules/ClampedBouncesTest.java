@@ -16,15 +16,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.EnergyLedger;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Sphere;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /**
  * A clamped bounce has the speed of the surface, not of the depth where the step ended: the energy after n bounces is that

@@ -16,15 +16,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Bounces, rest, sliding and sticking on planes against closed forms. */
 class ClampedImpactsTest {

@@ -12,14 +12,14 @@ import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Linkages that fall onto rough ground and come to rest there, by steps that are clamped. */
 class ClampedRodsTest {

@@ -18,16 +18,16 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Where contacts end: what is lifted off or breaks away does so at its time, once, and meets nothing that is not there. */
 class LettingGoTest {

@@ -11,13 +11,13 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.EnergyLedger;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** A particle that slides up a slope of 45 degrees, too steep for friction to hold it, turns round and slides down again. */
 class SlidingTurnsTest {

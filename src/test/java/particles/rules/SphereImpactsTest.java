@@ -15,18 +15,18 @@ import org.junit.jupiter.api.Test;
 import particles.EnergyLedger;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Sphere;
-import particles.Vector3;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Spheres as obstacles, from outside and from inside: impacts, rest, sliding along and off, nobody gets through. */
 class SphereImpactsTest {

@@ -13,15 +13,15 @@ import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.effects.springs.SpringForce;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /**
  * Springs tear with what they store, k (l - L)&sup2;/2 each, which the energy ledger books as lost by tearing, once: kinetic

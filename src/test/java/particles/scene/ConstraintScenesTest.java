@@ -5,9 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import particles.Particles;
-import particles.Reaction;
-import particles.SpringView;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.scene.format.Overrides;
+import particles.view.SpringView;
 
 /** Scenes with rods and wires show what they say they show; a scene that names none builds none. */
 class ConstraintScenesTest {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.scene.format.Overrides;
 
 /** What {@link SceneFuzzer} found, each in its smallest form, and a short hunt, which is the same each time. */
 class FoundInputsTest {

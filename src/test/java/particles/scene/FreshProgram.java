@@ -49,9 +49,9 @@ final class FreshProgram extends URLClassLoader {
         try {
             Object description = loadClass("particles.scene.SceneReader").getMethod("read", String.class, byte[].class)
                     .invoke(null, "x.yaml", scene.getBytes(StandardCharsets.UTF_8));
-            Class<?> overrides = loadClass("particles.scene.Overrides");
+            Class<?> overrides = loadClass("particles.scene.format.Overrides");
             Object built = loadClass("particles.scene.SceneBuilder")
-                    .getMethod("build", loadClass("particles.scene.SceneDescription"), overrides)
+                    .getMethod("build", loadClass("particles.scene.format.SceneDescription"), overrides)
                     .invoke(null, description, overrides.getConstructor().newInstance());
             Object simulation = built.getClass().getMethod("simulation").invoke(built);
             simulation.getClass().getMethod("run").invoke(simulation);

@@ -12,11 +12,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.Effect;
-import particles.Reaction;
 import particles.Rule;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
+import particles.law.Effect;
+import particles.law.Reaction;
+import particles.scene.format.Overrides;
+import particles.scene.parts.RuleKind;
 
 /**
  * What a scene names is built, and nothing else: the laws are counted, and in a program that was just started the class of a

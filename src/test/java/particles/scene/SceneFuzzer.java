@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import particles.Motion;
 import particles.Observer;
 import particles.SimulationException;
+import particles.scene.format.Overrides;
 
 /**
  * Scenes by the million, almost right ones, through reader and builder and for a few steps: each is refused with lines, or

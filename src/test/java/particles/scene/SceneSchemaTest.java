@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import particles.scene.format.SceneFormat;
 
 class SceneSchemaTest {
 

@@ -19,8 +19,9 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.snakeyaml.engine.v2.api.Dump;
 import org.snakeyaml.engine.v2.api.DumpSettings;
-import particles.spec.Problems;
+import particles.scene.format.SceneFormat;
 import particles.spec.Reading;
+import particles.spec.messages.Problems;
 
 /**
  * Editors check by the schema, the program by the reader: of scenes that are changed at random both say the same, as far

@@ -12,8 +12,9 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.Particles;
-import particles.Vector3;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.scene.format.Overrides;
 
 class ShapesTest {
     private static final String HEAD = "title: Shapes\nteaches: counting\nsolver: rk4\ndeltaT: 0.002\nduration: 1\n";

@@ -1,8 +1,8 @@
 package particles.scene;
 
 import java.util.Random;
-import particles.Particles;
-import particles.SpringView;
+import particles.law.Particles;
+import particles.view.SpringView;
 
 /** The fastest oscillation and the fastest decay of a scene's springs, linearised where it begins, by power iteration. */
 final class Stiffness {

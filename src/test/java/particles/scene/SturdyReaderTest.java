@@ -15,6 +15,9 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 
 /** Whatever a file holds, reading it ends soon, in a scene or in lines that say why not. */
 class SturdyReaderTest {

@@ -104,7 +104,7 @@ class GuardedRunTest {
 
     @Test
     void whatTheJvmPutsBetweenIsNobodysPlace() {
-        StackTraceElement lambda = new StackTraceElement("particles.app.CheckCommand$$Lambda$22/0x00007f5e08027988", "call",
+        StackTraceElement lambda = new StackTraceElement("particles.app.student.CheckCommand$$Lambda$22/0x00007f5e08027988", "call",
                 null, -1);
         StackTraceElement ours = new StackTraceElement("particles.ParticleSystem", "getState", "ParticleSystem.java", 90);
         assertEquals("", StudentFailure.place(new StackTraceElement[] {lambda}));

@@ -20,8 +20,8 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.ChartData;
-import particles.ChartData.Series;
+import particles.view.ChartData;
+import particles.view.ChartData.Series;
 
 /** Stability of solvers that nobody told us about, from their steps, against closed forms. */
 class StabilityFiguresTest {

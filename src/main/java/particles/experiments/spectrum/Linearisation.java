@@ -1,11 +1,11 @@
 package particles.experiments.spectrum;
 
 import java.util.SplittableRandom;
-import particles.Effect;
-import particles.Effect.Trait;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Reaction;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
+import particles.law.Particles;
+import particles.law.Reaction;
 
 /**
  * The linear equations of small motions about a system's present state: x'' = A x + B v for the particles that can move. In

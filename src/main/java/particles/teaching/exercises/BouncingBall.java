@@ -7,10 +7,10 @@ import java.util.Locale;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 import particles.teaching.exercises.Draw.Picks;
 
 /** Collisions: when a ball meets the ground for the n-th time, found by running a scene. */

@@ -5,8 +5,8 @@ import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import particles.ParticleSystem;
-import particles.Vector3;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 import particles.teaching.exercises.Draw.Picks;
 
 /** The largest step with which RK4 stays stable on a chain between two walls, found by trying. */

@@ -10,17 +10,17 @@ import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.Rule;
-import particles.experiments.EnergyHistory;
-import particles.experiments.SceneRun;
-import particles.experiments.SceneRun.Outcome;
-import particles.scene.Overrides;
+import particles.experiments.energy.EnergyHistory;
+import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SceneRun.Outcome;
+import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneDescription;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
 import particles.teaching.exercises.Draw.Picks;
 
 /** Design a scene: a student's scene file is run and held to what was asked for. */
