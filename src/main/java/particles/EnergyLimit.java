@@ -24,7 +24,8 @@ record EnergyLimit(double joules) {
         }
         int fastest = fastest(system.getParticles(), state);
         throw new BlowUpException(system.getTime(), fastest, String.format(Locale.ROOT,
-                "the kinetic energy is %.4g J, beyond the limit of %.4g J; the fastest particle is '%s'", energy, joules,
+                "the kinetic energy is %.4g J, beyond the limit of %.4g J; the fastest particle is '%s'", energy,
+                joules,
                 system.getParticles().id(fastest)));
     }
 

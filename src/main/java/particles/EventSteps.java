@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Makes a run's steps, each from event to event: a motion that an event ends is taken back to it, the event happens, and
- * the rest of the step begins there.
+ * Makes a run's steps, each from event to event: a motion that an event ends is taken back to it, the event happens,
+ * and the rest of the step begins there.
  */
 final class EventSteps {
     /** Far more than any sequence of ever smaller bounces has before it ends in rest. */

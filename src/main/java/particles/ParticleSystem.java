@@ -74,7 +74,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Takes particles out. Those that stay keep their order and move up to fill the gaps; effects and reactions are told.
+     * Takes particles out. Those that stay keep their order and move up to fill the gaps; effects and reactions are
+     * told.
      *
      * @param gone by index, true for particles to be taken out; as many as there are particles
      * @return the new index of each particle by its old one, -1 for those that are gone
@@ -103,9 +104,9 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Lets a fixed particle follow a given motion, exactly: it is where the motion is at the clock's time, for the forces at
-     * every stage of a step too. It is no unknown: solvers see zeros in its place that stay zeros, and what they set there
-     * is ignored.
+     * Lets a fixed particle follow a given motion, exactly: it is where the motion is at the clock's time, for the
+     * forces at every stage of a step too. It is no unknown: solvers see zeros in its place that stay zeros, and what
+     * they set there is ignored.
      *
      * @param particle the index of a fixed particle
      * @param motion   where it is to be at each time
@@ -123,7 +124,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /**
      * @param time          t (s)
-     * @param accelerations receives those of the moving anchors (m/s&sup2;), where velocities stand in the state; no others
+     * @param accelerations receives those of the moving anchors (m/s&sup2;), where velocities stand in the state; no
+     *                      others
      */
     public void putAnchorAccelerations(double time, double[] accelerations) {
         anchors.accelerate(time, accelerations);
@@ -240,7 +242,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     @Override
     public double[] exchangeState(double[] state) {
         if (state.length != getStateSize()) {
-            throw new IllegalArgumentException("a state of " + state.length + " doubles for a system of " + getStateSize());
+            throw new IllegalArgumentException("a state of " + state.length + " doubles for a system of "
+                    + getStateSize());
         }
         trim();
         double[] before = this.state;

@@ -8,8 +8,8 @@ import java.util.List;
 import particles.law.Particles;
 
 /**
- * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends at
- * its duration.
+ * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends
+ * at its duration.
  */
 public final class Simulation {
     /** A last step longer than deltaT by no more than this part of it is rounding of the clock, not a step too many. */
@@ -58,7 +58,8 @@ public final class Simulation {
      * Adds a rule that acts inside steps too.
      *
      * @param rule         to act at its events, and after every step like any other rule
-     * @param searchSolver a solver of the same kind as the run's and used for nothing else, for the search of event times
+     * @param searchSolver a solver of the same kind as the run's and used for nothing else, for the search of event
+     *                     times
      */
     public void addEventRule(EventRule rule, DESolver searchSolver) {
         rules.add(rule);
@@ -91,7 +92,8 @@ public final class Simulation {
             step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
             left = endTime - system.getTime();
             if (left >= before) {
-                throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at"
+                throw new SimulationException(system.getTime(), -1,
+                        "a step of " + deltaT + " s no longer moves the clock at"
                         + " t = " + system.getTime(), null);
             }
         }

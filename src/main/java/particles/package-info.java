@@ -3,8 +3,8 @@
  * simulation loop.
  *
  * <p>"A set of particles, plus a set of rules governing their motion": {@link particles.ParticleSystem} holds the
- * particles' state (x<sub>1</sub>, v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup> and lets what the
- * scene names act on it -
+ * particles' state (x<sub>1</sub>, v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup> and lets what
+ * the scene names act on it -
  * <ul>
  * <li>{@link particles.law.Effect}: a force that depends on state and time - gravity, springs, drag;</li>
  * <li>{@link particles.law.Reaction}: a force that answers the total of the others - contact, friction, rods;</li>

@@ -18,8 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Who may use whom: the solvers know nothing of particles, the physics nothing of files or pictures, and only the command
- * line prints. Read from the sources themselves, imports and fully-qualified names alike.
+ * Who may use whom: the solvers know nothing of particles, the physics nothing of files or pictures, and only the
+ * command line prints. Read from the sources themselves, imports and fully-qualified names alike.
  */
 class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
@@ -32,9 +32,9 @@ class ArchitectureTest {
     private static final String EVERYTHING_OF_OURS = "*";
 
     /**
-     * What a package may use besides itself and the plain JDK; a name that ends in a dot stands for all packages below it.
-     * A package two levels down, such as particles.experiments.problems, has the rights of the one it is in, and may be
-     * used like it.
+     * What a package may use besides itself and the plain JDK; a name that ends in a dot stands for all packages below
+     * it. A package two levels down, such as particles.experiments.problems, has the rights of the one it is in, and
+     * may be used like it.
      */
     private static final Map<String, Set<String>> MAY_USE = new TreeMap<>(Map.ofEntries(
             Map.entry("deSolvers", Set.of()),
@@ -43,7 +43,8 @@ class ArchitectureTest {
             Map.entry("deSolvers.extrapolation", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive")),
             Map.entry("deSolvers.multistep", Set.of("deSolvers", "deSolvers.rungeKutta")),
             Map.entry("deSolvers.symplectic", Set.of("deSolvers")),
-            Map.entry("deSolvers.implicit", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive", ALGEBRA, ORDERING)),
+            Map.entry("deSolvers.implicit", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive", ALGEBRA,
+            ORDERING)),
             Map.entry("deSolvers.catalog", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive",
                     "deSolvers.extrapolation", "deSolvers.multistep", "deSolvers.symplectic", "deSolvers.implicit")),
             Map.entry("deSolvers.problems", Set.of("deSolvers")),
@@ -54,7 +55,8 @@ class ArchitectureTest {
             Map.entry("particles.rules", Set.of("particles", "particles.effects", "particles.reactions")),
             Map.entry("particles.scene", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
                     "particles.reactions", "particles.rules", "particles.spec")),
-            Map.entry("particles.experiments", Set.of("deSolvers", "deSolvers.catalog", "deSolvers.problems", "particles",
+            Map.entry("particles.experiments", Set.of("deSolvers", "deSolvers.catalog", "deSolvers.problems",
+            "particles",
                     "particles.effects", "particles.reactions", "particles.rules", "particles.scene", ALGEBRA)),
             Map.entry("particles.output", Set.of("particles", CHARTS, AWT, IMAGES, FILMS, JSON, XML)),
             Map.entry("particles.teaching", Set.of("deSolvers", "deSolvers.", "particles", "particles.effects",
@@ -67,7 +69,8 @@ class ArchitectureTest {
 
     @Test
     void sourcesAreRead() {
-        assertTrue(sources.stream().anyMatch(source -> source.toString().equals("deSolvers/RK4Solver.java")), sources.toString());
+        assertTrue(sources.stream().anyMatch(source -> source.toString().equals("deSolvers/RK4Solver.java")),
+                sources.toString());
     }
 
     @Test
@@ -190,13 +193,15 @@ class ArchitectureTest {
                 }
                 """);
         SourceFile bad = SourceFile.readAll(folder).get(0);
-        assertEquals(new TreeSet<>(Set.of("particles.effects", "org.ejml", "java.awt", "java.util")), bad.usedPackages());
+        assertEquals(new TreeSet<>(Set.of("particles.effects", "org.ejml", "java.awt", "java.util")),
+                bad.usedPackages());
         assertEquals(List.of("count is not final", "TABLE is an array that others can write to",
                 "NAMES is a new java.util.ArrayList<>",
                 "ALL is an array that others can write to", "used is not final"),
                 bad.mutableStatics().stream().map(line -> line.replaceFirst(".*: static ", "")).toList());
         assertEquals(List.of("deSolvers/Bad.java catches RuntimeException and does nothing"), bad.emptyCatches());
-        assertEquals(List.of("deSolvers/Bad.java uses System.out", "deSolvers/Bad.java uses System.err"), bad.standardStreams());
+        assertEquals(List.of("deSolvers/Bad.java uses System.out", "deSolvers/Bad.java uses System.err"),
+                bad.standardStreams());
         assertFalse(isAllowed("particles.effects", MAY_USE.get("deSolvers")));
         assertFalse(isAllowed("java.awt.geom", MAY_USE.get("particles.scene")));
         assertTrue(isAllowed("java.awt.geom", MAY_USE.get("particles.output")));

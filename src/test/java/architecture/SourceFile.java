@@ -30,9 +30,11 @@ import javax.tools.ToolProvider;
 /** One source file as the compiler's parser sees it: what it uses, and what it does that the project does not do. */
 final class SourceFile {
     /** A name that starts with packages: deSolvers.catalog.SolverCatalog, java.awt.Color, particles.effects.*. */
-    private static final Pattern QUALIFIED = Pattern.compile("((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
+    private static final Pattern QUALIFIED = Pattern.compile(
+            "((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
             + "(?:\\.[a-z]\\w*)*)\\.(?:[A-Z*].*)");
-    private static final Pattern MUTABLE = Pattern.compile("(java\\.util\\.)?(Array|Linked|Hash|Tree|Priority|Weak|Identity|Concurrent|Enum)\\w*"
+    private static final Pattern MUTABLE = Pattern.compile(
+            "(java\\.util\\.)?(Array|Linked|Hash|Tree|Priority|Weak|Identity|Concurrent|Enum)\\w*"
             + "(List|Map|Set|Queue|Deque)|Atomic\\w+|\\w*Adder|\\w*Random|StringBuilder|ThreadLocal");
 
     private final Path path;
@@ -56,7 +58,8 @@ final class SourceFile {
             return List.of();
         }
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        try (Stream<Path> tree = Files.walk(folder); StandardJavaFileManager files = compiler.getStandardFileManager(null,
+        try (Stream<Path> tree = Files.walk(folder);
+                StandardJavaFileManager files = compiler.getStandardFileManager(null,
                 null, null)) {
             List<Path> paths = tree.filter(file -> file.toString().endsWith(".java")).sorted().toList();
             if (paths.isEmpty()) {
@@ -149,7 +152,8 @@ final class SourceFile {
             Tree parent = getCurrentPath().getParentPath().getLeaf();
             boolean constant = parent.getKind() == Tree.Kind.INTERFACE || parent.getKind() == Tree.Kind.ENUM
                     && !flags.contains(Modifier.STATIC);
-            if (parent instanceof ClassTree && (flags.contains(Modifier.STATIC) || parent.getKind() == Tree.Kind.INTERFACE)) {
+            if (parent instanceof ClassTree
+                    && (flags.contains(Modifier.STATIC) || parent.getKind() == Tree.Kind.INTERFACE)) {
                 String why = whyMutable(node, flags, constant);
                 if (!why.isEmpty()) {
                     mutableStatics.add(SourceFile.this + ": static " + node.getName() + " " + why);

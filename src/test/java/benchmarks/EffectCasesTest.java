@@ -25,7 +25,8 @@ class EffectCasesTest {
 
     @Test
     void theCasesAreTheEffectsOfTheSceneFormatAndTheSprings() {
-        Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|").matcher(SceneFormat.reference("###"));
+        Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|")
+                .matcher(SceneFormat.reference("###"));
         assertTrue(list.find());
         Set<String> all = new TreeSet<>(Set.of(list.group(1).replaceFirst(", or the full name.*", "").replace("`",
                 "").split(", ")));

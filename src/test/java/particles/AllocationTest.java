@@ -78,7 +78,8 @@ class AllocationTest {
         cloth.addEffect(new QuadraticDrag(particles, 0.01, new RisingAir()));
         cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
         cloth.addEffect(new PenaltyPlane(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
-        if (!SolverCatalog.info(solver).family().equals("implicit")) {      // whose matrix changes its form with the neighbours
+        // whose matrix changes its form with the neighbours
+        if (!SolverCatalog.info(solver).family().equals("implicit")) {
             cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));
         }
         assertNothing(allocatedIn(SolverCatalog.create(solver), cloth, 1.0 / 1024));

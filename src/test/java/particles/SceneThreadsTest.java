@@ -22,8 +22,8 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
- * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that here
- * they are taken for however little there is to do; and who did it is noted.
+ * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that
+ * here they are taken for however little there is to do; and who did it is noted.
  */
 @Tag("slow")
 class SceneThreadsTest {
@@ -53,7 +53,9 @@ class SceneThreadsTest {
         }
     }
 
-    /** The state and the clock after some steps; the threads that had a part in them besides the caller's are counted. */
+    /**
+     * The state and the clock after some steps; the threads that had a part in them besides the caller's are counted.
+     */
     private static double[] run(SceneDescription description, int threads, int steps, int[] helpers) {
         double duration = Math.min(description.duration(), steps * description.deltaT());
         Scene scene = SceneBuilder.build(description, new Overrides().with("duration", "" + duration, "--duration"));

@@ -19,7 +19,8 @@ public final class Systems {
     }
 
     /** Runs to the end with rules and without an energy limit. */
-    public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration, Rule... rules) {
+    public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration,
+            Rule... rules) {
         Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
         for (Rule rule : rules) {
             simulation.addRule(rule);

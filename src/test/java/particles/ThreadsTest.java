@@ -46,7 +46,8 @@ class ThreadsTest {
         Random random = new Random(11);
         int n = 3000;
         for (int i = 0; i < n; i++) {
-            network.addParticle("p" + i, 1 + random.nextDouble(), new Vector3(random.nextDouble(), random.nextDouble(), i * 0.01),
+            network.addParticle("p" + i, 1 + random.nextDouble(), new Vector3(random.nextDouble(), random.nextDouble(),
+                    i * 0.01),
                     Vector3.ZERO, i % 500 == 0);
         }
         network.addEffect(new Gravity(network.getParticles(), Systems.GRAVITY));
@@ -106,7 +107,8 @@ class ThreadsTest {
             SpringForce springs = new SpringForce(pairs.getParticles());
             Random random = new Random(12);
             for (int i = 0; i < 1000; i++) {
-                pairs.addParticle("p" + i, 1, new Vector3(random.nextDouble(), random.nextDouble(), i), Vector3.ZERO, false);
+                pairs.addParticle("p" + i, 1, new Vector3(random.nextDouble(), random.nextDouble(), i), Vector3.ZERO,
+                        false);
             }
             for (int s = 0; s < 20_000; s++) {
                 springs.addSpring(s / 40 * 2, s / 40 * 2 + 1, random.nextDouble(), random.nextDouble(), 0.1);
@@ -206,7 +208,8 @@ class ThreadsTest {
                 && thread.getName().startsWith("forces-")).toArray(Thread[]::new);
         assertEquals(2, helpers.length);
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long[] allocated = {threads.getCurrentThreadAllocatedBytes(), threads.getThreadAllocatedBytes(helpers[0].getId())};
+        long[] allocated = {threads.getCurrentThreadAllocatedBytes(),
+                threads.getThreadAllocatedBytes(helpers[0].getId())};
         for (int i = 0; i < 10 * STEPS; i++) {
             solver.stepState(cloth, 1.0 / 1024);
         }

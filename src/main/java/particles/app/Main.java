@@ -28,7 +28,9 @@ import particles.app.student.GradeCommand;
 import particles.app.student.NewClassCommand;
 import particles.app.student.StudentLoader;
 
-/** Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}. */
+/**
+ * Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}.
+ */
 public final class Main {
     private static final Path SCENES = Path.of("scenes");
     private static final Path EXERCISES = Path.of("src", "main", "java", "exercises");

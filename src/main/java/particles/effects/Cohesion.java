@@ -17,12 +17,13 @@ import particles.spec.Values;
  *   damping of the pair    : F_i = -c u^2 (r . r') r / h^2
  * </pre>
  * The potential is -e at the distance d, where the force is 0, and smooth everywhere: at |r| = 0, where no direction is
- * needed, and at |r| = h, where the force goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and go.
+ * needed, and at |r| = h, where the force goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and
+ * go.
  *
- * <p>Forces are central and opposite: momentum and angular momentum are kept. Neighbours come from a {@link NeighbourGrid},
- * built anew in every call for all particles, so that the work is proportional to their number; calls must not overlap.
- * Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with the inverse powers replaced by
- * powers of u.
+ * <p>Forces are central and opposite: momentum and angular momentum are kept. Neighbours come from a
+ * {@link NeighbourGrid}, built anew in every call for all particles, so that the work is proportional to their number;
+ * calls must not overlap. Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with
+ * the inverse powers replaced by powers of u.
  */
 public final class Cohesion implements DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
@@ -50,11 +51,13 @@ public final class Cohesion implements DifferentiableEffect {
      */
     public Cohesion(Particles particles, double range, double distance, double depth, double damping) {
         if (!(distance > 0 && distance < range && range <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("cohesion's distance of balance has to be over 0 and less than its range, not "
+            throw new IllegalArgumentException(
+                    "cohesion's distance of balance has to be over 0 and less than its range, not "
                     + distance + " with a range of " + range);
         }
         if (!(depth > 0 && depth <= Double.MAX_VALUE && damping >= 0 && damping <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("cohesion needs a positive depth and a damping of 0 or more, not " + depth + ", "
+            throw new IllegalArgumentException("cohesion needs a positive depth and a damping of 0 or more, not "
+                    + depth + ", "
                     + damping);
         }
         this.particles = particles;

@@ -8,8 +8,9 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * A wind that is the same everywhere and swells and falls in time: u(t) = mean + gust sin(2 pi t / period). With no gust it
- * is a steady wind. "In mass-spring systems, often no t dependence but might have e.g. time-varying wind field."
+ * A wind that is the same everywhere and swells and falls in time: u(t) = mean + gust sin(2 pi t / period). With no
+ * gust it is a steady wind. "In mass-spring systems, often no t dependence but might have e.g. time-varying wind
+ * field."
  */
 public final class GustyWind implements Wind {
     private final Vector3 mean;
@@ -24,7 +25,8 @@ public final class GustyWind implements Wind {
      */
     public GustyWind(Vector3 mean, Vector3 gust, double period) {
         if (!mean.isFinite() || !gust.isFinite() || !(period > 0) || !(period <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a wind needs finite velocities and a positive period, not " + mean + ", " + gust
+            throw new IllegalArgumentException("a wind needs finite velocities and a positive period, not " + mean
+                    + ", " + gust
                     + ", " + period);
         }
         this.mean = mean;

@@ -6,8 +6,8 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 
 /**
- * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air. Wind
- * acts through drag and in no other way.
+ * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air.
+ * Wind acts through drag and in no other way.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".
  */

@@ -16,9 +16,9 @@ import particles.spec.VectorType;
  * <pre>
  *   F = -m mu r / (|r|^2 + s^2)^(3/2)
  * </pre>
- * mu is G times the mass at the point. Without softening (s = 0) orbits are Kepler's ellipses, and there is no finite force
- * at the point itself. With s &gt; 0 the force falls to 0 within about s of the point, which lets particles pass through it
- * with reasonable steps, and ellipses turn slowly.
+ * mu is G times the mass at the point. Without softening (s = 0) orbits are Kepler's ellipses, and there is no finite
+ * force at the point itself. With s &gt; 0 the force falls to 0 within about s of the point, which lets particles pass
+ * through it with reasonable steps, and ellipses turn slowly.
  *
  * <p>Potential energy -m mu / sqrt(|r|&sup2; + s&sup2;). Source of the softening: H. Plummer (1911), S. Aarseth (1963).
  */
@@ -44,7 +44,8 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
      */
     public PointAttraction(Particles particles, Vector3 centre, double strength, double softening) {
         if (!centre.isFinite() || !Double.isFinite(strength) || !(softening >= 0) || !(softening <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("an attraction needs a finite centre and strength and a softening of 0 or more,"
+            throw new IllegalArgumentException(
+                    "an attraction needs a finite centre and strength and a softening of 0 or more,"
                     + " not " + centre + ", " + strength + ", " + softening);
         }
         this.particles = particles;

@@ -7,10 +7,10 @@ import particles.law.AnchorMotion;
 import particles.law.Particles;
 
 /**
- * The fixed particles that follow a given motion. Where they are is known at all times, so that they are no unknowns of the
- * equations that a solver solves: in the system's own state and in every force they are exactly where their motions are at
- * the clock's time, and what a solver sees of them is zeros that stay zeros. No error of a step gets into them, and a solver
- * that remembers where its last step ended finds the same bits there.
+ * The fixed particles that follow a given motion. Where they are is known at all times, so that they are no unknowns of
+ * the equations that a solver solves: in the system's own state and in every force they are exactly where their motions
+ * are at the clock's time, and what a solver sees of them is zeros that stay zeros. No error of a step gets into them,
+ * and a solver that remembers where its last step ended finds the same bits there.
  */
 public final class Anchors {
     private static final int STRIDE = Particles.STRIDE;
@@ -47,7 +47,10 @@ public final class Anchors {
         }
     }
 
-    /** A state with the anchors where they are at a time: the array itself where none moves, or a copy, valid until the next. */
+    /**
+     * A state with the anchors where they are at a time: the array itself where none moves, or a copy, valid until the
+     * next.
+     */
     public double[] shownIn(double[] state, double time, int n) {
         if (anchors.isEmpty()) {
             return state;

@@ -7,8 +7,8 @@ import particles.law.Particles;
 
 /**
  * The derivative, evaluated by several threads: each takes a range of the particles, and some of the blocks of each
- * {@link DivisibleEffect}. What each particle's force is added up from, and in which order, is the same as in one thread,
- * and so are the bits.
+ * {@link DivisibleEffect}. What each particle's force is added up from, and in which order, is the same as in one
+ * thread, and so are the bits.
  */
 public final class ParallelForces implements AutoCloseable {
     /** With fewer forces one thread is faster. Cloths, rk4: two are as fast at 8,000 and take 0.8 of it at 16,000. */

@@ -78,7 +78,10 @@ public final class ParticleJacobian implements ForceDerivatives {
         }
     }
 
-    /** J w: block by block, or by one difference of derivatives where an effect or a reaction does not know its own part. */
+    /**
+     * J w: block by block, or by one difference of derivatives where an effect or a reaction does not know its own
+     * part.
+     */
     public void multiply(double[] state, double time, double[] w, double[] product) {
         if (!isExact()) {
             difference(state, w, product);

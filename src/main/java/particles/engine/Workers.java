@@ -4,23 +4,23 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A few threads that do a piece of work together with the thread that asks for it, over and over and without allocating.
- * Between two pieces they watch for the next one for a while, and then sleep until they are woken. They are
+ * A few threads that do a piece of work together with the thread that asks for it, over and over and without
+ * allocating. Between two pieces they watch for the next one for a while, and then sleep until they are woken. They are
  * daemons, and end when they are closed.
  */
 final class Workers implements AutoCloseable {
     /**
-     * How often a thread looks before it sleeps, where each has a processor: one or two milliseconds, longer than a solver's
-     * own arithmetic takes. To wake a thread costs up to a tenth of one: with a fortieth of the looks two threads were
-     * slower than one on a cloth of 64 x 64, and with these they take two thirds of its time.
+     * How often a thread looks before it sleeps, where each has a processor: one or two milliseconds, longer than a
+     * solver's own arithmetic takes. To wake a thread costs up to a tenth of one: with a fortieth of the looks two
+     * threads were slower than one on a cloth of 64 x 64, and with these they take two thirds of its time.
      */
     private static final int LOOKS = 40_000;
     /** Where threads share a processor, looking keeps the other from working. */
     private static final int FEW_LOOKS = 500;
     /**
      * After so many looks, some microseconds, each further one lets others have the processor first: the thread that is
-     * waited for may have none, as something else runs on the machine, if only the drawing of frames. That cloth took two
-     * threads four times as long as one then, and takes them as long with this.
+     * waited for may have none, as something else runs on the machine, if only the drawing of frames. That cloth took
+     * two threads four times as long as one then, and takes them as long with this.
      */
     private static final int LOOKS_ALONE = 100;
     /** So many looks take as long as one that lets others go first. */

@@ -2,9 +2,10 @@
  * What is measured of runs: observers that record, and experiments that run, both returning plain records and chart
  * data that {@code particles.output} can draw and a test can look at.
  *
- * <p>{@link particles.experiments.energy.EnergyHistory} and {@link particles.experiments.phase.PhaseHistory} are added to a
- * simulation as observers and asked for their charts after the run; {@link particles.experiments.phase.VectorFields} computes
- * the arrows behind the phase plot of a system with one degree of freedom:
+ * <p>{@link particles.experiments.energy.EnergyHistory} and {@link particles.experiments.phase.PhaseHistory} are added
+ * to a simulation as observers and asked for their charts after the run;
+ * {@link particles.experiments.phase.VectorFields} computes the arrows behind the phase plot of a system with one
+ * degree of freedom:
  * <pre>
  *     EnergyHistory energy = new EnergyHistory();
  *     PhaseHistory phase = new PhaseHistory("bob");

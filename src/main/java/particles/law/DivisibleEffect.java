@@ -2,9 +2,9 @@ package particles.law;
 
 /**
  * An effect whose forces are split into parts that several threads can evaluate at once. The parts form a binary tree:
- * the n leaves are blocks, which own disjoint ranges of particles; an inner node, a joint, has the forces between its two
- * children and is evaluated after them. The tree does not depend on the number of threads, so that sums have the same
- * bits for any number.
+ * the n leaves are blocks, which own disjoint ranges of particles; an inner node, a joint, has the forces between its
+ * two children and is evaluated after them. The tree does not depend on the number of threads, so that sums have the
+ * same bits for any number.
  */
 public interface DivisibleEffect extends Effect {
 
@@ -20,8 +20,8 @@ public interface DivisibleEffect extends Effect {
 
     /**
      * @param block a block, or n
-     * @return the first particle of its range, which ends where the next one begins: 0 for the first block, and the number of
-     *         particles for n
+     * @return the first particle of its range, which ends where the next one begins: 0 for the first block, and the
+     *         number of particles for n
      */
     int getFirstParticle(int block);
 

@@ -1,8 +1,8 @@
 package particles.law;
 
 /**
- * Where effects and reactions put the derivatives of their forces by positions and velocities, for implicit solvers: 3 x 3
- * blocks, one by one, in any order; what arrives for the same pair is added up. A block is 9 doubles by rows: entry
+ * Where effects and reactions put the derivatives of their forces by positions and velocities, for implicit solvers: 3
+ * x 3 blocks, one by one, in any order; what arrives for the same pair is added up. A block is 9 doubles by rows: entry
  * 3 a + b is the derivative of component a of the force by component b of the position or velocity. The arrays are the
  * caller's and may be used again at once.
  */
@@ -30,10 +30,12 @@ public interface ForceDerivatives {
     void addPair(int i, int j, double[] dFdX, double[] dFdV);
 
     /**
-     * Multiplies all that was added so far for the force on one particle: for a reaction whose answer depends on the force.
+     * Multiplies all that was added so far for the force on one particle: for a reaction whose answer depends on the
+     * force.
      *
      * @param i      the particle
-     * @param matrix 9 doubles by rows, the derivative of the total force on the particle by the force before the reaction
+     * @param matrix 9 doubles by rows, the derivative of the total force on the particle by the force before the
+     *               reaction
      */
     void transformRow(int i, double[] matrix);
 }

@@ -14,8 +14,8 @@ public interface Obstacle {
     Vector3 normal(double x, double y, double z);
 
     /**
-     * How the distance curves: along a path its second derivative is N . a + curvature |v_t|&sup2;, with v_t the velocity
-     * across N.
+     * How the distance curves: along a path its second derivative is N . a + curvature |v_t|&sup2;, with v_t the
+     * velocity across N.
      *
      * @return 0 for a plane, 1/r for a ball, -1/r for a hollow, with r the point's distance from the centre (1/m)
      */
@@ -29,8 +29,8 @@ public interface Obstacle {
      * inside.
      *
      * @param points       the four B&eacute;zier points of the curve, three coordinates each (m)
-     * @param coefficients receives the B&eacute;zier (Bernstein) coefficients of a polynomial of the curve's parameter that
-     *                     has the sign of the distance; at least seven places
+     * @param coefficients receives the B&eacute;zier (Bernstein) coefficients of a polynomial of the curve's parameter
+     *                     that has the sign of the distance; at least seven places
      * @return how many coefficients it has
      */
     int separation(double[] points, double[] coefficients);

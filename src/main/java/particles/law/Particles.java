@@ -3,8 +3,8 @@ package particles.law;
 import java.util.Arrays;
 
 /**
- * What particles are, beside where they are: id, mass, whether they are fixed. Flat arrays, grown as particles are added;
- * the index of a particle is its place in the state: its position begins at entry 6 i, its velocity at 6 i + 3.
+ * What particles are, beside where they are: id, mass, whether they are fixed. Flat arrays, grown as particles are
+ * added; the index of a particle is its place in the state: its position begins at entry 6 i, its velocity at 6 i + 3.
  */
 public final class Particles {
     /** Doubles per particle in a state: three positions, three velocities. */
@@ -23,7 +23,8 @@ public final class Particles {
     /** Refuses places and velocities that cannot be. */
     public static void requirePossible(String id, Vector3 position, Vector3 velocity, boolean fixed) {
         if (!position.isFinite() || !velocity.isFinite()) {
-            throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity " + velocity
+            throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity "
+                    + velocity
                     + "; both have to be finite");
         }
         if (fixed && !velocity.isZero()) {
@@ -110,7 +111,9 @@ public final class Particles {
         return deathTimes[i];
     }
 
-    /** @return the masses themselves (kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept */
+    /**
+     * @return the masses themselves (kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept
+     */
     public double[] masses() {
         return masses;
     }

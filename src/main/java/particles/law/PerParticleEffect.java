@@ -1,9 +1,9 @@
 package particles.law;
 
 /**
- * An effect whose force on a particle depends on that particle alone, as gravity and drag do, and which can be evaluated
- * for any range of particles, by several threads at once. {@link ParticleForce} is simpler to write, and runs on one
- * thread.
+ * An effect whose force on a particle depends on that particle alone, as gravity and drag do, and which can be
+ * evaluated for any range of particles, by several threads at once. {@link ParticleForce} is simpler to write, and runs
+ * on one thread.
  */
 public interface PerParticleEffect extends Effect {
 

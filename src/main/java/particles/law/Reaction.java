@@ -17,8 +17,8 @@ public interface Reaction {
      *
      * @param state the particles' state, to be read only
      * @param time  t (s)
-     * @param force holds the total force of all effects (N), in the entries where the velocities stand; receives the answer
-     *              on top
+     * @param force holds the total force of all effects (N), in the entries where the velocities stand; receives the
+     *              answer on top
      */
     void addForces(double[] state, double time, double[] force);
 
@@ -35,7 +35,8 @@ public interface Reaction {
      *
      * @param state  the particles' state, to be read only
      * @param time   t (s)
-     * @param force  the total force before this reaction (N), in the entries where the velocities stand; to be read only
+     * @param force  the total force before this reaction (N), in the entries where the velocities stand; to be read
+     *               only
      * @param derivatives holds what the effects have added
      */
     default void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
@@ -45,8 +46,9 @@ public interface Reaction {
      * @param state the particles' state
      * @param time  t (s)
      * @param force the total force of all effects (N), without reactions
-     * @return the power that physics gives (W): negative where friction turns it into heat, that of moving anchors through
-     *         rods, 0 for rods, wires and surfaces that stand still, whatever a state that is not quite on them would give
+     * @return the power that physics gives (W): negative where friction turns it into heat, that of moving anchors
+     *         through rods, 0 for rods, wires and surfaces that stand still, whatever a state that is not quite on them
+     *         would give
      */
     double getPower(double[] state, double time, double[] force);
 

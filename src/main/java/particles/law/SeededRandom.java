@@ -1,8 +1,8 @@
 package particles.law;
 
 /**
- * Random numbers that are the same on every machine and every JDK for a given seed: SplitMix64, written out, because the
- * library's generators promise good numbers but not always the same ones.
+ * Random numbers that are the same on every machine and every JDK for a given seed: SplitMix64, written out, because
+ * the library's generators promise good numbers but not always the same ones.
  *
  * <p>Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
  */

@@ -53,7 +53,8 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
     }
 
     /**
-     * {@inheritDoc} |r|&sup2; - R&sup2; along a cubic is a polynomial of degree 6; for a hollow it is R&sup2; - |r|&sup2;.
+     * {@inheritDoc} |r|&sup2; - R&sup2; along a cubic is a polynomial of degree 6; for a hollow it is R&sup2; -
+     * |r|&sup2;.
      */
     @Override
     public int separation(double[] points, double[] coefficients) {

@@ -6,8 +6,9 @@ import particles.SimulationException;
 import particles.law.Particles;
 
 /**
- * Puts positions and velocities back onto the constraints: by Newton's method, along the directions in which the least mass
- * is moved the least way, W J<sup>T</sup> mu with J W J<sup>T</sup> mu = -C; then the velocities, by one such system for C'.
+ * Puts positions and velocities back onto the constraints: by Newton's method, along the directions in which the least
+ * mass is moved the least way, W J<sup>T</sup> mu with J W J<sup>T</sup> mu = -C; then the velocities, by one such
+ * system for C'.
  */
 final class ConstraintCorrection {
     /** Relative to a row's scale and its particle's distance from the origin; better is rounding. */
@@ -46,8 +47,10 @@ final class ConstraintCorrection {
                 return iteration > 0;
             }
             if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
-                throw new SimulationException(time, -1, String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
-                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration, error),
+                throw new SimulationException(time, -1,
+                        String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
+                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration,
+                        error),
                         null);
             }
             before = error;

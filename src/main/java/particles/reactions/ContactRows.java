@@ -9,8 +9,8 @@ import particles.reactions.contact.Friction;
 import particles.reactions.contact.SlidingDirection;
 
 /**
- * The contacts of particles that hang on rods or wires, as rows beside theirs: the distance d of a particle from what it
- * touches, with N as its gradient. A particle that sticks has none; it does not move at all.
+ * The contacts of particles that hang on rods or wires, as rows beside theirs: the distance d of a particle from what
+ * it touches, with N as its gradient. A particle that sticks has none; it does not move at all.
  */
 final class ContactRows {
     private static final int STRIDE = Particles.STRIDE;

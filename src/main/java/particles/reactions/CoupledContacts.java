@@ -101,7 +101,9 @@ final class CoupledContacts {
                 + particles.id(particle) + "' at t = " + time + " s: " + reason, null);
     }
 
-    /** b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in it. */
+    /**
+     * b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in it.
+     */
     private double putRight(Linkage linkage, double time, double[] force) {
         if (accelerations.length != system.getStateSize()) {
             accelerations = new double[system.getStateSize()];
@@ -188,7 +190,8 @@ final class CoupledContacts {
             queryChanges = contacts.getModes().changes();
         }
         if (contacts.getModes().isSticking(particle)) {
-            return contacts.response().pressure(surface, particle, state, forcesAtRest(linkage, state, force, queryLambda));
+            return contacts.response().pressure(surface, particle, state,
+                    forcesAtRest(linkage, state, force, queryLambda));
         }
         for (int k = 0; k < joint.touching.count; k++) {
             if (joint.touching.particle[k] == particle && joint.touching.surface[k] == surface) {
@@ -209,7 +212,8 @@ final class CoupledContacts {
         rows.evaluate(state);
         joint.take(linkage, state, particle);
         if (find(linkage, state, system.getTime(), force, lambda).isPresent()) {
-            return -1;                                  // what moves on its rods does not let it stand still: no failure
+            // what moves on its rods does not let it stand still: no failure
+            return -1;
         }
         return contacts.response().holdMargin(particle, state, forcesAtRest(linkage, state, force, lambda));
     }

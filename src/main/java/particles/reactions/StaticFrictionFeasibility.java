@@ -5,10 +5,10 @@ import java.util.List;
 import particles.law.Particles;
 
 /**
- * Static friction where more is held than needed. A rod between two ends that stick can carry anything, since neither end
- * moves; rigid bodies do not say what, and no motion depends on it. What can be asked is whether there is any load with
- * which friction holds all ends. So it looks for the one with which the end that holds worst has most to spare: by golden
- * section, for that is a concave function of the load, one rod after the other where there are several.
+ * Static friction where more is held than needed. A rod between two ends that stick can carry anything, since neither
+ * end moves; rigid bodies do not say what, and no motion depends on it. What can be asked is whether there is any load
+ * with which friction holds all ends. So it looks for the one with which the end that holds worst has most to spare: by
+ * golden section, for that is a concave function of the load, one rod after the other where there are several.
  */
 final class StaticFrictionFeasibility {
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
@@ -42,7 +42,8 @@ final class StaticFrictionFeasibility {
             }
         }
         if (leastMargin(state, total) > 0) {
-            return;                                     // they lie there without any load, and need not be asked for one
+            // they lie there without any load, and need not be asked for one
+            return;
         }
         int idle = 0;
         for (int r = 0; r < joint.constraintRows(); r++) {

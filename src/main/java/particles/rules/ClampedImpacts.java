@@ -25,15 +25,15 @@ import particles.reactions.contact.ContactSurface;
  * v_t' = v_t. "Should back-off simulation until it's just on the plane. But usually don't bother!" - this rule does not
  * bother: a particle found below a surface after a step is put onto it, at the end of the step.
  *
- * <p>It is put there with the speed that it had there. With the acceleration a across the surface as constant within the
- * step, a = delta v/deltaT, its square is v_n&sup2; + 2 a depth: whoever is lifted against gravity pays with speed. So a
- * bounce multiplies the energy across the surface by r&sup2;, and adds none; what the solver's own steps add or lose it
- * leaves. Each bounce comes late, by less than deltaT; {@link ExactImpacts} is in time.
+ * <p>It is put there with the speed that it had there. With the acceleration a across the surface as constant within
+ * the step, a = delta v/deltaT, its square is v_n&sup2; + 2 a depth: whoever is lifted against gravity pays with speed.
+ * So a bounce multiplies the energy across the surface by r&sup2;, and adds none; what the solver's own steps add or
+ * lose it leaves. Each bounce comes late, by less than deltaT; {@link ExactImpacts} is in time.
  *
  * <p>It also decides what happens where bounces get smaller and smaller. A particle that would leave slower than the
- * surface's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step cannot
- * resolve), stays in contact. In contact it slides, or sticks once it is slower than the friction's threshold or has turned
- * round within a step, provided that static friction can hold it.
+ * surface's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step
+ * cannot resolve), stays in contact. In contact it slides, or sticks once it is slower than the friction's threshold or
+ * has turned round within a step, provided that static friction can hold it.
  */
 public final class ClampedImpacts implements Rule {
     private static final int STRIDE = Particles.STRIDE;
@@ -115,7 +115,9 @@ public final class ClampedImpacts implements Rule {
         return slideOrStickAll(system) || changed;
     }
 
-    /** After all have been put back: what sticks moves no more, and a rod between two that stick could not be put right. */
+    /**
+     * After all have been put back: what sticks moves no more, and a rod between two that stick could not be put right.
+     */
     private boolean slideOrStickAll(ParticleSystem system) {
         double[] state = system.getOwnState();
         boolean changed = false;
@@ -180,8 +182,8 @@ public final class ClampedImpacts implements Rule {
     }
 
     /**
-     * A particle that came to rest on surface p may touch others: in the bottom of a groove it is put onto all of them. One
-     * that it leaves so slowly that it would be back within half a step is not left.
+     * A particle that came to rest on surface p may touch others: in the bottom of a groove it is put onto all of them.
+     * One that it leaves so slowly that it would be back within half a step is not left.
      */
     private void keepOnOthers(ParticleSystem system, int p, int i, double deltaT) {
         double[] state = system.getOwnState();
@@ -230,7 +232,9 @@ public final class ClampedImpacts implements Rule {
         return false;
     }
 
-    /** A particle that sticks begins to slide where it cannot be held; one that slides sticks where it stops and can be. */
+    /**
+     * A particle that sticks begins to slide where it cannot be held; one that slides sticks where it stops and can be.
+     */
     private boolean slideOrStick(ParticleSystem system, int i, double[] state) {
         if (!modes.isTouching(i)) {
             return false;
@@ -264,8 +268,8 @@ public final class ClampedImpacts implements Rule {
     }
 
     /**
-     * Takes a particle that flew through a ball within the step back to where it went in, so that it is found there with the
-     * velocity that it had there.
+     * Takes a particle that flew through a ball within the step back to where it went in, so that it is found there
+     * with the velocity that it had there.
      */
     private void stopFlight(ContactSurface surface, int i, double[] state, double deltaT) {
         bezier(before, state, deltaT, i, points);

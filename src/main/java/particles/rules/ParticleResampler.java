@@ -10,13 +10,13 @@ import particles.law.Vector3;
 import particles.view.SpringView;
 
 /**
- * Keeps the density of samples even, the slides' "birth/death rules e.g. to maintain uniform density of samples": at the end
- * of a step two particles that are too close become one, and one that is too lonely becomes two. Mass and momentum stay:
- * a merged particle has both masses, sits at their centre and moves with their common velocity; the halves of a split one
- * move alike. The energy of the motion of two that merge against each other is lost.
+ * Keeps the density of samples even, the slides' "birth/death rules e.g. to maintain uniform density of samples": at
+ * the end of a step two particles that are too close become one, and one that is too lonely becomes two. Mass and
+ * momentum stay: a merged particle has both masses, sits at their centre and moves with their common velocity; the
+ * halves of a split one move alike. The energy of the motion of two that merge against each other is lost.
  *
- * <p>Particles that are fixed or at a spring's end stay as they are. New particles have ids of their own, {@code sample[3]},
- * and the span of life of the one they came from, the heavier one of two.
+ * <p>Particles that are fixed or at a spring's end stay as they are. New particles have ids of their own,
+ * {@code sample[3]}, and the span of life of the one they came from, the heavier one of two.
  */
 public final class ParticleResampler implements Rule {
     private static final int STRIDE = Particles.STRIDE;
@@ -38,13 +38,14 @@ public final class ParticleResampler implements Rule {
      * @param id       the name with which ids of new particles begin, not used otherwise
      * @param springs  whose ends are left alone
      * @param closest  two that are closer become one (m), positive
-     * @param farthest one that has no other within this distance becomes two, at half of it from each other (m), more than
-     *                 twice the closest
+     * @param farthest one that has no other within this distance becomes two, at half of it from each other (m), more
+     *                 than twice the closest
      * @param lightest no particle becomes lighter than this by a split (kg), positive
      * @param seed     of the random directions of splits
      * @throws IllegalArgumentException if a number is out of its range
      */
-    public ParticleResampler(String id, SpringView springs, double closest, double farthest, double lightest, long seed) {
+    public ParticleResampler(String id, SpringView springs, double closest, double farthest, double lightest,
+            long seed) {
         if (!(closest > 0 && farthest > 2 * closest && farthest <= Double.MAX_VALUE && lightest > 0)) {
             throw new IllegalArgumentException("even samples need positive distances, the farthest more than twice the"
                     + " closest, and a positive mass, not " + closest + ", " + farthest + ", " + lightest);

@@ -47,7 +47,8 @@ public final class SceneBuilder {
     public static Scene build(SceneDescription described, Overrides overrides) {
         Problems problems = new Problems();
         SceneDescription scene = overrides.applyTo(described, problems);
-        Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene, problems);
+        Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene,
+                problems);
         RunLimits.check(scene.deltaT(), scene.duration(), scene.output().frameRate(), scene.places(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
         if (problems.count() > 0) {
@@ -117,7 +118,8 @@ public final class SceneBuilder {
     /** In the order of {@link ParticleIndex}. */
     private static List<Surface> addParticles(SceneDescription scene, ParticleSystem system, SpringForce springs) {
         for (ParticleDescription particle : scene.particles()) {
-            system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(), particle.fixed());
+            system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(),
+                    particle.fixed());
         }
         List<Surface> surfaces = new ArrayList<>();
         for (ShapeDescription shape : scene.shapes()) {

@@ -69,7 +69,9 @@ public final class SceneReader {
                 .orElseThrow(() -> new SceneException(problems.lines()));
     }
 
-    /** As far as the format says what is allowed, without what has to hold between the parts: this the schema knows too. */
+    /**
+     * As far as the format says what is allowed, without what has to hold between the parts: this the schema knows too.
+     */
     static Optional<Values> readValues(byte[] bytes, Reading in) {
         return YamlText.compose(bytes, in).map(root -> SceneFormat.SCENE.readRoot(root, in));
     }

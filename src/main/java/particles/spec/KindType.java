@@ -74,12 +74,15 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         }
         Node valueNode = entries.get(0).getValueNode();
         if (valueNode.getTag().equals(Tag.NULL)) {
-            in.problem(nameNode, "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
-                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon" : ""));
+            in.problem(nameNode,
+                    "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
+                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon"
+                    : ""));
             return Optional.empty();
         }
         Place place = in.place(nameNode);
-        return kind.get().keys().read(valueNode, "'" + kind.get().name() + "'", in).map(values -> new Chosen<>(kind.get(),
+        return kind.get().keys().read(valueNode, "'" + kind.get().name() + "'",
+                in).map(values -> new Chosen<>(kind.get(),
                 values, place));
     }
 
@@ -102,7 +105,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
         if (!kind.keys().mayBeEmpty()) {
-            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it needs " + kind.keys().describe());
+            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it needs "
+                    + kind.keys().describe());
             return Optional.empty();
         }
         return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));

@@ -102,7 +102,8 @@ public final class MappingType extends Type<Values> {
         if (key.isEmpty()) {
             List<String> known = keys.stream().map(Key::name).toList();
             in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
-                    ? "a number where a key of " + name + " should be; numbers have a decimal point, not a comma, and several"
+                    ? "a number where a key of " + name
+                    + " should be; numbers have a decimal point, not a comma, and several"
                     + " of them stand in [ ]"
                     : Wording.unknown("key", text, known).replaceFirst("known:", "known in " + name + ":"));
         } else if (!seen.add(text)) {

@@ -46,7 +46,8 @@ public final class VectorType extends Type<Vector3> {
         }
         List<Node> nodes = ((SequenceNode) node).getValue();
         if (nodes.size() != 3) {
-            in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries") + "; it has to be "
+            in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries")
+                    + "; it has to be "
                     + describe());
             return Optional.empty();
         }

@@ -12,5 +12,6 @@ import particles.law.Vector3;
  * @param fieldOfView the full vertical angle of a perspective view (degrees)
  * @param height      the height of the picture in the plane through the target, of an orthographic view (m)
  */
-public record Camera(Vector3 position, Vector3 target, Vector3 up, boolean perspective, double fieldOfView, double height) {
+public record Camera(Vector3 position, Vector3 target, Vector3 up, boolean perspective, double fieldOfView,
+        double height) {
 }

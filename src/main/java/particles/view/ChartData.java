@@ -55,8 +55,8 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
     /**
      * One line of a chart.
      *
-     * @param name what the legend says; if it begins with a solver's name, the series has this solver's colour and mark, the
-     *             same in all charts, and series that are no solver's beside it are grey
+     * @param name what the legend says; if it begins with a solver's name, the series has this solver's colour and
+     *             mark, the same in all charts, and series that are no solver's beside it are grey
      * @param mark how it is drawn
      * @param x    the abscissae
      * @param y    as many ordinates

@@ -6,7 +6,8 @@ import java.util.List;
  * As what free particles are drawn, and in which light.
  *
  * @param kind       as what
- * @param ageColours the colours of a glow through a particle's life, evenly spread from its birth to its death, 0xRRGGBB
+ * @param ageColours the colours of a glow through a particle's life, evenly spread from its birth to its death,
+ *                   0xRRGGBB
  * @param trail      for how long the way that a particle came stays visible (s); 0 for no trails
  * @param night      whether the sky is dark, so that a glow is seen
  */
@@ -25,7 +26,8 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
     }
 
     /** Balls by daylight, without trails. */
-    public static final ParticleStyle STANDARD = new ParticleStyle(Kind.BALLS, List.of(0xffe9a8, 0xff9d2e, 0xd83a0f, 0x5a1208), 0, false);
+    public static final ParticleStyle STANDARD = new ParticleStyle(Kind.BALLS,
+            List.of(0xffe9a8, 0xff9d2e, 0xd83a0f, 0x5a1208), 0, false);
 
     /** @throws IllegalArgumentException if there is no colour, or the duration of trails is out of its range */
     public ParticleStyle {

@@ -16,18 +16,22 @@ import java.util.List;
  * @param backColour     the colour of its back
  * @param style          as what free particles are drawn
  */
-public record RenderOptions(Shown particles, Shown springs, double particleRadius, double strainRange, int particleColour,
+public record RenderOptions(Shown particles, Shown springs, double particleRadius, double strainRange,
+        int particleColour,
                    int fixedColour, int frontColour, int backColour, ParticleStyle style) {
 
     /** How pictures look where a scene says nothing. */
-    public static final RenderOptions STANDARD = new RenderOptions(Shown.BESIDE_SURFACES, Shown.BESIDE_SURFACES, 0, 0.1, 0xf0a43c, 0x5a6270,
+    public static final RenderOptions STANDARD = new RenderOptions(Shown.BESIDE_SURFACES, Shown.BESIDE_SURFACES, 0, 0.1,
+            0xf0a43c, 0x5a6270,
             0xd9534f, 0x4a78b5, ParticleStyle.STANDARD);
 
     /** Which of the particles, or of the springs, are drawn. */
     public enum Shown {
         /** All. */
         ALWAYS,
-        /** Those that do not belong to a surface; springs with an end that does not, unless they begin on a closed one. */
+        /**
+         * Those that do not belong to a surface; springs with an end that does not, unless they begin on a closed one.
+         */
         BESIDE_SURFACES,
         /** None. */
         NEVER
@@ -57,7 +61,8 @@ public record RenderOptions(Shown particles, Shown springs, double particleRadiu
      * @return the look
      */
     public RenderOptions inOneColour(int colour) {
-        return new RenderOptions(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour, colour,
+        return new RenderOptions(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour,
+                colour,
                 new ParticleStyle(style.kind(), List.of(colour), style.trail(), style.night()));
     }
 }

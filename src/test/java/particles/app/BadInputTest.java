@@ -17,15 +17,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Files made to break a reader, given to the program with half a gigabyte: it ends with one clear line and the right code,
- * and has written nothing. Measured: 0.3 to 0.6 s each, of which 0.25 s is Java's start; nothing waits for a limit of time.
+ * Files made to break a reader, given to the program with half a gigabyte: it ends with one clear line and the right
+ * code, and has written nothing. Measured: 0.3 to 0.6 s each, of which 0.25 s is Java's start; nothing waits for a
+ * limit of time.
  */
 @Tag("slow")
 class BadInputTest {
     private static final String HEAD = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n";
     private static final String BOB = "particles:\n  - {id: bob, position: [0, 1, 0]}\n";
-    private static final String CLOTH = "shapes:\n  - cloth: {corner: [0, 0, 0], across: [1, 0, 0], down: [0, -1, 0], columns: %s,"
-            + " rows: %s, totalMass: 1, structural: {stiffness: 1}}\n";
+    private static final String CLOTH = "shapes:\n  - cloth: {corner: [0, 0, 0], across: [1, 0, 0], down: [0, -1, 0],"
+            + " columns: %s, rows: %s, totalMass: 1, structural: {stiffness: 1}}\n";
     private static final String EMITTER = HEAD + BOB
             + "rules:\n  - emitter: {id: drop, position: [0, 0, 0], speed: 1, rate: 1e6, mass: 1}\n";
 
@@ -36,7 +37,8 @@ class BadInputTest {
     private static final Map<String, List<Object>> FILES = new TreeMap<>();
 
     private static void put(String name, Object contents, String line) {
-        FILES.put(name, List.of(contents instanceof String text ? text.getBytes(StandardCharsets.UTF_8) : contents, line));
+        FILES.put(name, List.of(contents instanceof String text ? text.getBytes(StandardCharsets.UTF_8) : contents,
+                line));
     }
 
     static Stream<String> names() {
@@ -62,7 +64,8 @@ class BadInputTest {
                 "a whole number from 2 to 1000000");
         put("a billion births", EMITTER.replace("duration: 1\n", "duration: 1000\n"),
                 "MiB of memory for up to 1000000001 particles");
-        put("a billion births at once", (EMITTER + "  - kill: {point: [0, -1, 0]}\n").replace("deltaT: 0.01", "deltaT: 2000")
+        put("a billion births at once", (EMITTER + "  - kill: {point: [0, -1, 0]}\n").replace("deltaT: 0.01",
+                "deltaT: 2000")
                 .replace("duration: 1\n", "duration: 2000\n"), "MiB of memory for up to 2000000001 particles");
         put("too much for the heap", HEAD.replace("rk4", "radau") + CLOTH.formatted("600", "600"),
                 "of memory for up to 360000 particles");

@@ -29,7 +29,8 @@ public final class CheckProcess {
      */
     public static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException,
             InterruptedException {
-        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m",
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx256m",
                 "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), Main.class.getName(), command,
                 option + planted.getName(), "--inThisProcess", "--out=" + folder).redirectErrorStream(true).start();
         String screen = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

@@ -80,7 +80,8 @@ class OwnEffectTest {
     /** A turn takes pi/w = 2 s. */
     private static final String SCENE = """
             title: A puck on a turntable
-            teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table turns once.
+            teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table
+                  turns once.
             solver: rk4
             deltaT: 0.01
             duration: 2
@@ -164,7 +165,8 @@ class OwnEffectTest {
 
     @Test
     void aLawThatFailsWhileItIsBuiltIsOneLine() throws IOException {
-        write("Coriolis", LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
+        write("Coriolis",
+                LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
         SceneException e = assertThrows(SceneException.class, () -> scene(SCENE));
         assertEquals(1, e.getLines().size());
         assertTrue(e.getMessage().startsWith("x.yaml:9:5: exercises.Coriolis cannot be built: java.lang.ArrayIndex"),

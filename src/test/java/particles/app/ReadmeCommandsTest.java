@@ -27,8 +27,8 @@ import particles.app.run.StopRequest;
 
 /**
  * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through
- * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as a
- * line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
+ * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as
+ * a line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
  * {@code shorter gradle ...} for one with options that README has not, since it would take long without them.
  */
 class ReadmeCommandsTest {
@@ -36,7 +36,8 @@ class ReadmeCommandsTest {
     private static final Pattern IN_TEXT = Pattern.compile("`(" + COMMAND + ")`");
     private static final Pattern IN_BLOCK = Pattern.compile("(?m)^    (?:.*&& )?(" + COMMAND + ")$");
     private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|refused) (" + COMMAND + ")$");
-    private static final Pattern SHORTER_IN_CI = Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^']*'? ?)+$");
+    private static final Pattern SHORTER_IN_CI =
+            Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^']*'? ?)+$");
 
     /** Less than a second each. */
     private static final Map<String, ExitCode> FAST = Map.of(

@@ -102,7 +102,8 @@ class ReadmeTest {
         List<String> rows = new ArrayList<>();
         for (String list : matches(Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|"), reference)) {
             for (String name : list.replaceFirst(", or the full name.*", "").replace("`", "").split(", ")) {
-                rows.add("| `" + name + "` | " + matches(Pattern.compile("(?m)^### `" + name + "`\n(.*)$"), reference).get(0)
+                rows.add("| `" + name + "` | " + matches(Pattern.compile("(?m)^### `" + name + "`\n(.*)$"),
+                        reference).get(0)
                         + " |");
             }
         }
@@ -131,7 +132,8 @@ class ReadmeTest {
 
     @Test
     void theSceneFileIsDescribedAsItIsRead() {
-        assertTrue(README.contains(SceneFormat.reference("###")), "README's part on the scene file is SceneFormat.reference");
+        assertTrue(README.contains(SceneFormat.reference("###")),
+                "README's part on the scene file is SceneFormat.reference");
     }
 
     @Test

@@ -24,7 +24,8 @@ import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 
 /**
- * Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to err.
+ * Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to
+ * err.
  */
 @Tag("slow")
 class ScenesRunTest {
@@ -48,7 +49,8 @@ class ScenesRunTest {
         assertEquals("", errors.toString());
         assertEquals(ExitCode.DONE, code);
         assertTrue(lines.toString().contains(scene.title()), lines.toString());
-        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "trajectory.csv", "run.json")) {
+        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "trajectory.csv",
+                "run.json")) {
             assertTrue(Files.isRegularFile(out.resolve(name)), name);
         }
         assertEquals(scene.output().phase().isPresent(), Files.isRegularFile(out.resolve("phase.png")), "phase.png");

@@ -29,7 +29,8 @@ import particles.rules.SineMotion;
 /** Anchors that move are where their motions are, whatever the solver, and cost it neither its order nor its memory. */
 class AnchorsTest {
     private static final AnchorMotion GLIDE = new GlideMotion(Vector3.ZERO, new Vector3(2, 0, 0), 1.02);
-    private static final AnchorMotion CRANK = new CircleMotion(new Vector3(0.3, 0, 0), Vector3.ZERO, new Vector3(0, 0, 1), 1.5);
+    private static final AnchorMotion CRANK = new CircleMotion(new Vector3(0.3, 0, 0), Vector3.ZERO,
+            new Vector3(0, 0, 1), 1.5);
 
     static List<String> solvers() {
         return SolverCatalog.names();
@@ -54,8 +55,8 @@ class AnchorsTest {
     }
 
     /**
-     * After 400 steps of 0.05 s, forwards or backwards. Integrated from its acceleration the hand, that should stay at 2 m,
-     * was at 1.33 m with verlet and euler and at 2.45 m with midpoint, and went on.
+     * After 400 steps of 0.05 s, forwards or backwards. Integrated from its acceleration the hand, that should stay at
+     * 2 m, was at 1.33 m with verlet and euler and at 2.45 m with midpoint, and went on.
      */
     @ParameterizedTest
     @MethodSource("solvers")
@@ -101,7 +102,8 @@ class AnchorsTest {
      * Measured: within 0.0024 of the order.
      */
     @ParameterizedTest
-    @CsvSource({"euler, 1", "symplectic-euler, 1", "backward-euler, 1", "midpoint, 2", "verlet, 2", "implicit-midpoint, 2",
+    @CsvSource({"euler, 1", "symplectic-euler, 1", "backward-euler, 1", "midpoint, 2", "verlet, 2",
+            "implicit-midpoint, 2",
         "rk4, 4", "adams, 4", "yoshida4, 4"})
     void solversKeepTheirOrders(String solver, int order) {
         double h = order == 1 ? 0.0005 : order == 2 ? 0.01 : 0.02;

@@ -69,9 +69,11 @@ class ParticleJacobianTest {
         return contacts(system, friction, mode, floor, wall);
     }
 
-    private static RestingContacts contacts(ParticleSystem system, Friction friction, Mode mode, Obstacle one, Obstacle other) {
+    private static RestingContacts contacts(ParticleSystem system, Friction friction, Mode mode, Obstacle one,
+            Obstacle other) {
         RestingContacts contacts = new RestingContacts(system.getParticles(),
-                List.of(new ContactSurface("one", one, 0, friction, 0.01), new ContactSurface("other", other, 0, friction,
+                List.of(new ContactSurface("one", one, 0, friction, 0.01),
+                new ContactSurface("other", other, 0, friction,
                         0.01)));
         for (int i = 0; i < N; i++) {
             contacts.getModes().set(0, i, i % 3 == 0 ? Mode.FREE : mode);
@@ -138,7 +140,8 @@ class ParticleJacobianTest {
             Random random = new Random(seed);
             ParticleSystem system = particles(random);
             springs(system, random, damping);
-            system.addEffect(new LinearDrag(system.getParticles(), 0.7, new GustyWind(Vector3.ZERO, new Vector3(3, 0, 1), 2)));
+            system.addEffect(new LinearDrag(system.getParticles(), 0.7,
+                    new GustyWind(Vector3.ZERO, new Vector3(3, 0, 1), 2)));
             assertEquals(Blocks.EXACT, system.getJacobianBlocks());
             assertTrue(deviation(system, random) < EXACT, "seed " + seed);
         }
@@ -155,13 +158,16 @@ class ParticleJacobianTest {
                     springs(system, random, 0.5);
                     contacts(system, new Friction(law, 0.3, 0.4, 1e-3), mode).setHoldsOn(holdsOn);
                     assertEquals(Blocks.EXACT, system.getJacobianBlocks());
-                    assertTrue(deviation(system, random) < EXACT, "seed " + seed + ", " + mode + ", holds on " + holdsOn);
+                    assertTrue(deviation(system, random) < EXACT,
+                            "seed " + seed + ", " + mode + ", holds on " + holdsOn);
                 }
             }
         }
     }
 
-    /** On a ball, in a hollow, and between one of them and a plane: the normal turns, and the circle needs its force. */
+    /**
+     * On a ball, in a hollow, and between one of them and a plane: the normal turns, and the circle needs its force.
+     */
     @ParameterizedTest
     @EnumSource(Friction.Law.class)
     void contactWithSpheresIsExact(Friction.Law law) {

@@ -9,7 +9,8 @@ import org.junit.jupiter.api.Test;
 /** Each part of a piece of work is done once, whatever becomes of the others. */
 class WorkersTest {
     /**
-     * A state that makes one part fail makes the others fail too; the next step, of a state put right, has nothing of it.
+     * A state that makes one part fail makes the others fail too; the next step, of a state put right, has nothing of
+     * it.
      */
     @Test
     void failuresOfAllThreadsAreOverWhenTheyWereThrown() {

@@ -31,7 +31,8 @@ import particles.view.Surface;
 /** What a picture does not show has no painter: all painters that a renderer holds after a frame are counted. */
 class OnlyNamedPaintersTest {
     private static final RenderOptions BALLS = look(ParticleStyle.Kind.BALLS, 1, 0);
-    private static final Plane SLOPE = new Plane(new Vector3(0, -3, 0), new Vector3(0, 0.8, 0.6));      // seen from above
+    // seen from above
+    private static final Plane SLOPE = new Plane(new Vector3(0, -3, 0), new Vector3(0, 0.8, 0.6));
     private static final CurveView LINE = new CurveView() {
         @Override
         public Vector3 at(double u) {
@@ -49,7 +50,8 @@ class OnlyNamedPaintersTest {
     }
 
     static List<Case> cases() {
-        RenderOptions noSprings = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.NEVER, 1, 0.1, 1, 2, 3, 4, ParticleStyle.STANDARD);
+        RenderOptions noSprings = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.NEVER, 1, 0.1, 1, 2,
+                3, 4, ParticleStyle.STANDARD);
         return List.of(new Case("balls", BALLS, Scenery.NONE, false, Set.of()),
                 new Case("points", look(ParticleStyle.Kind.POINTS, 1, 0), Scenery.NONE, false, Set.of()),
                 new Case("blobs", look(ParticleStyle.Kind.BLOBS, 1, 0), Scenery.NONE, false, Set.of("BlobPainter")),
@@ -57,7 +59,8 @@ class OnlyNamedPaintersTest {
                 new Case("trails", look(ParticleStyle.Kind.BALLS, 1, 0.5), Scenery.NONE, false, Set.of("TrailPainter")),
                 new Case("a spring", BALLS, Scenery.NONE, true, Set.of("SpringPainter")),
                 new Case("a hidden spring", noSprings, Scenery.NONE, true, Set.of()),
-                new Case("a surface", BALLS, new Scenery(List.of(new Surface(new int[] {0, 1, 2}, false)), List.of(), List.of(),
+                new Case("a surface", BALLS, new Scenery(List.of(new Surface(new int[] {0, 1, 2}, false)), List.of(),
+                List.of(),
                         List.of()), false, Set.of("SurfacePainter")),
                 new Case("a slope", BALLS, new Scenery(List.of(), List.of(SLOPE), List.of(), List.of()), false,
                         Set.of("ShadowPainter")),
@@ -86,7 +89,8 @@ class OnlyNamedPaintersTest {
     }
 
     /** Through all fields of our own objects, and what is in optional values and collections. */
-    private static void count(Object object, Map<String, Integer> painters, Set<Object> seen) throws IllegalAccessException {
+    private static void count(Object object, Map<String, Integer> painters, Set<Object> seen)
+            throws IllegalAccessException {
         if (object instanceof Optional<?> optional) {
             if (optional.isPresent()) {
                 count(optional.get(), painters, seen);

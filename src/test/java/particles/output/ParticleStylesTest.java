@@ -66,7 +66,8 @@ class ParticleStylesTest {
             if (distance == 0) {
                 assertEquals(400 * Math.PI * radius * radius, expected, 1);
             }
-            // the chords of 3.5 cells to the radius cut off what pixels that count in full add; the neck at 3.75 m is the
+            // the chords of 3.5 cells to the radius cut off what pixels that count in full add; the neck at 3.75 m is
+            // the
             // worst: measured 0.9895 there, 0.997 to 1.001 elsewhere
             assertEquals(1, area(rgb, empty) / expected, distance == 3.75 ? 0.025 : 0.01, "distance " + distance);
         }
@@ -177,11 +178,13 @@ class ParticleStylesTest {
             }
         }
         assertEquals(areas[1][0], areas[1][1], 1);                               // two or three pixels
-        assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);      // the square of 6 is 36; measured 32
+        // the square of 6 is 36; measured 32
+        assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);
     }
 
     /**
-     * A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked for.
+     * A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked
+     * for.
      */
     @Test
     void aTrailIsWhereTheParticleWasAndFades() {
@@ -247,7 +250,8 @@ class ParticleStylesTest {
             trails.take(system, system.getOwnState(), 3, 0.01 * k, 2);
         }
         assertTrue(trails.samples()[0].time() <= 2.99 && trails.samples().length < 110, "the old ones are forgotten");
-        assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).nextTime(), "who wants no trails asks for no time");
+        assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).nextTime(),
+                "who wants no trails asks for no time");
     }
 
     /** What blows up is drawn as long as it lasts, whatever it is drawn as. */
@@ -255,12 +259,14 @@ class ParticleStylesTest {
     void anyNumbersCanBeDrawnAsAnything() {
         double huge = 1e200;
         for (ParticleStyle.Kind kind : ParticleStyle.Kind.values()) {
-            FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
+            FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0,
+                    -3);
             state.trail = new TrailSample[] {new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
                 Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, new int[0])};
             state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
             for (boolean perspective : new boolean[] {true, false}) {
-                Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40, 9);
+                Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40,
+                        9);
                 Scenery scenery = new Scenery(List.of(), List.of(Plane.ground(0)),
                         List.of(new Sphere(new Vector3(50, 0, 0), 1, true)), List.of());
                 int[] empty = renderer(camera, look(kind, 0.5, 1), scenery).render(state()).clone();

@@ -20,7 +20,8 @@ final class SmallPictures {
     }
 
     static RenderOptions look(ParticleStyle.Kind kind, double radius, double trail) {
-        return new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, radius, 0.1, 0x3366cc, 0x202020, 0xff0000, 0x0000ff,
+        return new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, radius, 0.1, 0x3366cc,
+                0x202020, 0xff0000, 0x0000ff,
                 new ParticleStyle(kind, ParticleStyle.STANDARD.ageColours(), trail, kind == ParticleStyle.Kind.GLOW));
     }
 

@@ -27,7 +27,8 @@ final class JointCase {
         this(false, planes, places, velocities, pairs);
     }
 
-    JointCase(boolean firstIsFixed, List<ContactSurface> planes, Vector3[] places, Vector3[] velocities, int[]... pairs) {
+    JointCase(boolean firstIsFixed, List<ContactSurface> planes, Vector3[] places, Vector3[] velocities,
+            int[]... pairs) {
         for (int i = 0; i < places.length; i++) {
             system.addParticle("p" + i, 1, places[i], velocities[i], firstIsFixed && i == 0);
         }

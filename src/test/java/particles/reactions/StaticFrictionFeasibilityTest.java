@@ -55,7 +55,8 @@ class StaticFrictionFeasibilityTest {
             places[i] = new Vector3(0.5 * i, 0, 0);
             velocities[i] = Vector3.ZERO;
         }
-        JointCase chain = new JointCase(List.of(new ContactSurface("ground", ground, 0, JointCase.coulomb(0.5), 1e-6)), places,
+        JointCase chain = new JointCase(List.of(new ContactSurface("ground", ground, 0, JointCase.coulomb(0.5), 1e-6)),
+                places,
                 velocities, IntStream.range(0, rods).mapToObj(i -> new int[] {i, i + 1}).toArray(int[][]::new));
         chain.clamped(1.0 / 256, STEPS / 256.0).run();
         for (int i = 0; i <= rods; i++) {
@@ -66,8 +67,8 @@ class StaticFrictionFeasibilityTest {
     }
 
     /**
-     * Each particle asks, and each time all ends are looked at once. Measured 34, 100, 340 for 4, 8, 16 rods, where a search for
-     * loads takes 206,806 for 4, and 1,340,075 for 8.
+     * Each particle asks, and each time all ends are looked at once. Measured 34, 100, 340 for 4, 8, 16 rods, where a
+     * search for loads takes 206,806 for 4, and 1,340,075 for 8.
      */
     @Test
     void aChainAtRestAsksForNoLoads() {

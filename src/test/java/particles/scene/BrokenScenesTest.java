@@ -46,15 +46,16 @@ class BrokenScenesTest {
                 added("efects: []\n",
                         "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: " + KEYS),
                 added("effects:\n  gravity: {}\n",
-                        "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a dash: "
+                        "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a"
+                        + " dash: "
                                 + "one of " + EFFECTS + ", or the full name of a class, such as exercises.MyForce,"
                                 + " with its keys below it"),
                 added("effects:\n  - gravity:\n",
-                        "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration; or write "
-                                + "'- gravity', without the colon"),
+                        "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration; or"
+                                + " write '- gravity', without the colon"),
                 added("effects:\n  - gravity:\n    acceleration: [0, -1, 0]\n",
-                        "x.yaml:10:5: an entry names one effect, here 'gravity'; what follows is either a key of it, to "
-                                + "be indented further, or another effect, which needs a dash of its own"),
+                        "x.yaml:10:5: an entry names one effect, here 'gravity'; what follows is either a key of it,"
+                                + " to be indented further, or another effect, which needs a dash of its own"),
                 added("effects:\n  - drag\n",
                         "x.yaml:9:5: 'drag' alone is not enough; after a colon it needs a mapping with keys of "
                                 + "coefficient"),
@@ -63,9 +64,10 @@ class BrokenScenesTest {
                 added("effects:\n  - gravity\n  - gravity\n",
                         "x.yaml:10:5: 'gravity' is named twice, first at line 9"),
                 added("effects:\n  - wind: {mean: [1, 0, 0]}\n",
-                        "x.yaml:9:5: 'wind' acts only through 'drag' or 'quadraticDrag', which the scene does not name; add '- drag: ...' "
-                                + "to 'effects'"),
-                added("effects:\n  - turbulence: {strength: 1}\n  - wind: {mean: [1, 0, 0]}\n  - drag: {coefficient: 1}\n",
+                        "x.yaml:9:5: 'wind' acts only through 'drag' or 'quadraticDrag', which the scene does not"
+                                + " name; add '- drag: ...' to 'effects'"),
+                added("effects:\n  - turbulence: {strength: 1}\n  - wind: {mean: [1, 0, 0]}\n  - drag: {coefficient:"
+                + " 1}\n",
                         "x.yaml:9:5: 'turbulence' and 'wind' cannot be combined; keep one of them"),
                 added("rules:\n  - shake: {particle: bob, amplitude: [1, 0, 0], period: 1}\n",
                         "x.yaml:9:23: particle 'bob' is free; only a fixed one can follow a given motion"),
@@ -87,8 +89,8 @@ class BrokenScenesTest {
                         "x.yaml:8:5: a particle needs 'position': three numbers [x, y, z] (m)",
                         "x.yaml:8:10: 'id' is 7; it has to be a name without spaces, brackets, commas and quotes: put "
                                 + "quotes around it, '7'",
-                        "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id, position, "
-                                + "velocity, mass, fixed"),
+                        "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id,"
+                                + " position, velocity, mass, fixed"),
                 added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
                         "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name without spaces, brackets, commas and "
                                 + "quotes",
@@ -105,24 +107,24 @@ class BrokenScenesTest {
                 added("springs:\n  - {from: bob, to: bbo, stiffness: 1}\n",
                         "x.yaml:9:21: unknown particle 'bbo'; did you mean 'bob'? known: bob"),
                 added("  - {id: tom, position: [0, 1, 0]}\nsprings:\n  - {from: bob, to: tom, stiffness: 1}\n",
-                        "x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them has no direction to "
-                                + "push in"),
+                        "x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them has no direction"
+                                + " to push in"),
                 added("rods:\n  - {from: bob, to: bob}\n",
                         "x.yaml:9:21: a rod from 'bob' to itself; its ends have to be two particles"),
                 added("  - {id: tom, position: [0, 3, 0], velocity: [1, 2, 0]}\nrods:\n  - {from: bob, to: tom}\n",
-                        "x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; they may only turn about "
-                                + "each other"),
+                        "x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; they may only"
+                                + " turn about each other"),
                 added("wires:\n  - circle: {bead: bob, centre: [0, 3, 0], radius: 1}\n",
                         "x.yaml:9:20: 'bob' begins about 1.5 m off its wire; it has to begin on it"),
                 added("wires:\n  - line: {bead: bob, direction: [1, 0, 0]}\nconstraints: {feedback: 100}\n",
-                        "x.yaml:10:14: the feedback of rods and wires, 100 /s, is too fast for steps of 0.01 s; feedback times "
-                                + "deltaT may be 0.5 at most"),
+                        "x.yaml:10:14: the feedback of rods and wires, 100 /s, is too fast for steps of 0.01 s;"
+                                + " feedback times deltaT may be 0.5 at most"),
                 added("springs:\n  - {from: bob}\n",
                         "x.yaml:9:5: a spring needs 'to': the id of a particle, such as bob or cloth[3,4]",
                         "x.yaml:9:5: a spring needs 'stiffness': a number over 0 (N/m)"),
                 added("springs:\n  - {from: bob, to: rope[1], stiffness: 1}\n",
-                        "x.yaml:9:25: not valid YAML: expected ',' or '}', but got [, in what begins at line 9 (inside [ "
-                                + "] and { } an id such as cloth[3,4] needs quotes around it)"),
+                        "x.yaml:9:25: not valid YAML: expected ',' or '}', but got [, in what begins at line 9"
+                                + " (inside [ ] and { } an id such as cloth[3,4] needs quotes around it)"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1}\nsprings:\n"
                         + "  - {from: bob, to: \"rope[5]\", stiffness: 1}\n",
                         "x.yaml:11:21: unknown particle 'rope[5]'; known in this shape: rope[0] to rope[4]"),
@@ -130,16 +132,16 @@ class BrokenScenesTest {
                         "x.yaml:9:11: 'rope' needs exactly one of 'mass', 'totalMass'",
                         "x.yaml:9:57: 'particles' is 1; it has to be a whole number from 2 to 1000000"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [0, 0, 0], particles: 5, mass: 1}\n",
-                        "x.yaml:9:5: 'rope' has no extent in one of its directions: its particles would lie on top of each "
-                                + "other"),
+                        "x.yaml:9:5: 'rope' has no extent in one of its directions: its particles would lie on top of"
+                                + " each other"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1, "
                         + "fixed: [strat, \"rope[9]\"]}\n",
                         "x.yaml:9:77: unknown part 'strat'; did you mean 'start'? known: start, end, or an id of a "
                                 + "particle of the shape, such as cloth[3,4]"),
                 added("shapes:\n  - cloth: {corner: [0, 1, 0], across: [1, 0, 0], down: [2, 0, 0], "
                         + "columns: 3, rows: 3, mass: 1}\n",
-                        "x.yaml:9:5: 'cloth' has no extent in one of its directions: its particles would lie on top of each "
-                                + "other"),
+                        "x.yaml:9:5: 'cloth' has no extent in one of its directions: its particles would lie on top"
+                                + " of each other"),
                 added("shapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1], "
                         + "columns: 1000, rows: 1000, layers: 1000, mass: 1}\n",
                         "x.yaml:9:5: 'jelly' has 1000000000 particles; a scene may have at most 1000000"),
@@ -154,7 +156,8 @@ class BrokenScenesTest {
                         "x.yaml:9:42: 'friction' needs 'coefficient': a number from 0 up",
                         "x.yaml:9:48: unknown friction law 'columb'; did you mean 'coulomb'? known: slide, coulomb"),
                 added("look: {particlesAs: blob}\n",
-                        "x.yaml:8:21: unknown way of drawing 'blob'; did you mean 'blobs'? known: balls, points, blobs, glow"),
+                        "x.yaml:8:21: unknown way of drawing 'blob'; did you mean 'blobs'? known: balls, points,"
+                        + " blobs, glow"),
                 added("look: {ageColours: ['#ffffff']}\n",
                         "x.yaml:8:20: 'ageColours' are those of a glow; add 'particlesAs: glow', or leave them out"),
                 added("look: {particlesAs: glow, ageColours: []}\n",
@@ -179,26 +182,27 @@ class BrokenScenesTest {
                 added("title: again\n",
                         "x.yaml:8:1: 'title' is there twice in the scene"),
                 added("more: &a [1]\nless: *a\n",
-                        "x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
-                                + "put quotes around a text that begins with & or *",
-                        "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
-                                + "put quotes around a text that begins with & or *"),
+                        "x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the values out,"
+                                + " or put quotes around a text that begins with & or *",
+                        "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the values out,"
+                                + " or put quotes around a text that begins with & or *"),
                 added("camera: {position: 1, 0, 0}\n",
                         "x.yaml:8:9: the camera needs 'target': three numbers [x, y, z] (m)",
                         "x.yaml:8:20: 'position' is 1; it has to be three numbers [x, y, z] (m)",
-                        "x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal point, not a comma, "
-                                + "and several of them stand in [ ]",
-                        "x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal point, not a comma, "
-                                + "and several of them stand in [ ]"),
+                        "x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal point, not"
+                                + " a comma, and several of them stand in [ ]",
+                        "x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal point, not"
+                                + " a comma, and several of them stand in [ ]"),
                 added("? [a]\n: 1\n",
-                        "x.yaml:8:3: a key of the scene is [a]; it has to be one of '" + KEYS.replace(", ", "', '") + "'"),
+                        "x.yaml:8:3: a key of the scene is [a]; it has to be one of '" + KEYS.replace(", ",
+                        "', '") + "'"),
                 added("---\ntitle: second\n",
                         "x.yaml:8:1: a second document begins; a file holds one scene"),
                 added("\tx: 1\n",
                         "x.yaml:8:1: not valid YAML: a tab; YAML is indented by spaces"),
                 added("rules: [a\n",
-                        "x.yaml:9:1: not valid YAML: expected ',' or ']', but got <stream end>, in what begins at line 8 "
-                                + "(inside [ ] and { } an id such as cloth[3,4] needs quotes around it)"),
+                        "x.yaml:9:1: not valid YAML: expected ',' or ']', but got <stream end>, in what begins at"
+                                + " line 8 (inside [ ] and { } an id such as cloth[3,4] needs quotes around it)"),
                 whole(HEAD.replace("rk4", "{name: rk4, relativeTolerance: 1e-3}"),
                         "x.yaml:3:40: solver 'rk4' takes steps of deltaT and no tolerances; those that do: "
                                 + String.join(", ", SolverCatalog.names().stream()

@@ -17,7 +17,9 @@ class ConstraintScenesTest {
         return SceneBuilder.build(SceneReader.read(Path.of("scenes", file)), new Overrides());
     }
 
-    /** Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter by the digits of its places. */
+    /**
+     * Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter by the digits of its places.
+     */
     @Test
     void rodsKeepTheirLengths() {
         for (String file : new String[] {"40-rigid-pendulum.yaml", "41-double-pendulum.yaml"}) {

@@ -28,24 +28,30 @@ class FoundInputsTest {
     private static List<String> linesFor(String scene) {
         String head = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n";
         return assertThrows(SceneException.class, () -> SceneBuilder.build(
-                SceneReader.read("x.yaml", (head + scene).getBytes(StandardCharsets.UTF_8)), new Overrides())).getLines();
+                SceneReader.read("x.yaml", (head + scene).getBytes(StandardCharsets.UTF_8)),
+                new Overrides())).getLines();
     }
 
-    /** A mass whose inverse is infinite, and one of which a half is nothing: both ended in an IllegalArgumentException. */
+    /**
+     * A mass whose inverse is infinite, and one of which a half is nothing: both ended in an IllegalArgumentException.
+     */
     @ParameterizedTest
     @CsvSource({"4.9e-324", "1e-310", "1e-31"})
     void massesThatHaveNoInverseAreRefused(String mass) {
         assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; no number that has to be positive is below 1e-30"),
                 linesFor("particles:\n  - {id: bob, position: [0, 0, 0], mass: " + mass + "}\n"));
-        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; no number that has to be positive is below 1e-30"),
-                linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3, totalMass: " + mass + "}\n"));
+        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass
+                + "; no number that has to be positive is below 1e-30"),
+                linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3, totalMass: " + mass
+                + "}\n"));
     }
 
     /** Sparks that live a second, born for 10,000 s within one step: the run filled its memory with those long dead. */
     @Test
     void birthsOfOneEndlessStepAreCounted() {
-        String scene = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 10000\nduration: 30000\nparticles:\n  - {id: a, position: [0, 0, 0]}\n"
-                + "rules:\n  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 1e6, lifetime: 2}\n";
+        String scene = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 10000\nduration: 30000\nparticles:\n  - {id: a,"
+                + " position: [0, 0, 0]}\nrules:\n  - emitter: {id: spark, position: [0, 0, 0], speed: 1, rate: 1e6,"
+                + " lifetime: 2}\n";
         String line = assertThrows(SceneException.class, () -> SceneBuilder.build(
                 SceneReader.read("x.yaml", scene.getBytes(StandardCharsets.UTF_8)), new Overrides())).getLines().get(0);
         assertTrue(line.contains("MiB of memory for up to 10002000001 particles"), line);
@@ -55,14 +61,19 @@ class FoundInputsTest {
     @ParameterizedTest
     @ValueSource(strings = {"\\u", "\\U", "\\x", "\\UFFFFFFFF", "\\U80000000\"\n# \\Ufffffffe\n"})
     void escapesThatAreNoCharactersAreRefused(String escape) {
-        assertEquals(List.of("x.yaml:6:13: not valid YAML: an escape has to give a character's number in hexadecimal digits,"
+        assertEquals(List.of(
+                "x.yaml:6:13: not valid YAML: an escape has to give a character's number in hexadecimal digits,"
                 + " such as \\xe9, \\u00e9 or \\U000000e9"), linesFor("camera: \"abc" + escape));
     }
 
-    /** The hunt keeps texts that are refused in new words, and such a one ended the hunt when it was to be changed as a tree. */
+    /**
+     * The hunt keeps texts that are refused in new words, and such a one ended the hunt when it was to be changed as a
+     * tree.
+     */
     @Test
     void whatCannotBeReadCanBeChanged() {
-        SceneMutator mutator = new SceneMutator(List.of("title: a\n".getBytes(StandardCharsets.UTF_8)), new Random(SEED));
+        SceneMutator mutator = new SceneMutator(List.of("title: a\n".getBytes(StandardCharsets.UTF_8)),
+                new Random(SEED));
         mutator.keep("title: \"abc\\u".getBytes(StandardCharsets.UTF_8));
         Set<String> made = new HashSet<>();
         for (int n = 0; n < 200; n++) {

@@ -27,7 +27,8 @@ class SceneBuilderTest {
     private static final String TWO = BOB + "  - {id: tom, position: [0, 0, 0], mass: 5, fixed: true}\n";
 
     private static Scene build(String text, Overrides overrides) {
-        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)), overrides);
+        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)),
+                overrides);
     }
 
     private static Scene build(String text) {
@@ -98,7 +99,8 @@ class SceneBuilderTest {
         assertEquals(2 * 0.5 * 0.5 / 2, build(BOB).energyScale(), 1e-12, "no extent: 1 m in 2 s");
         assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyScale());
         assertTrue(build(BOB, new Overrides().with("duration", "0", "-P")).energyScale() > 0);
-        assertEquals(1e3 * build(BOB).energyScale(), build(BOB + "blowUpFactor: 1e3\n").simulation().getEnergyLimit(), 1e-9);
+        assertEquals(1e3 * build(BOB).energyScale(), build(BOB + "blowUpFactor: 1e3\n").simulation().getEnergyLimit(),
+                1e-9);
     }
 
     @Test
@@ -123,7 +125,8 @@ class SceneBuilderTest {
     /** A glow shows by night only, so that it is night where nothing else is asked for. */
     @Test
     void particlesAreDrawnAsTheSceneSays() {
-        ParticleStyle fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail: 0.5}\n").look().style();
+        ParticleStyle fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail: 0.5}\n")
+                .look().style();
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
         ParticleStyle day = build(BOB + "look: {particlesAs: glow, sky: day}\n").look().style();
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, ParticleStyle.STANDARD.ageColours(), 0, false), day);

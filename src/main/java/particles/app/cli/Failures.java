@@ -54,7 +54,9 @@ public final class Failures {
             return ExitCode.TROUBLE;
         }
         if (thrown instanceof OutOfMemoryError) {
-            err.printf(Locale.ROOT, "the memory that Java may use, %d MiB, is full; take fewer particles, frames or runs, or give Java more:"
+            err.printf(Locale.ROOT,
+                    "the memory that Java may use, %d MiB, is full; take fewer particles, frames or runs, or give"
+                    + " Java more:"
                     + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
                     (Runtime.getRuntime().maxMemory() >> 30) + 1);
             return ExitCode.TROUBLE;
@@ -64,7 +66,9 @@ public final class Failures {
         return ExitCode.TROUBLE;
     }
 
-    /** Java's own messages are often the bare name of a file, or say only by their class or their cause what happened. */
+    /**
+     * Java's own messages are often the bare name of a file, or say only by their class or their cause what happened.
+     */
     private static String line(IOException e) {
         if (e instanceof FileSystemException file && file.getReason() == null) {
             return file.getFile() + ": " + reason(file);
@@ -89,6 +93,7 @@ public final class Failures {
         if (e instanceof NotDirectoryException) {
             return "not a folder";
         }
-        return e instanceof FileAlreadyExistsException ? "is already there, and is not a folder" : e.getClass().getSimpleName();
+        return e instanceof FileAlreadyExistsException ? "is already there, and is not a folder"
+                : e.getClass().getSimpleName();
     }
 }

@@ -1,6 +1,9 @@
 package particles.app.cli;
 
-/** How the person at the keyboard writes an option: {@code -Pscene=2} for gradle, {@code --scene=2} for the start script. */
+/**
+ * How the person at the keyboard writes an option: {@code -Pscene=2} for gradle, {@code --scene=2} for the start
+ * script.
+ */
 public enum OptionStyle {
     SHELL("--"),
     GRADLE("-P");

@@ -15,7 +15,8 @@ public final class Program {
     private final PrintWriter err;
 
     /**
-     * @param commands what it can do; each is used for one call of {@link #execute} only, as it holds that call's options
+     * @param commands what it can do; each is used for one call of {@link #execute} only, as it holds that call's
+     *                 options
      * @param style    how options are written in what is printed
      * @param out      where results go
      * @param err      where it goes what is wrong
@@ -63,7 +64,8 @@ public final class Program {
 
     private CommandLine commandLine(String... args) {
         CommandLine program = new CommandLine(new Root());
-        // Options are found by reflection, which takes a while for all commands: only where none is named are all needed.
+        // Options are found by reflection, which takes a while for all commands: only where none is named are all
+        // needed.
         List<ProgramCommand> named = commands.stream().filter(command -> args.length > 0
                 && name(command).equals(args[0])).toList();
         for (ProgramCommand command : named.isEmpty() ? commands : named) {

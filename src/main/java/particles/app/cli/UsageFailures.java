@@ -63,7 +63,8 @@ final class UsageFailures {
     }
 
     private String invalid(ParameterException e) {
-        if (e instanceof MissingParameterException missing && missing.getMissing().get(0) instanceof OptionSpec option) {
+        if (e instanceof MissingParameterException missing
+                && missing.getMissing().get(0) instanceof OptionSpec option) {
             return "option " + name(option) + " needs a value: " + name(option) + "=" + option.paramLabel();
         }
         if (e instanceof OverwrittenOptionException twice && twice.getOverwritten() instanceof OptionSpec option) {

@@ -70,7 +70,8 @@ public final class LectureFiguresCommand extends ExperimentCommand {
 
     private void requireSolver(String option) {
         if (solver == null) {
-            throw wrong(option, "needs " + style().option("solver") + ", whose figure it is for; the slides' figures have"
+            throw wrong(option,
+                    "needs " + style().option("solver") + ", whose figure it is for; the slides' figures have"
                     + " their own");
         }
     }
@@ -101,12 +102,12 @@ public final class LectureFiguresCommand extends ExperimentCommand {
         return new ResultPage(NAME,
                 LectureFigures.finding(results.subList(0, LectureFigures.onSlides().size())),
                 List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed"
-                        + " ellipse, a circle if both axes had one scale; it takes 2 pi"
-                        + " seconds to go round, clockwise. The arrows are the vector field that a solver sees.",
-                        "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N steps"
-                                + " multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R - h). The"
-                                + " table has both, measured and computed; where they agree, the picture is the method and"
-                                + " not a bug."),
+                        + " ellipse, a circle if both axes had one scale; it takes 2 pi seconds to go round,"
+                        + " clockwise. The arrows are the vector field that a solver sees.",
+                        "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N"
+                                + " steps multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R"
+                                + " - h). The table has both, measured and computed; where they agree, the picture is"
+                                + " the method and not a bug."),
                 pictures, List.of(LectureFigures.table(results)));
     }
 

@@ -77,7 +77,8 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                         + "'");
             }
         }
-        return particles.isEmpty() ? List.of(all.id(scene.phase().map(Scene.Phase::particle).orElseGet(() -> lastFree(all))))
+        return particles.isEmpty()
+                ? List.of(all.id(scene.phase().map(Scene.Phase::particle).orElseGet(() -> lastFree(all))))
                 : particles;
     }
 
@@ -107,23 +108,23 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         SceneDescription description = description();
         Scene scene = SceneBuilder.build(description, new Overrides());
-        Portraits portraits = PhasePortraits.compare(description, options.solvers("euler,symplectic-euler,rk4", style()),
+        Portraits portraits = PhasePortraits.compare(description, options.solvers("euler,symplectic-euler,rk4",
+                style()),
                 ids(scene),
                 axes(scene), progress);
         List<Portrait> all = portraits.portraits();
         String finding = PhasePortraits.finding(description.title(), all);
-        String caption = "Velocity over position. The pale band is the reference, dormand-prince with a tolerance of 1e-10."
-                + " A cross"
-                + " is the end of a run that stopped, or the place where a path leaves the picture.";
+        String caption = "Velocity over position. The pale band is the reference, dormand-prince with a tolerance of"
+                + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
         int columns = columns((int) all.stream().map(Portrait::solver).distinct().count());
         Picture picture = all.size() == 1 ? Picture.chart("phase-plots", caption, all.get(0).chart())
                 : Picture.panels("phase-plots", caption, finding, columns,
                         all.stream().map(portrait -> new Panel(portrait.chart(), false, Optional.empty())).toList());
         return new ResultPage(NAME, finding, List.of(
                 "A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral"
-                        + " outwards gains and a spiral inwards loses it. How far a path is off the curve is measured in"
-                        + " halves of the curve's width and height. A path that stays on the curve and yet ends elsewhere,"
-                        + " away from the hollow mark, has a wrong phase only."),
+                        + " outwards gains and a spiral inwards loses it. How far a path is off the curve is measured"
+                        + " in halves of the curve's width and height. A path that stays on the curve and yet ends"
+                        + " elsewhere, away from the hollow mark, has a wrong phase only."),
                 List.of(picture), List.of(portraits.table()));
     }
 

@@ -82,7 +82,8 @@ public final class RaceCommand extends ExperimentCommand {
         List<SolverChoice> solvers = solvers();
         int count = frameCount(scene);
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.duration(), PLAYBACK)) {
-            Result race = new Race(scene, solvers, count).run(pictures, (part, what) -> progress.reached(RUNS * part, what));
+            Result race = new Race(scene, solvers, count).run(pictures, (part, what) -> progress.reached(RUNS * part,
+                    what));
             pictures.write(folder, SHEET, race, part -> progress.reached(RUNS + (1 - RUNS) * part, "the animation"));
             return page(race, count);
         }
@@ -94,22 +95,21 @@ public final class RaceCommand extends ExperimentCommand {
                 .orElse("rk4 at the scene's step");
         String rule = race.equalTime()
                 ? "All run for the same measured time, as long as " + pace + " needs: an implicit solver does more than"
-                        + " evaluate the derivative, so that equal evaluations would not be fair. A time is that of a busy"
-                        + " processor, the median of runs that were made in turn after a warm-up."
-                : "All get as many evaluations of the derivative as " + pace + " needs, to within one step: a cheap method"
-                        + " makes more and shorter steps, an adaptive one gets the tolerance that costs as much.";
+                        + " evaluate the derivative, so that equal evaluations would not be fair. A time is that of a"
+                        + " busy processor, the median of runs that were made in turn after a warm-up."
+                : "All get as many evaluations of the derivative as " + pace
+                        + " needs, to within one step: a cheap method makes more and shorter steps, an adaptive one"
+                        + " gets the tolerance that costs as much.";
         return new ResultPage(NAME, RaceCharts.title(race), List.of(rule,
                 "The grey ghost is the reference, " + Race.REFERENCE + ". The strip below shows the energy error of"
                         + " each solver, physics taken out, over the energy scale. Who goes where the reference never"
-                        + " comes near, or"
-                        + " fails, has left the race; its panel stays as it was.",
+                        + " comes near, or fails, has left the race; its panel stays as it was.",
                 String.format(Locale.ROOT, "The animation is played %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : String.format(Locale.ROOT, "at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.made(SHEET, "The race at some moments, and the energy error over time."),
                         Picture.stacked("race-charts", "Above the distance of each solver from the reference, root mean"
-                                + " square over"
-                                + " the particles; below its energy error. A cross is where one left.",
+                                + " square over the particles; below its energy error. A cross is where one left.",
                                 List.of(RaceCharts.distance(race), RaceCharts.energy(race)))),
                 List.of(RaceCharts.table(race)));
     }

@@ -25,7 +25,9 @@ import particles.view.Camera;
 
 /** Watches a race, and makes its film. The panels take their shape from where the reference goes. */
 final class RacePictures implements Race.Audience, AutoCloseable {
-    /** Room around where the reference goes, as a part of the largest extent; who leaves it is still seen for a while. */
+    /**
+     * Room around where the reference goes, as a part of the largest extent; who leaves it is still seen for a while.
+     */
     private static final double ROOM = 0.06;
     private static final double WIDEST = 16.0 / 9;
     private static final double NARROWEST = 0.9;
@@ -80,7 +82,8 @@ final class RacePictures implements Race.Audience, AutoCloseable {
     void write(OutputFolder folder, String sheet, Result race, DoubleConsumer progress) {
         List<RaceFilm.Words> words = new ArrayList<>();
         for (Lane lane : race.lanes()) {
-            words.add(new RaceFilm.Words(lane.match().setting().solver().label(), step(lane), cost(lane, race.equalTime()),
+            words.add(new RaceFilm.Words(lane.match().setting().solver().label(), step(lane),
+                    cost(lane, race.equalTime()),
                     lane.left()));
         }
         film.orElseThrow().write(folder, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),

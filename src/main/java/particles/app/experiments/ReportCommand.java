@@ -42,8 +42,7 @@ public final class ReportCommand extends ResultsCommand {
     private final List<ExperimentCommand> experiments;
 
     @Option(names = SCENE_OPTION, paramLabel = "NAME", description = "The scene that energyDrift, phasePlots and race"
-            + " look at:"
-            + " a file, or the name or number of one in scenes (default: each its own).")
+            + " look at: a file, or the name or number of one in scenes (default: each its own).")
     private String scene;
 
     @Option(names = "--solvers", paramLabel = "NAMES", description = "Their solvers, separated by commas, or all"
@@ -96,7 +95,8 @@ public final class ReportCommand extends ResultsCommand {
     }
 
     private Optional<SceneDescription> about() {
-        new SceneOptions().solvers(solvers(), style());         // a solver that does not exist is said before anything runs
+        // a solver that does not exist is said before anything runs
+        new SceneOptions().solvers(solvers(), style());
         // picocli leaves options null that were not given
         return scene == null ? Optional.empty() : Optional.of(new SceneOptions().scene(scene, style()));
     }
@@ -110,7 +110,8 @@ public final class ReportCommand extends ResultsCommand {
             return experiments;
         }
         List<String> known = experiments.stream().map(ExperimentCommand::name).toList();
-        List<String> wanted = Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty()).toList();
+        List<String> wanted = Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty())
+                .toList();
         for (String name : wanted) {
             if (!known.contains(name)) {
                 throw wrong("experiments", "no experiment is called '" + name + "'" + DidYouMean.hint(name, known,
@@ -180,10 +181,11 @@ public final class ReportCommand extends ResultsCommand {
                     + "; the other experiments have problems of their own.");
         });
         text.add("How long steps may be, what an error costs, and what becomes of the energy: "
-                + chosen.size() + (chosen.size() == 1 ? " experiment" : " experiments") + " with the course's solvers.");
+                + chosen.size() + (chosen.size() == 1 ? " experiment" : " experiments")
+                + " with the course's solvers.");
         text.add("A click on a column's head sorts a table by it, a click on a picture shows it larger. The numbers"
-                + " behind each picture, with"
-                + " all digits, are in the folder of the experiment's name beside this page.");
+                + " behind each picture, with all digits, are in the folder of the experiment's name beside this"
+                + " page.");
         return text;
     }
 }

@@ -19,7 +19,8 @@ import picocli.CommandLine.Option;
 final class SceneOptions {
     private static final Path SCENES = Path.of("scenes");
 
-    @Option(names = "--scene", paramLabel = "NAME", description = "The scene: a file, or the name or number of one in scenes.")
+    @Option(names = "--scene", paramLabel = "NAME",
+            description = "The scene: a file, or the name or number of one in scenes.")
     private String scene;
 
     @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers, separated by commas, or all.")

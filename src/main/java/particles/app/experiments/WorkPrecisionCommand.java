@@ -32,7 +32,8 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
 
     private static final String FAILURES = " Below: the runs without a result.";
 
-    @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all", description = "Problems, separated by commas:"
+    @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all",
+            description = "Problems, separated by commas:"
             + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
     private String problem = "all";
 
@@ -65,7 +66,8 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
 
     private List<String> names() {
         List<String> names = problem.strip().equals("all") ? WorkProblems.NAMES
-                : Arrays.stream(problem.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct().toList();
+                : Arrays.stream(problem.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct()
+                .toList();
         if (names.isEmpty()) {
             throw wrong("problem", "no problem is named; known: " + String.join(", ", WorkProblems.NAMES));
         }
@@ -92,7 +94,8 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
         List<Cost> costs = CostExercise.solve();
         List<Picture> pictures = new ArrayList<>();
         all.forEach((solved, curves) -> {
-            String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: " + solved.origin()
+            String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
+                    + solved.origin()
                     + ".";
             pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
                     + " Filled points are those of the fitted slope."
@@ -105,16 +108,17 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
         return new ResultPage(NAME, CostExercise.finding(costs), List.of(
                 "Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the one"
                         + " before. Its slope is the order: with half the step, the error of rk4 falls to a sixteenth."
-                        + " Slopes are fitted only where they are those of the method: over the last three or more errors"
-                        + " in a row that are less than 0.1, above the last digits, and on a straight line, which says that"
-                        + " the slopes between them differ by 0.1 at most; of adaptive solvers, by 1.5. A slope that is off"
-                        + " theory by more than 1.25 is none of the method: such errors fall for another reason, as where"
-                        + " sub-steps become short enough to be stable. Points that are fitted are filled.",
-                "The stiff chain does nothing but follow its shaken wall. Explicit solvers have no result until their step"
-                        + " is short enough for the stiffest spring, and are then more accurate than anybody asked."
-                        + " Implicit ones take long steps, but see only the stages of a step: there radau has the order of"
-                        + " its stages, 3, and not 5, until the step is as short as the time of the springs. Its steps are"
-                        + " equal here, as those of the others."),
+                        + " Slopes are fitted only where they are those of the method: over the last three or more"
+                        + " errors in a row that are less than 0.1, above the last digits, and on a straight line,"
+                        + " which says that the slopes between them differ by 0.1 at most; of adaptive solvers, by"
+                        + " 1.5. A slope that is off theory by more than 1.25 is none of the method: such errors fall"
+                        + " for another reason, as where sub-steps become short enough to be stable. Points that are"
+                        + " fitted are filled.",
+                "The stiff chain does nothing but follow its shaken wall. Explicit solvers have no result until their"
+                        + " step is short enough for the stiffest spring, and are then more accurate than anybody"
+                        + " asked. Implicit ones take long steps, but see only the stages of a step: there radau has"
+                        + " the order of its stages, 3, and not 5, until the step is as short as the time of the"
+                        + " springs. Its steps are equal here, as those of the others."),
                 pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
     }
 }

@@ -12,12 +12,13 @@ import particles.scene.format.SceneDescription;
 import particles.view.Camera;
 
 /**
- * A camera for scenes that give none: as near as it can be with everything in the picture. Where things go is found by a
- * rehearsal, a run of its own that nobody else sees.
+ * A camera for scenes that give none: as near as it can be with everything in the picture. Where things go is found by
+ * a rehearsal, a run of its own that nobody else sees.
  */
 final class CameraFinder {
     /**
-     * A rehearsal makes no more steps than this, times particles: it shows where things go, and a second or two is enough.
+     * A rehearsal makes no more steps than this, times particles: it shows where things go, and a second or two is
+     * enough.
      */
     private static final double MOST_PARTICLE_STEPS = 3e6;
     /** A run that gains more than this, times its energy scale, is on its way to blow up, and leaves any picture. */
@@ -35,7 +36,8 @@ final class CameraFinder {
     static Camera find(Scene scene, SceneDescription described, Overrides overrides) {
         return scene.camera().orElseGet(() -> {
             Extent extent = rehearse(SceneBuilder.build(described, overrides));
-            return CameraFraming.around(extent.low(), extent.high(), (double) scene.output().width() / scene.output().height());
+            return CameraFraming.around(extent.low(), extent.high(),
+                    (double) scene.output().width() / scene.output().height());
         });
     }
 

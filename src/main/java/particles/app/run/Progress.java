@@ -7,8 +7,8 @@ import particles.Observer;
 import particles.app.cli.Digits;
 
 /**
- * Says how far a long run has come: never more than a line a second, fewer when little happens, and none where the run is
- * short.
+ * Says how far a long run has come: never more than a line a second, fewer when little happens, and none where the run
+ * is short.
  */
 final class Progress implements Observer {
     private static final double NANO = 1e-9;
@@ -53,7 +53,8 @@ final class Progress implements Observer {
         double part = motion.getEndTime() / duration;
         if (part < 1 && (part - lastPart >= NEWS || seconds - lastTime >= LONG_PAUSE)) {
             out.println("t = " + Digits.few(motion.getEndTime()) + " s of " + Digits.few(duration) + " s, "
-                    + (int) (100 * part) + " %, about " + Digits.few(Math.ceil(seconds * (1 - part) / part)) + " s to go");
+                    + (int) (100 * part) + " %, about " + Digits.few(Math.ceil(seconds * (1 - part) / part))
+                    + " s to go");
             out.flush();
             lastTime = seconds;
             lastPart = part;

@@ -15,7 +15,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle run}: a scene becomes frames, an animation, plots and numbers. */
-@Command(name = "run", description = "Runs a scene: frames, an animation, energy and phase-space plots, the trajectory.")
+@Command(name = "run",
+        description = "Runs a scene: frames, an animation, energy and phase-space plots, the trajectory.")
 public final class RunCommand extends ProgramCommand {
     private static final Path RESULTS = Path.of("build", "out");
 
@@ -33,18 +34,21 @@ public final class RunCommand extends ProgramCommand {
     private String duration;
 
     @Option(names = "--threads", paramLabel = "NUMBER",
-            description = "How many threads may evaluate the forces of a large system (default: one for each processor).")
+            description = "How many threads may evaluate the forces of a large system (default: one for each"
+                    + " processor).")
     private String threads;
 
     @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results go (default: build/out/NAME).")
     private String out;
 
-    @Option(names = "--frames", arity = "0..1", fallbackValue = "true", defaultValue = "true", paramLabel = "true|false",
+    @Option(names = "--frames", arity = "0..1", fallbackValue = "true", defaultValue = "true",
+            paramLabel = "true|false",
             description = "Whether pictures are drawn (default: true).")
     private boolean frames;
 
     @Option(names = "--video", paramLabel = "none|mp4", converter = VideoOption.class,
-            description = "Whether the pictures become a film too, film.mp4 (default: what the scene says, or else none).")
+            description = "Whether the pictures become a film too, film.mp4 (default: what the scene says, or else"
+                    + " none).")
     private Video video;
 
     private final Path scenes;
@@ -71,7 +75,8 @@ public final class RunCommand extends ProgramCommand {
         override(overrides, "duration", duration);
         override(overrides, "threads", threads);
         if (!frames && video == Video.MP4) {
-            throw new Failure(ExitCode.BAD_INPUT, style.option("video") + "=mp4 needs pictures; leave " + style.option("frames")
+            throw new Failure(ExitCode.BAD_INPUT,
+                    style.option("video") + "=mp4 needs pictures; leave " + style.option("frames")
                     + "=false away");
         }
         new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop).run(lines);
@@ -93,7 +98,8 @@ public final class RunCommand extends ProgramCommand {
                 return Path.of(out);
             }
         } catch (InvalidPathException e) {
-            throw new Failure(ExitCode.BAD_INPUT, style.option("out") + ": '" + out + "' is no folder's name: " + e.getReason());
+            throw new Failure(ExitCode.BAD_INPUT, style.option("out") + ": '" + out + "' is no folder's name: "
+                    + e.getReason());
         }
         throw new Failure(ExitCode.BAD_INPUT, style.option("out") + " needs the name of a folder");
     }

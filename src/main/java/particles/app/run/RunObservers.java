@@ -82,7 +82,8 @@ final class RunObservers implements AutoCloseable {
      */
     void addFrames(Camera camera, Video video) {
         OutputDescription output = scene.output();
-        FrameSetup stage = new FrameSetup(camera, scene.look(), scene.scenery(), scene.description().title(), caption());
+        FrameSetup stage = new FrameSetup(camera, scene.look(), scene.scenery(), scene.description().title(),
+                caption());
         int decimals = (int) Math.max(0, Math.min(MOST_DECIMALS, Math.ceil(Math.log10(output.frameRate()))));
         FrameRenderer renderer = new FrameRenderer(stage, output.width(), output.height(), decimals);
         List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, output.width(), output.height())));

@@ -39,8 +39,8 @@ public final class StopRequest {
     }
 
     /**
-     * The program has done all that it wanted to do. Where a signal is ending the process, that goes on, with the signal's
-     * exit code, such as 143 of SIGTERM: Java would take another code that came at the last moment.
+     * The program has done all that it wanted to do. Where a signal is ending the process, that goes on, with the
+     * signal's exit code, such as 143 of SIGTERM: Java would take another code that came at the last moment.
      *
      * @param code how it ended
      * @param exit ends the process with a number, as {@link System#exit} does

@@ -28,7 +28,8 @@ final class Summary {
     Summary(String name, Scene scene, EnergyHistory energy, EnergyLedgerRecorder books, double seconds) {
         this.scene = scene;
         Simulation simulation = scene.simulation();
-        record = new RunSummary(name, scene.description().sha256(), scene.description().solver(), simulation.getDeltaT(),
+        record = new RunSummary(name, scene.description().sha256(), scene.description().solver(),
+                simulation.getDeltaT(),
                 simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
                 scene.system().getEvaluations(), seconds, energy.getStart(), energy.getEnd(), energy.getScale(),
                 energy.getLargestDrift(), books.getWork(), books.getNumericalError(), books.getLargestNumericalError());
@@ -41,9 +42,11 @@ final class Summary {
     /** @return a few lines */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
-        lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT()) + " s");
+        lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
+                + " s");
         lines.add(Digits.few(record.endTime()) + " s" + (record.endTime() < record.duration() * (1 - 1e-9)
-                ? " of " + Digits.few(record.duration()) + " s" : "") + " in " + counted(record.steps(), "step") + " with "
+                ? " of " + Digits.few(record.duration()) + " s" : "") + " in " + counted(record.steps(),
+                "step") + " with "
                 + counted(record.evaluations(), "evaluation") + " of the derivative; it took "
                 + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
         if (record.deltaT() > record.duration() && record.steps() == 1) {
@@ -52,7 +55,8 @@ final class Summary {
         lines.add("energy " + Digits.few(record.startEnergy()) + " J at the start, " + Digits.few(record.endEnergy())
                 + " J at the end, at most " + Digits.few(record.largestEnergyDrift()) + " J from the start");
         double error = record.largestRelativeNumericalError();
-        lines.add("numerical error, what no physics explains of that: at most " + Digits.few(record.largestNumericalError())
+        lines.add("numerical error, what no physics explains of that: at most "
+                + Digits.few(record.largestNumericalError())
                 + " J, " + Digits.few(error) + " of the energy scale of " + Digits.few(record.energyScale()) + " J");
         if (error > LARGE_ERROR) {
             lines.add("that is too much to trust the motion; a smaller deltaT or another solver does better");

@@ -12,8 +12,8 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
- * How long a run is going to take, told before it begins where that is long. The first steps are made by a copy of the scene
- * and timed, and the rest is taken to be like them; a scene in which more and more happens takes longer.
+ * How long a run is going to take, told before it begins where that is long. The first steps are made by a copy of the
+ * scene and timed, and the rest is taken to be like them; a scene in which more and more happens takes longer.
  */
 final class TimeEstimate {
     private static final double NANO = 1e-9;
@@ -79,7 +79,9 @@ final class TimeEstimate {
         return watch.seconds;
     }
 
-    /** Looks at the clock after every step, and ends the run when it has seen enough: each span is twice the one before. */
+    /**
+     * Looks at the clock after every step, and ends the run when it has seen enough: each span is twice the one before.
+     */
     private static final class Stopwatch implements Observer {
         private final double steps;
         private final LongSupplier nanoTime;

@@ -8,7 +8,8 @@ import picocli.CommandLine.TypeConversionException;
 final class VideoOption implements ITypeConverter<Video> {
     @Override
     public Video convert(String value) {
-        return Video.find(value).orElseThrow(() -> new TypeConversionException("'" + value + "' is no kind of film; allowed: "
+        return Video.find(value).orElseThrow(() -> new TypeConversionException("'" + value
+                + "' is no kind of film; allowed: "
                 + String.join(", ", Video.names())));
     }
 }

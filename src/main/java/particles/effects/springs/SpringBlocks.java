@@ -4,10 +4,11 @@ import particles.law.DivisibleEffect;
 import particles.law.Particles;
 
 /**
- * A division of many springs into blocks that several threads can evaluate at once, and joints, as {@link DivisibleEffect}
- * says: each block has a range of particles to itself, and both ends of its springs are in there. Springs that join two ranges
- * come after all blocks. The division follows from the springs alone, not from the number of threads, and each particle's force
- * is added up in the order of the table: so it has the same bits, whoever evaluates which block.
+ * A division of many springs into blocks that several threads can evaluate at once, and joints, as
+ * {@link DivisibleEffect} says: each block has a range of particles to itself, and both ends of its springs are in
+ * there. Springs that join two ranges come after all blocks. The division follows from the springs alone, not from the
+ * number of threads, and each particle's force is added up in the order of the table: so it has the same bits, whoever
+ * evaluates which block.
  */
 final class SpringBlocks {
     /** Fewer springs are evaluated sooner than another thread is told of them. */
@@ -18,7 +19,8 @@ final class SpringBlocks {
     private static final double MOST_BETWEEN = 0.25;
 
     private int count = 1;
-    private int[] starts = new int[2 * MOST];           // the first spring of each block and joint, and where the last one ends
+    // the first spring of each block and joint, and where the last one ends
+    private int[] starts = new int[2 * MOST];
     private int[] firstParticles = new int[MOST];       // of the blocks' ranges
 
     /**

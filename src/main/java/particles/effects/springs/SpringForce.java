@@ -20,11 +20,11 @@ import particles.view.SpringView;
  * <p>Two particles at the same place give no direction to push in: such a spring exerts no force at that instant. For
  * l = 0 that is the law's own limit; for l &gt; 0 it is the unstable balance of a spring compressed to a point.
  *
- * <p>Springs are numbered as they were added until forces are first evaluated; then they are sorted by the particle where
- * they begin. Numbers are valid until springs are added.
+ * <p>Springs are numbered as they were added until forces are first evaluated; then they are sorted by the particle
+ * where they begin. Numbers are valid until springs are added.
  *
- * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides "Spring
- * Force" and "Damped Spring Force".
+ * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides
+ * "Spring Force" and "Damped Spring Force".
  */
 public final class SpringForce implements DivisibleEffect, DifferentiableEffect, IndexedEffect, SpringView {
     private final Particles particles;

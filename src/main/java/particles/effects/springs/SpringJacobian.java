@@ -9,8 +9,8 @@ import particles.law.Particles;
  *   dF_ij/dr  = k u u^T + tau/|r| (1 - u u^T) + k_d/|r| u (w - (u . w) u)^T
  *   dF_ij/dr' = k_d u u^T
  * </pre>
- * and dF_ij/dx_i = -dF_ij/dr. The second term is negative across a compressed spring, which would buckle. The last one is
- * not symmetric; it is there where a damped spring turns.
+ * and dF_ij/dx_i = -dF_ij/dr. The second term is negative across a compressed spring, which would buckle. The last one
+ * is not symmetric; it is there where a damped spring turns.
  *
  * <p>Source: derived from the slide "Damped Spring Force"; for l = 0 or k_d = 0 as in D. Baraff, A. Witkin (1998).
  */
@@ -29,9 +29,11 @@ final class SpringJacobian {
      * @param i where the particle on which F_ij acts begins in the state
      * @param j where the other one does
      */
-    void add(double[] state, int i, int j, double stiffness, double restLength, double damping, ForceDerivatives derivatives) {
+    void add(double[] state, int i, int j, double stiffness, double restLength, double damping,
+            ForceDerivatives derivatives) {
         double length = direction(state, i, j);
-        double across = -stiffness;                     // without direction: what a spring of rest length 0 has everywhere
+        // without direction: what a spring of rest length 0 has everywhere
+        double across = -stiffness;
         double along = 0;
         double drag = 0;
         if (length > 0) {

@@ -5,7 +5,10 @@ package particles.effects.springs;
  * {@link SpringForce}; these loops are where a simulation of cloth spends its time.
  */
 final class SpringKernel {
-    /** The bits of the square of a length from which on it does not lose digits, and how many follow before it overflows. */
+    /**
+     * The bits of the square of a length from which on it does not lose digits, and how many follow before it
+     * overflows.
+     */
     private static final long SMALLEST = Double.doubleToRawLongBits(1e-280);
     private static final long ORDINARY = Double.doubleToRawLongBits(1e280) - SMALLEST;
 
@@ -46,7 +49,8 @@ final class SpringKernel {
             double stretching = Math.fma(rx, state[j + 3] - state[i + 3],
                     Math.fma(ry, state[j + 4] - state[i + 4], rz * (state[j + 5] - state[i + 5])));
             double inverse = 1 / length;
-            double perLength = Math.fma(damping[s] * stretching, inverse, stiffness[s] * (length - restLength[s])) * inverse;
+            double perLength = Math.fma(damping[s] * stretching, inverse,
+                    stiffness[s] * (length - restLength[s])) * inverse;
             force[i + 3] = Math.fma(perLength, rx, force[i + 3]);
             force[i + 4] = Math.fma(perLength, ry, force[i + 4]);
             force[i + 5] = Math.fma(perLength, rz, force[i + 5]);
@@ -57,8 +61,8 @@ final class SpringKernel {
     }
 
     /**
-     * Particle by particle, keeping what belongs to the first one in registers for all of its springs: best in cloth. One
-     * loop over all springs, since one within it would be over after a handful each time, before it gets fast.
+     * Particle by particle, keeping what belongs to the first one in registers for all of its springs: best in cloth.
+     * One loop over all springs, since one within it would be over after a handful each time, before it gets fast.
      */
     private static void addGrouped(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
@@ -121,8 +125,8 @@ final class SpringKernel {
     }
 
     /**
-     * Whether the square of a length neither overflows nor loses digits: by the bits, whose order is that of the numbers and
-     * ends with NaN, in one comparison.
+     * Whether the square of a length neither overflows nor loses digits: by the bits, whose order is that of the
+     * numbers and ends with NaN, in one comparison.
      */
     static boolean isOrdinary(double square) {
         return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;

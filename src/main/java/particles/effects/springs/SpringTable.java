@@ -4,8 +4,8 @@ import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * The numbers of all springs in flat arrays, and how they are kept: added, taken out, followed when particles go, and put
- * into the order in which their forces are evaluated fastest.
+ * The numbers of all springs in flat arrays, and how they are kept: added, taken out, followed when particles go, and
+ * put into the order in which their forces are evaluated fastest.
  */
 final class SpringTable {
     private static final int NOT_COUNTED = -1;
@@ -16,7 +16,8 @@ final class SpringTable {
     double[] stiffness = new double[8];
     double[] restLength = new double[8];
     double[] damping = new double[8];
-    private int owners = NOT_COUNTED;                   // how many particles springs begin at, in the order of the table
+    // how many particles springs begin at, in the order of the table
+    private int owners = NOT_COUNTED;
     private boolean arranged;
     private boolean sorted = true;
     private final SpringBlocks blocks = new SpringBlocks();
@@ -80,9 +81,9 @@ final class SpringTable {
     }
 
     /**
-     * Sorts the springs by the particle where they begin, those of one particle in the order in which they were added: so
-     * that its position, velocity and force stay in registers for all of its springs. A counting sort, linear in their number.
-     * Then divides them into blocks.
+     * Sorts the springs by the particle where they begin, those of one particle in the order in which they were added:
+     * so that its position, velocity and force stay in registers for all of its springs. A counting sort, linear in
+     * their number. Then divides them into blocks.
      */
     void arrange() {
         if (arranged && owners != NOT_COUNTED) {

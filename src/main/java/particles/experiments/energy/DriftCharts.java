@@ -52,7 +52,8 @@ public final class DriftCharts {
             logarithmic.add(new Series(STOPPED, Mark.FAILURES, failures.stream().mapToDouble(f -> f[0]).toArray(),
                     failures.stream().mapToDouble(f -> f[1]).toArray()));
         }
-        return List.of(new ChartData(finding(comparison), "time (s)", "|energy error| / scale", false, true, logarithmic),
+        return List.of(new ChartData(finding(comparison), "time (s)", "|energy error| / scale", false, true,
+                logarithmic),
                 new ChartData("", "time (s)", "energy error / scale", false, false, linear));
     }
 
@@ -66,7 +67,8 @@ public final class DriftCharts {
             List<String> names = comparison.drifts().stream().filter(drift -> drift.kind() == kind)
                     .map(drift -> drift.setting().solver().label()).toList();
             if (!names.isEmpty()) {
-                parts.add((names.size() > 3 ? names.size() + " solvers" : String.join(", ", names)) + " " + switch (kind) {
+                parts.add((names.size() > 3 ? names.size() + " solvers" : String.join(", ", names)) + " "
+                        + switch (kind) {
                     case SECULAR -> names.size() == 1 ? "drifts" : "drift";
                     case BOUNDED -> names.size() == 1 ? "stays bounded" : "stay bounded";
                     case ROUNDING -> names.size() == 1 ? "is exact to rounding" : "are exact to rounding";
@@ -74,7 +76,8 @@ public final class DriftCharts {
                 });
             }
         }
-        return comparison.scene() + ": " + String.join("; ", parts) + (comparison.equalWork() ? " (equal evaluations)" : "");
+        return comparison.scene() + ": " + String.join("; ", parts) + (comparison.equalWork() ? " (equal evaluations)"
+                : "");
     }
 
     /**
@@ -86,14 +89,16 @@ public final class DriftCharts {
         for (Drift drift : comparison.drifts()) {
             rows.add(List.of(drift.setting().solver().label(), drift.setting().deltaT(),
                     drift.setting().tolerance().orElse(Double.NaN), drift.end(), drift.largest(), drift.slope(),
-                    drift.kind().name().toLowerCase(Locale.ROOT), drift.outcome().evaluations(), drift.outcome().seconds(),
+                    drift.kind().name().toLowerCase(Locale.ROOT), drift.outcome().evaluations(),
+                    drift.outcome().seconds(),
                     drift.outcome().failure().orElse("")));
         }
         return new DataTable("drift", "Energy error over the scale of "
                 + new BigDecimal(comparison.scale()).round(new MathContext(4)).toPlainString() + " J",
                 List.of(DataTable.column("solver"), DataTable.column("deltaT (s)"), DataTable.column("tolerance"),
                         new DataTable.Column("end drift", 3), new DataTable.Column("largest", 3),
-                        new DataTable.Column("slope (1/s)", 3), DataTable.column("kind"), DataTable.column("evaluations"),
+                        new DataTable.Column("slope (1/s)", 3), DataTable.column("kind"),
+                        DataTable.column("evaluations"),
                         new DataTable.Column("time (s)", 2), DataTable.column("why it ended")), rows);
     }
 }

@@ -14,13 +14,15 @@ import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
 /**
- * How well solvers keep a scene's energy: the ledger's numerical error, which is the change that neither drag nor bounces
- * nor any other work explains, relative to the scene's energy scale.
+ * How well solvers keep a scene's energy: the ledger's numerical error, which is the change that neither drag nor
+ * bounces nor any other work explains, relative to the scene's energy scale.
  */
 public final class EnergyDrift {
     /** Below this part of the scale, errors are those of the last digits. */
     private static final double ROUNDING = 1e-12;
-    /** A straight line that rises by more than so many times the scatter about it is no accident of where a wave ends. */
+    /**
+     * A straight line that rises by more than so many times the scatter about it is no accident of where a wave ends.
+     */
     private static final double SECULAR = 2;
     /** What grows in proportion to time is twice as large in the second half of a run as in the first. */
     private static final double GROWS = 1.4;
@@ -53,7 +55,8 @@ public final class EnergyDrift {
      * @param kind    how it goes on
      * @param outcome how the run went
      */
-    public record Drift(Setting setting, double[] time, double[] error, double end, double largest, double slope, Kind kind,
+    public record Drift(Setting setting, double[] time, double[] error, double end, double largest, double slope,
+            Kind kind,
                         Outcome outcome) {
     }
 
@@ -125,7 +128,8 @@ public final class EnergyDrift {
     /** The largest kinetic plus spring energy of a run that is as good as exact. */
     private static double scale(SceneDescription scene) {
         EnergyHistory history = new EnergyHistory();
-        Setting setting = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(), Optional.of(REFERENCE_TOLERANCE));
+        Setting setting = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),
+                Optional.of(REFERENCE_TOLERANCE));
         Scene reference = SceneRun.build(scene, setting, scene.duration());
         Outcome outcome = SceneRun.run(reference, MOST_EVALUATIONS, List.of(history));
         double scale = history.getScale();

@@ -38,7 +38,9 @@ public final class EnergyHistory implements Observer {
         this(1);
     }
 
-    /** @param stride every how many steps the energies are computed, 1 or more: that costs as much as half an evaluation */
+    /**
+     * @param stride every how many steps the energies are computed, 1 or more: that costs as much as half an evaluation
+     */
     public EnergyHistory(long stride) {
         if (stride < 1) {
             throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
@@ -112,16 +114,16 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene at
-     *         rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
+     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene
+     *         at rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
      */
     public double getScale() {
         return largestOfMotionAndSprings > AT_REST * restScale ? largestOfMotionAndSprings : restScale;
     }
 
     /**
-     * The energies. The total is the first series. A potential that no inner force has, such as gravity's, has its zero at
-     * the lowest value of the run, since a chart must not depend on where the origin lies; its name says so.
+     * The energies. The total is the first series. A potential that no inner force has, such as gravity's, has its zero
+     * at the lowest value of the run, since a chart must not depend on where the origin lies; its name says so.
      *
      * @param title of the chart, such as the scene and its solver
      * @return the chart
@@ -142,7 +144,8 @@ public final class EnergyHistory implements Observer {
             boolean internal = effects.get(e).getTraits().contains(Effect.Trait.INTERNAL);
             double lowest = internal ? 0 : energy.smallest();
             zero += lowest;
-            parts.add(line("potential: " + effects.get(e).getName() + (lowest == 0 ? "" : ", from its lowest"), energy, lowest));
+            parts.add(line("potential: " + effects.get(e).getName() + (lowest == 0 ? "" : ", from its lowest"), energy,
+                    lowest));
         }
         String from = zero == 0 ? "" : ", from the lowest";
         series.add(line("total" + from, total, zero));

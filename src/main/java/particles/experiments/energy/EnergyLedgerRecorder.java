@@ -15,8 +15,9 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
- * A run's energy ledger over time: what each kind of work put in or took out, and what is left over, which is the error of
- * the numbers. Every step is booked; what is drawn is thinned to some thousand points a curve, with every extreme kept.
+ * A run's energy ledger over time: what each kind of work put in or took out, and what is left over, which is the error
+ * of the numbers. Every step is booked; what is drawn is thinned to some thousand points a curve, with every extreme
+ * kept.
  */
 public final class EnergyLedgerRecorder implements Observer {
     private static final int BUCKETS = 1024;
@@ -109,7 +110,8 @@ public final class EnergyLedgerRecorder implements Observer {
         });
         if (!lines.isEmpty()) {
             charts.add(new ChartData("what physics put in (+) and took out (\u2212)", "time (s)",
-                    lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") + " (J)" : "work (J)", false, false,
+                    lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") + " (J)" : "work (J)", false,
+                    false,
                     lines));                            // short enough for a low panel; the sign says the rest
         }
         double[][] points = error.points();

@@ -26,7 +26,8 @@ public final class CostExercise {
 
     /** @return the costs for errors from 0.1 to one in a million */
     public static List<Cost> solve() {
-        return ERRORS.stream().map(error -> new Cost(error, 2 * steps("midpoint", error), 4 * steps("rk4", error))).toList();
+        return ERRORS.stream().map(error -> new Cost(error, 2 * steps("midpoint", error), 4 * steps("rk4", error)))
+                .toList();
     }
 
     /** The fewest steps that reach the error; over this range it falls with every step more. */
@@ -70,7 +71,8 @@ public final class CostExercise {
         Cost fine = costs.get(costs.size() - 1);
         return String.format(Locale.ROOT,
                 "Higher order pays the more, the more precision is asked: midpoint costs %.2g times what RK4"
-                + " costs for an error of %s, and %.2g times for %s", (double) rough.midpoint() / rough.rk4(), rough.error(),
+                + " costs for an error of %s, and %.2g times for %s", (double) rough.midpoint() / rough.rk4(),
+                rough.error(),
                 (double) fine.midpoint() / fine.rk4(), Double.toString(fine.error()).replace(".0E", "e"));
     }
 
@@ -82,7 +84,8 @@ public final class CostExercise {
         List<List<Object>> rows = new ArrayList<>();
         costs.forEach(cost -> rows.add(List.of(cost.error(), cost.midpoint(), cost.rk4(),
                 (double) cost.midpoint() / cost.rk4())));
-        return new DataTable("exercise", "The lecture's exercise: evaluations for similar accuracy, midpoint against RK4",
+        return new DataTable("exercise",
+                "The lecture's exercise: evaluations for similar accuracy, midpoint against RK4",
                 List.of(DataTable.column("error"), DataTable.column("midpoint"), DataTable.column("rk4"),
                         new DataTable.Column("midpoint / rk4", 3)), rows);
     }

@@ -22,8 +22,8 @@ import particles.view.DataTable;
 import particles.view.VectorField;
 
 /**
- * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state space,
- * over its vector field, with what theory says of amplitude and phase.
+ * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state
+ * space, over its vector field, with what theory says of amplitude and phase.
  *
  * <p>Source: COMPSCI 715 (2003), slides "Example IVP", "The Euler Method", "Mid-point Method", "RK4 Results".
  */
@@ -34,7 +34,8 @@ public final class LectureFigures {
     /** The slides' captions. Of Euler's step they say only what comes of it; 3 periods are 160.6 of these steps. */
     private static final List<Figure> ON_SLIDES = List.of(
             new Figure("euler", 0.11737, 161), new Figure("midpoint", 1, 11), new Figure("midpoint", 0.5, 100),
-            new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100), new Figure("rk4", 0.4,
+            new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100),
+            new Figure("rk4", 0.4,
                     1250));
 
     /**
@@ -127,9 +128,12 @@ public final class LectureFigures {
         return new Series(name, mark, new double[] {x}, new double[] {v});
     }
 
-    /** @return the exact solution alone, which is what the vector field says, with the looks that it has in the others */
+    /**
+     * @return the exact solution alone, which is what the vector field says, with the looks that it has in the others
+     */
     public static ChartData exactChart() {
-        return new ChartData("Vectors show the vector field (v, \u2212x); each solution is an ellipse", "position x (m)",
+        return new ChartData("Vectors show the vector field (v, \u2212x); each solution is an ellipse",
+                "position x (m)",
                 "velocity v (m/s)", false, false, List.of(new Series("no path", Mark.LINE, new double[0],
                         new double[0]),
                         exact(), point("start", Mark.POINTS, 1, 0)));
@@ -171,8 +175,8 @@ public final class LectureFigures {
 
     /**
      * @param results runs
-     * @return who spirals which way, and how much the step has to say in that: the longest and the shortest one of a solver
-     *         that spirals outwards with several
+     * @return who spirals which way, and how much the step has to say in that: the longest and the shortest one of a
+     *         solver that spirals outwards with several
      */
     public static String finding(List<Result> results) {
         String ways = Stream.of(way(results, "outwards", result -> result.amplitude() > 1),
@@ -227,7 +231,8 @@ public final class LectureFigures {
                 DataTable.column("steps"), DataTable.column("evaluations"), new DataTable.Column("amplitude", 7),
                 new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8), new DataTable.Column("|R|^2N", 8),
                 new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
-        return new DataTable("figures", "Amplitude, energy and phase after the last step: measured, and from R(ih)", columns,
+        return new DataTable("figures", "Amplitude, energy and phase after the last step: measured, and from R(ih)",
+                columns,
                 rows);
     }
 }

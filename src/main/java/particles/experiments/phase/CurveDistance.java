@@ -45,7 +45,8 @@ final class CurveDistance {
     /**
      * @param pathX positions along a path
      * @param pathV as many velocities
-     * @return the largest distance of its points from the curve, in halves of the curve's width and height; NaN if it has
+     * @return the largest distance of its points from the curve, in halves of the curve's width and height; NaN if it
+     *         has
      * none
      */
     double largest(double[] pathX, double[] pathV) {

@@ -34,7 +34,8 @@ public final class PhasePortraits {
      * @param solver   its label
      * @param particle whose path
      * @param axis     along which
-     * @param off      how far the path gets from the reference's curve at most, in halves of the curve's width and height;
+     * @param off      how far the path gets from the reference's curve at most, in halves of the curve's width and
+     *                 height;
      * NaN
      *                 where the reference has no curve
      * @param whole    whether the run came to its end
@@ -71,7 +72,8 @@ public final class PhasePortraits {
             List<Axis> axes,
                                     ProgressListener progress) {
         progress.reached(0, "the reference");
-        Setting tight = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(), Optional.of(REFERENCE_TOLERANCE));
+        Setting tight = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),
+                Optional.of(REFERENCE_TOLERANCE));
         Run reference = run(scene, tight, REFERENCE, particles);
         List<Run> runs = new ArrayList<>();
         for (SolverChoice solver : solvers) {
@@ -129,7 +131,8 @@ public final class PhasePortraits {
         }
         if (!staying.isEmpty()) {
             double off = staying.stream().mapToDouble(worst::get).max().orElse(0);
-            parts.add(joined(staying) + (staying.size() == 1 ? " stays" : " stay") + (leaving.isEmpty() ? " on the curve to "
+            parts.add(joined(staying) + (staying.size() == 1 ? " stays" : " stay") + (leaving.isEmpty()
+                    ? " on the curve to "
                     : " on it to ")
                     + PortraitChart.percent(off));
         }

@@ -10,7 +10,10 @@ import particles.view.ChartData.Series;
 
 /** One solver's path over the reference: the ends of both, and where the path leaves the picture. */
 final class PortraitChart {
-    /** What goes farther out than so many times the curve leaves the picture, and would make everything else in it a dot. */
+    /**
+     * What goes farther out than so many times the curve leaves the picture, and would make everything else in it a
+     * dot.
+     */
     private static final double PICTURE = 3.2;
     /** A path this far from the curve has left it. */
     static final double LEFT = 0.05;
@@ -47,7 +50,8 @@ final class PortraitChart {
      */
     ChartData data(String whose, Axis axis) {
         List<Series> series = new ArrayList<>();
-        series.add(new Series(exact.name(), exact.mark() == Mark.LINE ? Mark.BAND : exact.mark(), exact.x(), exact.y()));
+        series.add(new Series(exact.name(), exact.mark() == Mark.LINE ? Mark.BAND : exact.mark(), exact.x(),
+                exact.y()));
         series.add(new Series(solver, path.mark(), Arrays.copyOf(path.x(), shown), Arrays.copyOf(path.y(), shown)));
         int last = exact.x().length - 1;
         series.add(new Series("ends: of the reference hollow, of the path filled", Mark.OPEN_POINTS,
@@ -59,7 +63,8 @@ final class PortraitChart {
             series.add(new Series("stopped, or out of the picture", Mark.FAILURES, new double[] {path.x()[end]},
                     new double[] {path.y()[end]}));
         }
-        return new ChartData(whose + title(axis), "position " + axis.symbol() + " (m)", "velocity v" + axis.symbol() + " (m/s)",
+        return new ChartData(whose + title(axis), "position " + axis.symbol() + " (m)",
+                "velocity v" + axis.symbol() + " (m/s)",
                 false, false, series);
     }
 

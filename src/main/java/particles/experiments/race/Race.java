@@ -60,8 +60,8 @@ public final class Race {
      * @param match    its step or tolerance, and what that costs
      * @param drift    how it keeps the energy, as far as it came
      * @param states   at the frames' times, as far as it came: (x1, v1, x2, v2, ...)
-     * @param distance from the reference at these times, root mean square over the particles (m); NaN where there are not as
-     *                 many particles, or between the steps of an adaptive solver
+     * @param distance from the reference at these times, root mean square over the particles (m); NaN where there are
+     *                 not as many particles, or between the steps of an adaptive solver
      * @param left     when it left the race (s): it failed, or went where the reference never comes near
      */
     public record Lane(Match match, Drift drift, List<double[]> states, double[] distance, OptionalDouble left) {
@@ -156,7 +156,8 @@ public final class Race {
         return energy.getScale() > 0 ? energy.getScale() : built.energyScale();
     }
 
-    private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent, Audience audience) {
+    private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent,
+            Audience audience) {
         Scene built = SceneRun.build(scene, match.setting(), scene.duration());
         FrameStates states = new FrameStates(rate);
         List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
@@ -173,7 +174,8 @@ public final class Race {
     }
 
     /**
-     * What an adaptive solver does within its steps is not seen: what is interpolated there has errors that are not its own.
+     * What an adaptive solver does within its steps is not seen: what is interpolated there has errors that are not its
+     * own.
      */
     private int framesAStep(Setting setting) {
         double a = setting.deltaT() * frames / scene.duration();

@@ -19,9 +19,13 @@ import particles.view.DataTable;
 /** A race as charts, as tables and in words. */
 public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
-    /** Times of the same run differ by some percent; who takes this many times the work has not been given equal work. */
+    /**
+     * Times of the same run differ by some percent; who takes this many times the work has not been given equal work.
+     */
     private static final double TOO_MUCH = 1.2;
-    /** Who is farther off than the nearest by no more than this shares the first place: which of them it is, is chance. */
+    /**
+     * Who is farther off than the nearest by no more than this shares the first place: which of them it is, is chance.
+     */
     private static final double AS_NEAR = 1.1;
 
     private RaceCharts() {
@@ -46,7 +50,8 @@ public final class RaceCharts {
         List<Series> series = new ArrayList<>();
         List<double[]> left = new ArrayList<>();
         for (Lane lane : race.lanes()) {
-            int[] known = IntStream.range(1, lane.distance().length).filter(k -> lane.distance()[k] >= SMALLEST).toArray();
+            int[] known = IntStream.range(1, lane.distance().length).filter(k -> lane.distance()[k] >= SMALLEST)
+                    .toArray();
             double[] time = Arrays.stream(known).mapToDouble(k -> race.times()[k]).toArray();
             double[] distance = Arrays.stream(known).mapToDouble(k -> lane.distance()[k]).toArray();
             series.add(new Series(label(lane), Mark.LINE, time, distance));
@@ -55,7 +60,8 @@ public final class RaceCharts {
             }
         }
         if (!left.isEmpty()) {
-            series.add(new Series(DriftCharts.STOPPED, Mark.FAILURES, left.stream().mapToDouble(end -> end[0]).toArray(),
+            series.add(new Series(DriftCharts.STOPPED, Mark.FAILURES,
+                    left.stream().mapToDouble(end -> end[0]).toArray(),
                     left.stream().mapToDouble(end -> end[1]).toArray()));
         }
         return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
@@ -137,7 +143,8 @@ public final class RaceCharts {
 
     /** Root mean square over the frames (m); NaN where there is nothing to compare. */
     private static double mean(Lane lane) {
-        return Math.sqrt(Arrays.stream(lane.distance()).filter(d -> d >= 0).map(d -> d * d).average().orElse(Double.NaN));
+        return Math.sqrt(Arrays.stream(lane.distance()).filter(d -> d >= 0).map(d -> d * d).average()
+                .orElse(Double.NaN));
     }
 
     /**

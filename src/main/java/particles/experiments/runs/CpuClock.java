@@ -13,6 +13,7 @@ public final class CpuClock {
 
     /** @return since some moment (s); where the virtual machine does not know that, all time counts */
     public static double seconds() {
-        return NANO * (THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime() : System.nanoTime());
+        return NANO * (THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime()
+                : System.nanoTime());
     }
 }

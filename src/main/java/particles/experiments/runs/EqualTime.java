@@ -14,9 +14,10 @@ import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
 /**
- * Finds the steps and tolerances with which runs of a scene take the same time: as long as rk4 at the scene's step, or as
- * long as the slowest at its cheapest. Times decide only how many evaluations each solver is to make; the setting that makes
- * them is found by counting. Whoever is compared runs in turn, so that what else the machine does falls on all.
+ * Finds the steps and tolerances with which runs of a scene take the same time: as long as rk4 at the scene's step, or
+ * as long as the slowest at its cheapest. Times decide only how many evaluations each solver is to make; the setting
+ * that makes them is found by counting. Whoever is compared runs in turn, so that what else the machine does falls on
+ * all.
  */
 public final class EqualTime {
     /** Whose times differ by less than this part have equal time. */
@@ -164,7 +165,9 @@ public final class EqualTime {
             find(evaluations);
         }
 
-        /** With a looser tolerance an implicit solver may evaluate less and yet take longer: its iterations get long. */
+        /**
+         * With a looser tolerance an implicit solver may evaluate less and yet take longer: its iterations get long.
+         */
         private double cheapest() {
             double best = EqualWork.LOOSEST;
             seconds(best, WARM_RUNS, WARM);
@@ -181,7 +184,9 @@ public final class EqualTime {
             return best;
         }
 
-        /** @return the median of so many runs, or of fewer when they take long enough (s); infinite for a run that fails */
+        /**
+         * @return the median of so many runs, or of fewer when they take long enough (s); infinite for a run that fails
+         */
         private double seconds(double tolerance, int repeats, double enough) {
             List<Double> some = new ArrayList<>();
             for (double all = 0; some.size() < repeats && all < enough; all += some.get(some.size() - 1)) {

@@ -96,7 +96,8 @@ public final class EqualWork {
     }
 
     /**
-     * A step of an adaptive solver is one sub-step at least: where that alone costs too much, the steps are made longer.
+     * A step of an adaptive solver is one sub-step at least: where that alone costs too much, the steps are made
+     * longer.
      *
      * @param solver which one
      * @return the setting that comes nearest
@@ -115,8 +116,8 @@ public final class EqualWork {
     }
 
     /**
-     * An adaptive solver's steps keep their length, so that what is seen at their ends is as dense at any tolerance; other
-     * lengths are tried where its cost jumps over what is wanted from one tolerance to the next.
+     * An adaptive solver's steps keep their length, so that what is seen at their ends is as dense at any tolerance;
+     * other lengths are tried where its cost jumps over what is wanted from one tolerance to the next.
      *
      * @param solver  which one
      * @param loosest no looser tolerance is tried
@@ -142,7 +143,8 @@ public final class EqualWork {
         long most = Math.round(MOST_RAISE * target) + FEW;
         for (int trial = 0; trial < TRIALS; trial++) {
             steps = Math.max(steps + 1, Math.round(SHORTER * steps));
-            Match next = measure(new Setting(match.setting().solver(), duration / steps, Optional.empty()), steps, most);
+            Match next = measure(new Setting(match.setting().solver(), duration / steps, Optional.empty()), steps,
+                    most);
             if (next.whole()) {
                 return next;
             }
@@ -195,7 +197,10 @@ public final class EqualWork {
         return best.orElseThrow();
     }
 
-    /** The cost falls with the tolerance, in steps: bisection of its exponent, if the loosest one does not cost too much. */
+    /**
+     * The cost falls with the tolerance, in steps: bisection of its exponent, if the loosest one does not cost too
+     * much.
+     */
     private Match byTolerance(SolverChoice solver, long steps, double loosest, long wanted) {
         long most = Math.round(MOST_RAISE * wanted) + FEW;
         double first = loosest;

@@ -7,7 +7,9 @@ import particles.Rule;
 import particles.law.Particles;
 import particles.law.Vector3;
 
-/** The box in which a run takes place: from the lowest to the highest coordinates that any particle had after any step. */
+/**
+ * The box in which a run takes place: from the lowest to the highest coordinates that any particle had after any step.
+ */
 public final class Extent implements Observer {
     private final double[] low = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     private final double[] high = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};

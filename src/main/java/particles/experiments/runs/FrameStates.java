@@ -7,8 +7,8 @@ import particles.Observer;
 import particles.ParticleSystem;
 
 /**
- * Copies of the state at regular times, k / rate for k = 0, 1, 2 ...: the times of a film's frames, whatever the steps are.
- * Between two steps the motion is the same cubic that pictures show.
+ * Copies of the state at regular times, k / rate for k = 0, 1, 2 ...: the times of a film's frames, whatever the steps
+ * are. Between two steps the motion is the same cubic that pictures show.
  */
 public final class FrameStates implements Observer {
     /** A clock this part of a frame's time early is rounding. */

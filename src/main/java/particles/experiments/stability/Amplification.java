@@ -9,12 +9,15 @@ import deSolvers.problems.StepMatrix;
 import java.util.function.Supplier;
 
 /**
- * By how much one step of a solver's real code multiplies the solution of the test equation y' = lambda y. What is measured:
+ * By how much one step of a solver's real code multiplies the solution of the test equation y' = lambda y. What is
+ * measured:
  * <ul>
  * <li>of a method that steps by deltaT, its step, as the larger eigenvalue's modulus of the step's 2 x 2 matrix;</li>
  * <li>of a multistep method, what is left of the growth over many steps;</li>
- * <li>of an adaptive method of the catalogue, one sub-step as long as deltaT, which a tolerance that allows everything makes
- *     it take. {@code bulirsch-stoer} then uses as many lines of its table as its usual tolerance demands at first;</li>
+ * <li>of an adaptive method of the catalogue, one sub-step as long as deltaT, which a tolerance that allows everything
+ * makes
+ *     it take. {@code bulirsch-stoer} then uses as many lines of its table as its usual tolerance demands at
+ *     first;</li>
  * <li>of a method that steps positions and velocities apart, a damped spring whose two eigenvalues are lambda and its
  *     conjugate: on the negative real axis the critically damped one.</li>
  * </ul>

@@ -17,9 +17,9 @@ import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
 /**
- * Two runs of a scene that begin next to each other: if their distance grows from step to step, so does every error. The
- * distance is that of a spring with the mode's frequency, (the sum of m (dv&sup2; + |lambda|&sup2; dx&sup2;))<sup>1/2</sup>,
- * which the motion itself keeps or damps.
+ * Two runs of a scene that begin next to each other: if their distance grows from step to step, so does every error.
+ * The distance is that of a spring with the mode's frequency, (the sum of m (dv&sup2; + |lambda|&sup2;
+ * dx&sup2;))<sup>1/2</sup>, which the motion itself keeps or damps.
  */
 final class PerturbationGrowth {
     /** Steps of a run; its growth is that from the second quarter to the last. */
@@ -30,9 +30,9 @@ final class PerturbationGrowth {
     /** And all other modes as a part of that, so that whichever grows is seen. */
     private static final double OTHERS = 1e-3;
     /**
-     * A distance this many times that of the motion itself has left it. Just below the limit of verlet a distance swings up
-     * to 1/(2 d)<sup>1/2</sup> times, where d is what is missing to the limit: 20 times at a thousandth. Just above it, 512
-     * steps multiply by 20 what grows by 0.6 % a step, which rk4 does at 0.08 % beyond its limit,
+     * A distance this many times that of the motion itself has left it. Just below the limit of verlet a distance
+     * swings up to 1/(2 d)<sup>1/2</sup> times, where d is what is missing to the limit: 20 times at a thousandth. Just
+     * above it, 512 steps multiply by 20 what grows by 0.6 % a step, which rk4 does at 0.08 % beyond its limit,
      * and euler with damping at 3 %.
      */
     private static final double GROWN = 20;
@@ -66,7 +66,8 @@ final class PerturbationGrowth {
          */
         boolean leaves(Twins fine) {
             for (int k = 1; k < distances.length; k++) {
-                if (!(distances[k] / distances[0] <= GROWN * fine.largest(0, steps.get(k) * deltaT) / fine.distances[0])) {
+                if (!(distances[k] / distances[0] <= GROWN * fine.largest(0,
+                        steps.get(k) * deltaT) / fine.distances[0])) {
                     return true;
                 }
             }
@@ -114,7 +115,8 @@ final class PerturbationGrowth {
         for (int k = 0; k < distances.length; k++) {
             distances[k] = distance(first, second, k, mode.size());
         }
-        return new Twins(setting.deltaT(), first.steps, distances, first.failure.isPresent() ? first.failure : second.failure);
+        return new Twins(setting.deltaT(), first.steps, distances, first.failure.isPresent() ? first.failure
+                : second.failure);
     }
 
     private Recorder run(Setting setting, int steps, Optional<Mode> mode) {

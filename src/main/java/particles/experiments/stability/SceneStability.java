@@ -19,8 +19,8 @@ import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
 
 /**
- * The largest safe deltaT of each solver for a scene: predicted from the spectrum of its linearised start and the solver's
- * amplification, and found by bisection on pairs of runs of the whole scene.
+ * The largest safe deltaT of each solver for a scene: predicted from the spectrum of its linearised start and the
+ * solver's amplification, and found by bisection on pairs of runs of the whole scene.
  */
 public final class SceneStability {
     private static final double BRACKET = 1.25;
@@ -46,15 +46,16 @@ public final class SceneStability {
      * What is known of one solver.
      *
      * @param solver    which
-     * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an adaptive
-     *                  solver its longest sub-step; NaN for a solver that is not in the catalogue
+     * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an
+     *                  adaptive solver its longest sub-step; NaN for a solver that is not in the catalogue
      * @param measured  the longest safe step by running (s): 0 if the scene's deltaT and shorter ones grow,
      *                  infinite if no step grew
      * @param predictedGrowth what a step of the scene's deltaT adds by theory, as a part of the distance
      * @param measuredGrowth  what it added
      * @param note      why longer steps are not safe, or how far was tried
      */
-    public record Limit(SolverChoice solver, double predicted, double measured, double predictedGrowth, double measuredGrowth,
+    public record Limit(SolverChoice solver, double predicted, double measured, double predictedGrowth,
+            double measuredGrowth,
                         String note) {
     }
 
@@ -75,11 +76,13 @@ public final class SceneStability {
             ProgressListener progress) {
         SceneStability stability = new SceneStability(scene, spectrum);
         AtomicInteger done = new AtomicInteger();
-        // each run is a system of its own, so that solvers share nothing but the fine runs, which do not depend on who asks first
+        // each run is a system of its own, so that solvers share nothing but the fine runs, which do not depend on who
+        // asks first
         return solvers.parallelStream().map(solver -> {
             Limit limit = stability.limit(solver);
             synchronized (done) {
-                progress.reached((double) done.incrementAndGet() / solvers.size(), "the largest safe step of " + solver.label());
+                progress.reached((double) done.incrementAndGet() / solvers.size(),
+                        "the largest safe step of " + solver.label());
             }
             return limit;
         }).toList();
@@ -96,7 +99,8 @@ public final class SceneStability {
         if (solver.info().isEmpty()) {
             return bisected(solver, Double.NaN, 2 / fastest.size(), fastest);
         }
-        SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()), solver.info().get().secondOrder(),
+        SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()),
+                solver.info().get().secondOrder(),
                 spectrum);
         double predicted = theory.deltaT();
         Mode most = theory.growingMost(scene.deltaT());
@@ -148,12 +152,15 @@ public final class SceneStability {
         return pair.failure().isEmpty() && !pair.leaves(fine(mode, PerturbationGrowth.STEPS * deltaT));
     }
 
-    /** Twins that show what the motion itself, the folds of a cloth or a double pendulum's chaos, does to a distance. */
+    /**
+     * Twins that show what the motion itself, the folds of a cloth or a double pendulum's chaos, does to a distance.
+     */
     private synchronized Twins fine(Mode mode, double duration) {
         Twins known = fine.get(mode);
         if (known == null || known.duration() < duration) {
             double deltaT = FINE * RK4 / spectrum.modes().get(0).size();
-            known = twins.run(setting(SolverChoice.of("rk4"), deltaT), mode, (int) Math.ceil(BRACKET * duration / deltaT));
+            known = twins.run(setting(SolverChoice.of("rk4"), deltaT), mode,
+                    (int) Math.ceil(BRACKET * duration / deltaT));
             fine.put(mode, known);
         }
         return known;
@@ -167,7 +174,8 @@ public final class SceneStability {
         double unit = 2 / fastest.size();
         double longest = solver.adaptive() ? ADAPTIVE_TIMES * scene.deltaT() : FAR * unit;
         double done = 0;
-        for (double deltaT = solver.adaptive() ? longest : unit; deltaT <= longest * (1 + ACCURACY); deltaT *= FAR_FACTOR) {
+        for (double deltaT = solver.adaptive() ? longest : unit; deltaT <= longest * (1 + ACCURACY);
+                deltaT *= FAR_FACTOR) {
             Outcome outcome = SceneRun.run(SceneRun.build(scene, setting(solver, deltaT), FAR_STEPS * deltaT),
                     MOST_EVALUATIONS, List.of());
             if (outcome.failure().isPresent()) {
@@ -188,13 +196,15 @@ public final class SceneStability {
     public static DataTable table(List<Limit> limits) {
         List<List<Object>> rows = new ArrayList<>();
         for (Limit limit : limits) {
-            boolean sub = limit.solver().adaptive() && limit.predicted() > 0 && limit.predicted() < Double.POSITIVE_INFINITY;
+            boolean sub = limit.solver().adaptive() && limit.predicted() > 0
+                    && limit.predicted() < Double.POSITIVE_INFINITY;
             rows.add(List.of(limit.solver().label(),
                     sub ? String.format(Locale.ROOT, "sub-steps of %.6g", limit.predicted())
                             : text(limit.predicted(), limit.predictedGrowth()),
                     text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
         }
-        return new DataTable("largest-safe-step", "The largest safe deltaT (s); growth is that at the scene's deltaT", List.of(
+        return new DataTable("largest-safe-step", "The largest safe deltaT (s); growth is that at the scene's deltaT",
+                List.of(
                 DataTable.column("solver"), DataTable.column("by the spectrum"), DataTable.column("by running"),
                 DataTable.column("running/spectrum"), DataTable.column("remark")), rows);
     }

@@ -71,7 +71,8 @@ public final class SceneStabilityCharts {
                     y.add(Math.min(TOP, factor));
                 }
                 series.add(new Series(limit.solver().label() + ", spectrum", Mark.LINE, array(x), array(y)));
-                series.add(new Series(limit.solver().label() + String.format(Locale.ROOT, ", run: %.4g s", limit.measured()),
+                series.add(new Series(limit.solver().label() + String.format(Locale.ROOT, ", run: %.4g s",
+                        limit.measured()),
                         Mark.POINTS,
                         new double[] {limit.measured()}, new double[] {1}));
             }

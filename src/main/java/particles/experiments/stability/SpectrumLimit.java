@@ -7,15 +7,17 @@ import particles.experiments.spectrum.Mode;
 import particles.experiments.spectrum.Spectrum;
 
 /**
- * The longest step at which no mode of a spectrum grows that does not grow by itself: of all modes the smallest limit, each
- * measured on the solver's real code in its mode's direction of the complex plane. Modes count as springs of their own,
- * which is exact for Runge-Kutta and implicit methods, and for the symplectic ones where the
+ * The longest step at which no mode of a spectrum grows that does not grow by itself: of all modes the smallest limit,
+ * each measured on the solver's real code in its mode's direction of the complex plane. Modes count as springs of their
+ * own, which is exact for Runge-Kutta and implicit methods, and for the symplectic ones where the
  * damping matrix shares the stiffness's modes.
  */
 final class SpectrumLimit {
     /** Growth is judged beyond this: what rounding and Newton's tolerance leave of 1. */
     private static final double DECAY = 1e-12;
-    /** The shortest step at which a decay is looked for: 1e-4 of |lambda| is the least damping that is told from none. */
+    /**
+     * The shortest step at which a decay is looked for: 1e-4 of |lambda| is the least damping that is told from none.
+     */
     private static final double SHORTEST = 1e-5;
     /** Modes whose directions in the plane agree to this share a limit. */
     private static final double SAME_DIRECTION = 1e-7;
@@ -65,7 +67,8 @@ final class SpectrumLimit {
 
     /** @return by how much a step of this length multiplies a mode */
     double factor(Mode mode, double deltaT) {
-        boolean overdamped = secondOrder && mode.im() == 0 && mode.stiffness() > 0;     // else its partner grows by itself
+        // else its partner grows by itself
+        boolean overdamped = secondOrder && mode.im() == 0 && mode.stiffness() > 0;
         return overdamped ? amplification.ofSpring(deltaT * deltaT * mode.stiffness(), deltaT * mode.damping())
                 : amplification.at(deltaT * mode.re(), deltaT * mode.im());
     }

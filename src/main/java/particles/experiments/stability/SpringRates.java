@@ -7,9 +7,10 @@ import particles.view.SpringView;
  * How fast a system of springs can vibrate, from stiffnesses, dampings and masses alone: what the stability of a step
  * depends on, whatever the system does at the moment.
  *
- * <p>Stretched or not, a spring is never stiffer in any direction than k, so that the stiffness matrix is bounded by the
- * weighted Laplacian of the springs' graph; Gershgorin's circles bound the eigenvalues of M<sup>-1</sup>L. The same holds
- * for the dampings. (S. Gershgorin 1931; the matrices are in D. Baraff, A. Witkin, "Large steps in cloth simulation", 1998.)
+ * <p>Stretched or not, a spring is never stiffer in any direction than k, so that the stiffness matrix is bounded by
+ * the weighted Laplacian of the springs' graph; Gershgorin's circles bound the eigenvalues of M<sup>-1</sup>L. The same
+ * holds for the dampings. (S. Gershgorin 1931; the matrices are in D. Baraff, A. Witkin, "Large steps in cloth
+ * simulation", 1998.)
  *
  * @param stiffest    the spring with the largest omega of its own, or -1 if there is none with an end that can move
  * @param ownOmega    that omega: of the spring alone with the particles at its ends (rad/s)
@@ -32,7 +33,8 @@ public record SpringRates(int stiffest, double ownOmega, double omega, double da
         for (int s = 0; s < springs.springCount(); s++) {
             int i = springs.from(s);
             int j = springs.to(s);
-            int rows = particles.isFixed(i) || particles.isFixed(j) ? 1 : 2;      // the diagonal, and what couples both ends
+            // the diagonal, and what couples both ends
+            int rows = particles.isFixed(i) || particles.isFixed(j) ? 1 : 2;
             stiffness[i] += rows * springs.stiffness(s);
             stiffness[j] += rows * springs.stiffness(s);
             damping[i] += rows * springs.damping(s);

@@ -26,15 +26,18 @@ public final class StabilityLimits {
             progress.reached((double) rows.size() / all.size(), "limits of " + info.name());
             rows.add(row(info));
         }
-        return new DataTable("limits", "The largest stable h |lambda|; growth is that at 0.1", List.of(DataTable.column("solver"),
-                DataTable.column("real axis: theory"), DataTable.column("measured"), DataTable.column("imaginary axis: theory"),
+        return new DataTable("limits", "The largest stable h |lambda|; growth is that at 0.1",
+                List.of(DataTable.column("solver"),
+                DataTable.column("real axis: theory"), DataTable.column("measured"),
+                DataTable.column("imaginary axis: theory"),
                 DataTable.column("measured "), DataTable.column("measured on")), rows);
     }
 
     private static List<Object> row(SolverInfo info) {
         StabilityLimit real = real(info);
         StabilityLimit imaginary = imaginary(info);
-        String what = info.secondOrder() ? "springs: critically damped, undamped" : info.adaptive() ? "one sub-step" : "a step";
+        String what = info.secondOrder() ? "springs: critically damped, undamped" : info.adaptive() ? "one sub-step"
+                : "a step";
         return List.of(info.name(), StabilityLimit.text(info.realLimit(), Double.NaN), real.text(),
                 StabilityLimit.text(info.imaginaryLimit(), theoreticalGrowth(info.name())), imaginary.text(), what);
     }

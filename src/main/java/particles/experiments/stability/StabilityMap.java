@@ -7,7 +7,10 @@ import particles.experiments.stability.StabilityRegion.Window;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
-/** Where in a part of the plane a step does not grow, on a grid: the outline of these places, and stripes that fill them. */
+/**
+ * Where in a part of the plane a step does not grow, on a grid: the outline of these places, and stripes that fill
+ * them.
+ */
 public final class StabilityMap {
     /** A place on the outline is known to this many halvings of the grid's squares. */
     private static final int HALVINGS = 8;
@@ -122,7 +125,8 @@ public final class StabilityMap {
     }
 
     /**
-     * The straight piece of the outline in one square, from edge to edge (W. E. Lorensen, H. E. Cline 1987, in the plane).
+     * The straight piece of the outline in one square, from edge to edge (W. E. Lorensen, H. E. Cline 1987, in the
+     * plane).
      */
     private void cross(int r, int c, List<double[]> pieces) {
         int[][] corners = {{c, r}, {c + 1, r}, {c + 1, r + 1}, {c, r + 1}};

@@ -7,7 +7,10 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
-/** Where in the plane of z = deltaT lambda a step does not grow: the outline |R(z)| = 1, found on the solvers' real code. */
+/**
+ * Where in the plane of z = deltaT lambda a step does not grow: the outline |R(z)| = 1, found on the solvers' real
+ * code.
+ */
 public final class StabilityRegion {
     private StabilityRegion() {
     }
@@ -32,10 +35,13 @@ public final class StabilityRegion {
     public static ChartData outlines(String title, List<String> solvers, Window window) {
         List<Series> series = new ArrayList<>();
         for (String solver : solvers) {
-            series.add(new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window, true).outline(solver));
+            series.add(new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window,
+                    true).outline(solver));
         }
-        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-window.top, window.top}));
-        return new ChartData(title, "Re(deltaT lambda): decay to the left, growth to the right", "Im(deltaT lambda): oscillation",
+        series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0},
+                new double[] {-window.top, window.top}));
+        return new ChartData(title, "Re(deltaT lambda): decay to the left, growth to the right",
+                "Im(deltaT lambda): oscillation",
                 false, false, series);
     }
 }

@@ -8,12 +8,12 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 
 /**
- * Finds out by trying how the growth of a solver's steps can be measured: on the test equation or, if it needs positions and
- * velocities or treats them differently, on springs.
+ * Finds out by trying how the growth of a solver's steps can be measured: on the test equation or, if it needs
+ * positions and velocities or treats them differently, on springs.
  *
  * @param amplification the measurement, if there can be one
- * @param noise         how far steps are from multiplying by a matrix that depends on deltaT lambda alone: rounding, or what
- *                      an iteration leaves
+ * @param noise         how far steps are from multiplying by a matrix that depends on deltaT lambda alone: rounding, or
+ *                      what an iteration leaves
  * @param objection     why there can be none; else empty
  */
 public record StepTrial(Optional<Amplification> amplification, double noise, String objection) {
@@ -67,7 +67,8 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
         double noise = 0;
         boolean still = true;
         for (double[] place : PLACES) {
-            Function<Double, LinearPair> source = factor -> springs ? spring(place, factor) : testEquation(place, factor);
+            Function<Double, LinearPair> source = factor -> springs ? spring(place, factor) : testEquation(place,
+                    factor);
             StepMatrix one = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, 1);
             StepMatrix again = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, 1);
             if (one.difference(again) > 0) {
@@ -76,13 +77,14 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
             StepMatrix large = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, SIZE);
             double bent = Math.max(one.nonlinearity(), one.difference(large));
             if (!(bent <= MOST_NOISE)) {
-                return refused("a step on a linear system does not multiply the state by a matrix, as the length of sub-steps or an iteration"
-                        + " depends on the state");
+                return refused("a step on a linear system does not multiply the state by a matrix, as the length of"
+                        + " sub-steps or an iteration depends on the state");
             }
             StepMatrix half = StepMatrix.of(maker.get(), source.apply(2.0), steps, 0.5, 1);
             double apart = springs ? Math.abs(one.radius() - half.radius()) : one.difference(half);
             if (!(apart <= MOST_NOISE)) {
-                return refused("a step with half the deltaT and twice the lambda is another one: it does not follow deltaT");
+                return refused("a step with half the deltaT and twice the lambda is another one: it does not follow"
+                        + " deltaT");
             }
             noise = Math.max(noise, Math.max(bent, apart));
             still &= one.isIdentity();
@@ -92,7 +94,8 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
         }
         return steps == 1 && isExact(maker, springs)
                 ? refused("it takes sub-steps as short as the system needs: any deltaT is stable, and costs"
-                + " what they cost") : new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise, "");
+                + " what they cost") : new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise,
+                "");
     }
 
     /** Whether one step follows two revolutions, as no single step of a method can. */

@@ -37,9 +37,9 @@ import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
 /**
- * What each effect and rule costs: the time for a step of a cloth with springs alone, and with one thing more at a time;
- * before them the same cloth as hand-written code that knows of nothing but springs. What a scene does not name costs
- * nothing, so the first two should not differ by more than the measurement.
+ * What each effect and rule costs: the time for a step of a cloth with springs alone, and with one thing more at a
+ * time; before them the same cloth as hand-written code that knows of nothing but springs. What a scene does not name
+ * costs nothing, so the first two should not differ by more than the measurement.
  *
  * <p>All variants take turns, round by round, and the fastest round of each counts: whatever else the machine does only
  * makes a round slower.
@@ -79,7 +79,8 @@ public final class EffectCost {
      * @param progress hears how far it is
      * @return the hand-written springs, the springs alone, and each addition
      */
-    public static List<Cost> measure(int columns, int steps, int rounds, LongSupplier nanoTime, ProgressListener progress) {
+    public static List<Cost> measure(int columns, int steps, int rounds, LongSupplier nanoTime,
+            ProgressListener progress) {
         List<Variant> variants = variants(columns);
         double[] fastest = new double[variants.size()];
         Arrays.fill(fastest, Double.POSITIVE_INFINITY);
@@ -102,14 +103,17 @@ public final class EffectCost {
         List<Variant> all = new ArrayList<>();
         all.add(new Variant("springs, hand-written", byHand(columns)));
         all.add(with(columns, "springs", (system, simulation) -> { }));
-        all.add(with(columns, "+ gravity", (s, r) -> s.addEffect(new Gravity(s.getParticles(), new Vector3(0, -9.81, 0)))));
+        all.add(with(columns, "+ gravity",
+                (s, r) -> s.addEffect(new Gravity(s.getParticles(), new Vector3(0, -9.81, 0)))));
         all.add(with(columns, "+ drag", (s, r) -> s.addEffect(new LinearDrag(s.getParticles(), 0.01, Wind.STILL))));
-        all.add(with(columns, "+ quadratic drag", (s, r) -> s.addEffect(new QuadraticDrag(s.getParticles(), 0.01, Wind.STILL))));
+        all.add(with(columns, "+ quadratic drag",
+                (s, r) -> s.addEffect(new QuadraticDrag(s.getParticles(), 0.01, Wind.STILL))));
         all.add(with(columns, "+ drag in wind", (s, r) -> s.addEffect(new LinearDrag(s.getParticles(), 0.01,
                 new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 0, 1), 1)))));
         all.add(with(columns, "+ drag in turbulence", (s, r) -> s.addEffect(new LinearDrag(s.getParticles(), 0.01,
                 new TurbulentWind(Vector3.ZERO, 1, 1, 1)))));
-        all.add(with(columns, "+ attraction", (s, r) -> s.addEffect(new PointAttraction(s.getParticles(), FAR_BELOW, 1, 1))));
+        all.add(with(columns, "+ attraction",
+                (s, r) -> s.addEffect(new PointAttraction(s.getParticles(), FAR_BELOW, 1, 1))));
         all.add(with(columns, "+ cohesion", (s, r) -> s.addEffect(new Cohesion(s.getParticles(), 1.2 * SPACING, SPACING,
                 1e-9, 0))));
         all.add(with(columns, "+ penalty plane",
@@ -118,8 +122,10 @@ public final class EffectCost {
                 new PenaltySphere(s.getParticles(), new Sphere(FAR_BELOW, 1, false), 1, 0))));
         all.add(with(columns, "+ tear", (s, r) -> r.addRule(new SpringTear((SpringForce) s.getEffects().get(0), 10))));
         all.add(with(columns, "+ kill plane", (s, r) -> r.addRule(new KillPlane(Plane.ground(-100)))));
-        all.add(with(columns, "+ ground, clamp", (s, r) -> r.addRule(new ClampedImpacts(contacts(s, Plane.ground(-100))))));
-        all.add(with(columns, "+ ground, exact", (s, r) -> r.addEventRule(new ExactImpacts(contacts(s, Plane.ground(-100))),
+        all.add(with(columns, "+ ground, clamp",
+                (s, r) -> r.addRule(new ClampedImpacts(contacts(s, Plane.ground(-100))))));
+        all.add(with(columns, "+ ground, exact",
+                (s, r) -> r.addEventRule(new ExactImpacts(contacts(s, Plane.ground(-100))),
                 new RK4Solver())));
         all.add(with(columns, "+ sphere, exact", (s, r) -> r.addEventRule(new ExactImpacts(contacts(s,
                 new Sphere(FAR_BELOW, 1, false))), new RK4Solver())));
@@ -141,7 +147,8 @@ public final class EffectCost {
             int column = n % columns;
             int row = n / columns;
             double z = 0.01 * SPACING * (column * 7 % 5);           // not quite flat, so that nothing is at rest
-            system.addParticle("c" + n, 0.001, new Vector3(SPACING * column, -SPACING * row, z), Vector3.ZERO, row == 0);
+            system.addParticle("c" + n, 0.001, new Vector3(SPACING * column, -SPACING * row, z), Vector3.ZERO,
+                    row == 0);
             double diagonal = SPACING * Math.sqrt(2);
             if (column > 0) {
                 springs.addSpring(n - 1, n, 5, SPACING, 0.001);
@@ -212,7 +219,8 @@ public final class EffectCost {
             y[3 * k + 1] = k;
             y[3 * k + 2] = Double.NaN;                  // the pen is lifted between bars
         }
-        return new ChartData("What is named is paid for, and nothing else", "time for a step over that of springs alone",
+        return new ChartData("What is named is paid for, and nothing else",
+                "time for a step over that of springs alone",
                 "what the scene names", false, false, costs.stream().map(Cost::name).toList(),
                 List.of(new Series("time for a step", Mark.BAND, x, y)));
     }

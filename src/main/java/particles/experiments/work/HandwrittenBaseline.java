@@ -7,8 +7,9 @@ import particles.law.Particles;
 import particles.view.SpringView;
 
 /**
- * A mass-spring system written out by hand, without effects, reactions, or any choice at all: what a system costs that knows
- * of nothing but springs, to hold {@link ParticleSystem} against. Same layout, same law, the same numbers but for rounding.
+ * A mass-spring system written out by hand, without effects, reactions, or any choice at all: what a system costs that
+ * knows of nothing but springs, to hold {@link ParticleSystem} against. Same layout, same law, the same numbers but for
+ * rounding.
  */
 final class HandwrittenBaseline implements ArrayStateSource {
     private static final int STRIDE = Particles.STRIDE;
@@ -57,7 +58,8 @@ final class HandwrittenBaseline implements ArrayStateSource {
             double inverse = 1 / Math.sqrt(rx * rx + ry * ry + rz * rz);
             double stretching = rx * (state[j + 3] - state[i + 3]) + ry * (state[j + 4] - state[i + 4])
                     + rz * (state[j + 5] - state[i + 5]);
-            double perLength = stiffness[s] * (1 - restLength[s] * inverse) + damping[s] * stretching * inverse * inverse;
+            double perLength = stiffness[s] * (1 - restLength[s] * inverse)
+                    + damping[s] * stretching * inverse * inverse;
             double fx = perLength * rx;
             double fy = perLength * ry;
             double fz = perLength * rz;

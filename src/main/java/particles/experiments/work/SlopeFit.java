@@ -9,8 +9,8 @@ import particles.experiments.work.WorkPrecision.Point;
 import particles.experiments.work.WorkProblem.Stiff;
 
 /**
- * The slope of a solver's errors, fitted only where they follow a power law: over the last three or more runs in a row, from
- * coarse to fine, whose errors are small, above rounding, and on a straight line.
+ * The slope of a solver's errors, fitted only where they follow a power law: over the last three or more runs in a row,
+ * from coarse to fine, whose errors are small, above rounding, and on a straight line.
  *
  * @param slope  the exponent; NaN where no three such runs are found
  * @param first  the first run of the fit, by its place in the list
@@ -29,9 +29,9 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
     /** An adaptive solver for which a tighter tolerance costs less than this factor does not follow it. */
     private static final double MORE_WORK = 1.05;
     /**
-     * A slope farther than this from that of theory is not the method's, but that of an error that falls for another reason,
-     * such as where sub-steps become short enough to be stable: 3.4 there. Solvers that keep their tolerance differ by up to
-     * 0.97, dormand-prince in Kepler's problem.
+     * A slope farther than this from that of theory is not the method's, but that of an error that falls for another
+     * reason, such as where sub-steps become short enough to be stable: 3.4 there. Solvers that keep their tolerance
+     * differ by up to 0.97, dormand-prince in Kepler's problem.
      */
     private static final double OFF_THEORY = 1.25;
 

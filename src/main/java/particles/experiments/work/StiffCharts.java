@@ -25,9 +25,11 @@ public final class StiffCharts {
 
     /**
      * @param sweeps one a solver
-     * @return over the stiffness: evaluations for 1 %, with exponents in the legend; evaluations to be stable; what is left
+     * @return over the stiffness: evaluations for 1 %, with exponents in the legend; evaluations to be stable; what is
+     *         left
      * of
-     *         the vibration, for those that are stable; and, if there are any, who is never stable and where nobody has 1 %
+     *         the vibration, for those that are stable; and, if there are any, who is never stable and where nobody has
+     *         1 %
      */
     public static List<ChartData> charts(List<Sweep> sweeps) {
         List<Series> precise = new ArrayList<>();
@@ -60,7 +62,8 @@ public final class StiffCharts {
     }
 
     private static Series series(Sweep sweep, ToDoubleFunction<Cost> what) {
-        return new Series(name(sweep), Mark.LINE_AND_POINTS, sweep.costs().stream().mapToDouble(Cost::stiffness).toArray(),
+        return new Series(name(sweep), Mark.LINE_AND_POINTS,
+                sweep.costs().stream().mapToDouble(Cost::stiffness).toArray(),
                 sweep.costs().stream().mapToDouble(what).toArray());
     }
 
@@ -101,7 +104,8 @@ public final class StiffCharts {
         most(sweeps, sweep -> !sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (explicit)"));
         most(sweeps, sweep -> sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (implicit)"));
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
-        String finding = parts.isEmpty() ? "What a stiff spring costs" : "Stability costs " + String.join(" or ", parts);
+        String finding = parts.isEmpty() ? "What a stiff spring costs" : "Stability costs " + String.join(" or ",
+                parts);
         return never.isEmpty() ? finding
                 : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " never has it" : " never have it");
     }
@@ -127,8 +131,10 @@ public final class StiffCharts {
         }
         return new DataTable("stiffness",
                 "Cost as a power of the stiffness, and evaluations for 1 % with the softest and the stiffest spring",
-                List.of(DataTable.column("solver"), DataTable.column("stable"), new DataTable.Column("exponent, stable", 3),
-                        new DataTable.Column("exponent, 1 %", 3), DataTable.column("softest"), DataTable.column("stiffest"),
+                List.of(DataTable.column("solver"), DataTable.column("stable"), new DataTable.Column("exponent, stable",
+                3),
+                        new DataTable.Column("exponent, 1 %", 3), DataTable.column("softest"),
+                        DataTable.column("stiffest"),
                         new DataTable.Column("vibration left", 2)), rows);
     }
 }

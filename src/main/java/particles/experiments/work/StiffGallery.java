@@ -18,15 +18,15 @@ public final class StiffGallery {
     /** The seed may grow by this in energy before the run counts as unstable: far above what a stable run borrows. */
     private static final double UNSTABLE = 1e4;
     /**
-     * Few steps are too few to grow so much in: a short run goes on until it has made so many. What grows by 0.5 % a step is
-     * found out; rk4 does so when its step is 0.03 % too long.
+     * Few steps are too few to grow so much in: a short run goes on until it has made so many. What grows by 0.5 % a
+     * step is found out; rk4 does so when its step is 0.03 % too long.
      */
     private static final int STEPS_TO_GROW = 2000;
     private static final int MOST_STEPS = 1 << 20;
     private static final double NEAR = 1.01;
     /**
-     * A long run of short steps shows who grows at any step: the slowest of them, adams, by 5e-3; means of waves differ by
-     * 5e-5.
+     * A long run of short steps shows who grows at any step: the slowest of them, adams, by 5e-3; means of waves differ
+     * by 5e-5.
      */
     private static final double SHORT_STEP = 0.1;
     private static final int LONG_RUN = 20_000;
@@ -39,8 +39,8 @@ public final class StiffGallery {
      * @param stiffness of the spring between the masses (N/m)
      * @param toBeStable evaluations of the cheapest stable run
      * @param toOnePercent evaluations of the cheapest run whose swing is right to 1 %
-     * @param vibrationLeft energy of the stiff vibration over that at its start, the largest in the last tenth of that run:
-     *                      close to its limit a symplectic solver borrows and gives back
+     * @param vibrationLeft energy of the stiff vibration over that at its start, the largest in the last tenth of that
+     *                      run: close to its limit a symplectic solver borrows and gives back
      */
     public record Cost(double stiffness, double toBeStable, double toOnePercent, double vibrationLeft) {
     }

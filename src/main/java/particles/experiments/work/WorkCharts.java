@@ -75,7 +75,8 @@ public final class WorkCharts {
             series.add(new Series(curve.solver().label(), Mark.BARS, x, y));
         }
         String title = problem.title() + ", by the clock: " + cheapest(curves, Point::seconds, "is first to", "to");
-        return charts(new ChartData(title, "time of a busy processor, median (s)", problem.errorLabel(), true, true, series),
+        return charts(new ChartData(title, "time of a busy processor, median (s)", problem.errorLabel(), true, true,
+                series),
                 curves,
                 Point::seconds);
     }
@@ -111,7 +112,8 @@ public final class WorkCharts {
             List<double[]> of = failures.get(kind.ordinal());
             if (!of.isEmpty()) {
                 boolean unstable = kind == Failure.UNSTABLE;
-                series.add(new Series(unstable ? "unstable" : "did not converge", unstable ? Mark.FAILURES : Mark.GIVEN_UP,
+                series.add(new Series(unstable ? "unstable" : "did not converge",
+                        unstable ? Mark.FAILURES : Mark.GIVEN_UP,
                         of.stream().mapToDouble(f -> f[0]).toArray(), of.stream().mapToDouble(f -> f[1]).toArray()));
             }
         }
@@ -124,7 +126,8 @@ public final class WorkCharts {
         boolean reduced = curve.expected() < order;
         String theory = reduced ? String.format(Locale.ROOT, " (theory %.0f, order %.0f)", curve.expected(), order)
                 : Double.isNaN(curve.expected()) ? "" : String.format(Locale.ROOT, " (%.0f)", curve.expected());
-        return Double.isNaN(curve.fit().slope()) ? ", no slope" : String.format(Locale.ROOT, ", %.2f", curve.fit().slope())
+        return Double.isNaN(curve.fit().slope()) ? ", no slope" : String.format(Locale.ROOT, ", %.2f",
+                curve.fit().slope())
                 + theory;
     }
 
@@ -158,7 +161,8 @@ public final class WorkCharts {
             return "none has an error of 10\u207b\u00b2";
         }
         String result = rough.get() + " " + verb + " 10\u207b\u00b2";
-        return fine.isEmpty() ? result + ", none has 10\u207b\u2076" : rough.equals(fine) ? result + " and 10\u207b\u2076"
+        return fine.isEmpty() ? result + ", none has 10\u207b\u2076" : rough.equals(fine)
+                ? result + " and 10\u207b\u2076"
                 : result + ", " + fine.get() + " " + preposition + " 10\u207b\u2076";
     }
 

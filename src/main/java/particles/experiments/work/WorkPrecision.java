@@ -157,13 +157,18 @@ public final class WorkPrecision {
         double error = problem.error(source);
         Optional<Failure> failure = thrown.map(e -> kind(e, solver)).or(() -> error < USELESS ? Optional.empty()
                 : Optional.of(Failure.UNSTABLE));
-        String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error : "");
+        String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error
+                : "");
         return new Point(problem.duration() / steps, tolerance, problem.evaluations().applyAsLong(source),
-                failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[0], sorted[sorted.length - 1],
+                failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[0],
+                sorted[sorted.length - 1],
                 failure, why);
     }
 
-    /** What overflows has an entry that did; an iteration that ends nowhere has none, and sub-steps end by getting short. */
+    /**
+     * What overflows has an entry that did; an iteration that ends nowhere has none, and sub-steps end by getting
+     * short.
+     */
     private static Failure kind(DESolverException thrown, SolverChoice solver) {
         return thrown.getEntry() < 0 || solver.adaptive() ? Failure.NOT_CONVERGED : Failure.UNSTABLE;
     }

@@ -23,11 +23,13 @@ import particles.experiments.work.WorkProblem.Stiff;
 import particles.law.Vector3;
 
 /**
- * The problems of the work-precision diagrams. Their references are exact, or computed far more accurately than is asked.
+ * The problems of the work-precision diagrams. Their references are exact, or computed far more accurately than is
+ * asked.
  */
 public final class WorkProblems {
     /** Their names, the smooth ones first. */
-    public static final List<String> NAMES = List.of("oscillator", "pendulum", "kepler", "network", "stiff-chain", "cloth");
+    public static final List<String> NAMES = List.of("oscillator", "pendulum", "kepler", "network", "stiff-chain",
+            "cloth");
 
     private static final double SHAKEN_SECONDS = 2;
     private static final double TIGHT = 1e-13;
@@ -68,26 +70,31 @@ public final class WorkProblems {
 
     private static WorkProblem exact(String name, String title, double duration, Supplier<ReferenceProblem> start,
                                      Budget budget) {
-        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations, start.get().exactState(duration),
+        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations,
+                start.get().exactState(duration),
                 "exact", false, FLOOR, budget, Optional.empty());
     }
 
-    private static WorkProblem computed(String name, String title, double duration, Supplier<? extends DEStateSource> start,
+    private static WorkProblem computed(String name, String title, double duration,
+            Supplier<? extends DEStateSource> start,
                                         Budget budget) {
         DEStateSource source = start.get();
         SolverCatalog.create(REFERENCE, TIGHT, TIGHT).stepState(source, duration);
         double[] reference = new double[source.getStateSize()];
         source.getState(reference);
         return new WorkProblem(name, title, duration, start, WorkProblems::evaluations, reference,
-                REFERENCE + " with tolerance " + TIGHT, source instanceof ParticleSystem, FLOOR, budget, Optional.empty());
+                REFERENCE + " with tolerance " + TIGHT, source instanceof ParticleSystem, FLOOR, budget,
+                Optional.empty());
     }
 
     private static long evaluations(DEStateSource source) {
-        return source instanceof ParticleSystem system ? system.getEvaluations() : ((ReferenceProblem) source).evaluations();
+        return source instanceof ParticleSystem system ? system.getEvaluations()
+                : ((ReferenceProblem) source).evaluations();
     }
 
     /**
-     * Four by four particles, held at the upper corners; springs along both directions and one diagonal, a little damped.
+     * Four by four particles, held at the upper corners; springs along both directions and one diagonal, a little
+     * damped.
      */
     private static ParticleSystem network() {
         ParticleSystem system = new ParticleSystem();

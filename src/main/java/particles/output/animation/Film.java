@@ -20,9 +20,9 @@ import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSink;
 
 /**
- * The frames as a film, {@code film.mp4}, in the time of the simulation: H.264 in an MP4 file, which browsers and players
- * show. Written frame by frame. The format halves the resolution of colours and so has even sizes only: an odd last
- * column or row is left away.
+ * The frames as a film, {@code film.mp4}, in the time of the simulation: H.264 in an MP4 file, which browsers and
+ * players show. Written frame by frame. The format halves the resolution of colours and so has even sizes only: an odd
+ * last column or row is left away.
  */
 public final class Film implements FrameSink {
     /** The file's name. */
@@ -31,8 +31,8 @@ public final class Film implements FrameSink {
     private static final int TICKS = 512;
     private static final int KEY_FRAMES_SECONDS = 2;
     /**
-     * How far the encoder looks for what moved (pixels). Sixteen, its default, took twice the time for a cloth in wind of
-     * 1280 x 720 and left 32 kB a frame instead of 37.
+     * How far the encoder looks for what moved (pixels). Sixteen, its default, took twice the time for a cloth in wind
+     * of 1280 x 720 and left 32 kB a frame instead of 37.
      */
     private static final int SEARCH_RANGE = 4;
 

@@ -3,9 +3,9 @@ package particles.output.animation;
 import org.jcodec.common.model.Picture;
 
 /**
- * From red, green and blue to the luma and chroma of films (ITU-R BT.709, 8 bits, luma from 16 to 235, chroma from 16 to
- * 240), the chroma as the mean of four pixels. In 16-bit fixed point; bytes of a picture are shifted by 128, as the library
- * wants it.
+ * From red, green and blue to the luma and chroma of films (ITU-R BT.709, 8 bits, luma from 16 to 235, chroma from 16
+ * to 240), the chroma as the mean of four pixels. In 16-bit fixed point; bytes of a picture are shifted by 128, as the
+ * library wants it.
  */
 final class FilmColours {
     private static final int BITS = 16;

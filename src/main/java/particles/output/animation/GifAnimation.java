@@ -61,9 +61,11 @@ public final class GifAnimation implements FrameSink {
     }
 
     /** @param importantColours colours that frames may have although the first one has not */
-    public GifAnimation(OutputFolder folder, int frameWidth, int frameHeight, int[] importantColours, int width, double fps) {
+    public GifAnimation(OutputFolder folder, int frameWidth, int frameHeight, int[] importantColours, int width,
+            double fps) {
         if (width < 1 || !(fps > 0)) {
-            throw new IllegalArgumentException("an animation " + width + " pixels wide with " + fps + " frames a second");
+            throw new IllegalArgumentException("an animation " + width + " pixels wide with " + fps
+                    + " frames a second");
         }
         this.folder = folder;
         this.importantColours = importantColours.clone();

@@ -15,7 +15,8 @@ final class GifMetadata {
     }
 
     /** The size of the animation and the palette of all its frames, which has 256 colours. */
-    static void describeScreen(IIOMetadata metadata, int width, int height, int[] palette) throws IIOInvalidTreeException {
+    static void describeScreen(IIOMetadata metadata, int width, int height, int[] palette)
+            throws IIOInvalidTreeException {
         IIOMetadataNode root = new IIOMetadataNode(STREAM);
         add(root, "Version", "value", "89a");
         add(root, "LogicalScreenDescriptor", "logicalScreenWidth", width, "logicalScreenHeight", height,

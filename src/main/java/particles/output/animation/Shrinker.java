@@ -35,7 +35,8 @@ final class Shrinker {
                         sum += (c & 0xff0000L) << 24 | (c & 0xff00L) << 12 | c & 0xffL;
                     }
                 }
-                small[p] = (int) (sum >> 40) / n << 16 | (int) (sum >> 20 & 0xfffff) / n << 8 | (int) (sum & 0xfffff) / n;
+                small[p] = (int) (sum >> 40) / n << 16 | (int) (sum >> 20 & 0xfffff) / n << 8 | (int) (sum & 0xfffff)
+                        / n;
             }
         }
     }

@@ -29,7 +29,9 @@ public final class Charts {
     /** Values that differ by less than this part of their size differ by rounding, which needs no axis of its own. */
     private static final double ROUNDING = 1e-13;
 
-    /** Lines that go up and down by their range more often than this fill an area; they then let others shine through. */
+    /**
+     * Lines that go up and down by their range more often than this fill an area; they then let others shine through.
+     */
     private static final int DENSE = 120;
 
     /** The height of a row, in pixels as the other charts' heights, roughly. */

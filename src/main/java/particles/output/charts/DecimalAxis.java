@@ -8,8 +8,8 @@ import org.jfree.data.Range;
 import particles.output.text.DecimalTicks;
 
 /**
- * An axis with {@link DecimalTicks} whose labels do not run into each other: JFreeChart measures those at both ends of the
- * range, and from 0 to 8 in steps of 0.2 the ones between are wider.
+ * An axis with {@link DecimalTicks} whose labels do not run into each other: JFreeChart measures those at both ends of
+ * the range, and from 0 to 8 in steps of 0.2 the ones between are wider.
  */
 final class DecimalAxis extends NumberAxis {
     private static final long serialVersionUID = 1L;

@@ -18,9 +18,9 @@ import particles.view.ChartData.Series;
 import particles.view.VectorField;
 
 /**
- * A path in state space: the first series of the chart data, in the colour of the solver that it is named after, with heads
- * along it that show its direction, its start marked, and, where it is known, the vector field behind it. The arrows of the
- * field are as long as the field is strong.
+ * A path in state space: the first series of the chart data, in the colour of the solver that it is named after, with
+ * heads along it that show its direction, its start marked, and, where it is known, the vector field behind it. The
+ * arrows of the field are as long as the field is strong.
  */
 public final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
@@ -38,7 +38,8 @@ public final class PhasePlot {
         XYPlot plot = chart.getXYPlot();
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
         boolean dense = Charts.isDense(data.series().get(0).x()) || Charts.isDense(data.series().get(0).y());
-        Color colour = SolverStyle.of(data.series().get(0).name()).map(SolverStyle::colour).orElse(ChartStyle.colour(1));
+        Color colour = SolverStyle.of(data.series().get(0).name()).map(SolverStyle::colour)
+                .orElse(ChartStyle.colour(1));
         renderer.setSeriesPaint(0, dense ? ChartStyle.pale(colour) : colour);
         renderer.setSeriesFillPaint(0, colour);
         renderer.setSeriesStroke(0, dense ? ChartStyle.THIN : PATH);
@@ -69,7 +70,8 @@ public final class PhasePlot {
         for (int k = 0; k < field.x().length; k++) {
             double x = field.x()[k];
             double v = field.v()[k];
-            renderer.addAnnotation(new ArrowAnnotation(x, v, x + time * field.dx()[k], v + time * field.dv()[k], FIELD_HEAD,
+            renderer.addAnnotation(new ArrowAnnotation(x, v, x + time * field.dx()[k], v + time * field.dv()[k],
+                    FIELD_HEAD,
                     false, ChartStyle.FIELD), Layer.BACKGROUND);
         }
         show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);

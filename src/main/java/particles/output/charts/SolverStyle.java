@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * How a solver looks in every chart: the colour says its family, dashes and shape which one it is. A series is a solver's
- * if its name begins with the solver's, as "rk4" or "rk4, deltaT = 0.1 s".
+ * How a solver looks in every chart: the colour says its family, dashes and shape which one it is. A series is a
+ * solver's if its name begins with the solver's, as "rk4" or "rk4, deltaT = 0.1 s".
  */
 public record SolverStyle(Color colour, Stroke stroke, Shape shape) {
     private static final Map<String, SolverStyle> LOOKS = Map.ofEntries(

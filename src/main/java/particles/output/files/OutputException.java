@@ -10,7 +10,9 @@ import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** A result that could not be written: which file, what was tried, why it failed. The message is one line for people. */
+/**
+ * A result that could not be written: which file, what was tried, why it failed. The message is one line for people.
+ */
 public class OutputException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -34,8 +34,8 @@ public final class OutputFolder implements AutoCloseable {
      * Creates the folder, or removes from it what a previous run made.
      *
      * @param path  where
-     * @param names the files that are going to be written, to learn before a long run that they cannot be; {@link #FRAMES}
-     *              for frames. Others may follow.
+     * @param names the files that are going to be written, to learn before a long run that they cannot be;
+     *              {@link #FRAMES} for frames. Others may follow.
      * @return the folder, ready to be written to
      * @throws OutputException if it cannot be created or written, or holds a file of these names that no run made
      */

@@ -17,7 +17,8 @@ import java.util.regex.Pattern;
 final class OutputManifest {
     /** The list's own name. */
     static final String NAME = ".desolver-made";
-    private static final String HEAD = "# DESolver made these files and replaces them at its next run into this folder.";
+    private static final String HEAD =
+            "# DESolver made these files and replaces them at its next run into this folder.";
     private static final Pattern PLAIN_NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]*");
     private static final Pattern FRAME = Pattern.compile("frame-\\d{5,10}\\.png|\\.frame-\\d{5,10}\\.png\\.part");
 

@@ -9,8 +9,8 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
 /**
- * PNG pictures of 8-bit RGB, frames and charts: one pass of filters, fast compression, all buffers kept. ImageIO's writer
- * takes four times as long for a frame (50 ms against 12 for 1280 x 720).
+ * PNG pictures of 8-bit RGB, frames and charts: one pass of filters, fast compression, all buffers kept. ImageIO's
+ * writer takes four times as long for a frame (50 ms against 12 for 1280 x 720).
  *
  * <p>Source: Portable Network Graphics (PNG) Specification, W3C (2003), sections 5 (chunks) and 9 (filters).
  */
@@ -64,7 +64,9 @@ public final class PngEncoder {
         }
     }
 
-    /** Both filters in one short loop of local variables: compiling it is a visible part of a run that draws two charts. */
+    /**
+     * Both filters in one short loop of local variables: compiling it is a visible part of a run that draws two charts.
+     */
     private static void subtract(int[] rgb, int from, int neighbours, int count, byte[] to, int at) {
         for (int i = 0; i < count; i++) {
             put(rgb[from + i], rgb[neighbours + i], to, at + 3 * i);

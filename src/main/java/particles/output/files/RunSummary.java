@@ -17,8 +17,8 @@ import java.util.Map;
  * @param secondsTaken       wall-clock time of the run (s)
  * @param startEnergy        total energy at the start (J)
  * @param endEnergy          total energy at the end (J)
- * @param energyScale        what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or
- *                           for a scene at rest its weight times its height
+ * @param energyScale        what energy errors are divided by (J): the largest kinetic plus spring energy of the run,
+ *                           or for a scene at rest its weight times its height
  * @param largestEnergyDrift the total energy's largest distance from its start during the run (J)
  * @param work               what each kind of physics put in, by name (J); negative where it took energy out
  * @param numericalError     the change of energy that no work explains, at the end (J)

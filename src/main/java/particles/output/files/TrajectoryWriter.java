@@ -125,7 +125,9 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         void run() throws IOException;
     }
 
-    /** The file tells its own troubles, so that none is left for the writer around it. A broken file is not committed. */
+    /**
+     * The file tells its own troubles, so that none is left for the writer around it. A broken file is not committed.
+     */
     private void attempt(Action action) {
         try {
             action.run();

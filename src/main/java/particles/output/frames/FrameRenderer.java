@@ -88,8 +88,10 @@ public final class FrameRenderer {
         surfaces = stage.scenery().surfaces().isEmpty() ? Optional.empty()
                 : Optional.of(new SurfacePainter(raster, view, lighting, stage.look()));
         shapes = new RoundShapes(raster, view, lighting);
-        blobs = style().kind() == ParticleStyle.Kind.BLOBS ? Optional.of(new BlobPainter(raster, view, lighting)) : Optional.empty();
-        glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), width, height))
+        blobs = style().kind() == ParticleStyle.Kind.BLOBS ? Optional.of(new BlobPainter(raster, view, lighting))
+                : Optional.empty();
+        glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), width,
+                height))
                 : Optional.empty();
         trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
         this.text = text;
@@ -105,7 +107,10 @@ public final class FrameRenderer {
         return image.getHeight();
     }
 
-    /** @return colours that frames may have although the first one has not: of the look and of strain, in light and shade */
+    /**
+     * @return colours that frames may have although the first one has not: of the look and of strain, in light and
+     *         shade
+     */
     public int[] importantColours() {
         List<Integer> important = new ArrayList<>();
         RenderOptions look = stage.look();
@@ -140,7 +145,8 @@ public final class FrameRenderer {
         }
         projected.take(state);
         raster.clear();
-        surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state, projected)));
+        surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state,
+                projected)));
         if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != RenderOptions.Shown.NEVER) {
             springs = Optional.of(new SpringPainter(shapes, view, stage.look(), sizes));
         }
@@ -172,13 +178,18 @@ public final class FrameRenderer {
         Vector3 target = stage.camera().target();
         wires = stage.scenery().wires().isEmpty() ? Optional.empty()
                 : Optional.of(new WirePainter(shapes, view, stage.scenery().wires(), target, sizes.railing()));
-        backdrop = new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), target, particles.reach(state),
+        backdrop = new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), target,
+                particles.reach(state),
                 stage.camera().up().normalized());
-        shadows = backdrop.shadows.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes, stage.scenery(),
+        shadows = backdrop.shadows.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes,
+                stage.scenery(),
                 particles, blobs.map(BlobPainter::surface), wires));
     }
 
-    /** Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies behind. */
+    /**
+     * Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies
+     * behind.
+     */
     private void compose() {
         backdrop.paint(pixels);
         for (int y = raster.firstRow(); y < raster.endRow(); y++) {

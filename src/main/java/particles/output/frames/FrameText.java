@@ -12,7 +12,9 @@ import particles.output.raster.Sky;
 import particles.output.text.DecimalTicks;
 import particles.output.text.FontCheck;
 
-/** The words of a picture: the scene's title, time and solver, and the scale of strain. Without a font there are none. */
+/**
+ * The words of a picture: the scene's title, time and solver, and the scale of strain. Without a font there are none.
+ */
 final class FrameText {
     private final FrameSetup stage;
     private final Sky sky;
@@ -38,7 +40,8 @@ final class FrameText {
         g.setFont(FontCheck.font(Font.BOLD, 24 * unit));
         g.drawString(stage.title(), margin, margin + 17 * unit);
         g.setFont(FontCheck.font(Font.PLAIN, 24 * unit));
-        g.drawString(String.format(Locale.ROOT, "t = %." + decimals + "f s", time), margin, height - margin - 29 * unit);
+        g.drawString(String.format(Locale.ROOT, "t = %." + decimals + "f s", time), margin,
+                height - margin - 29 * unit);
         g.setColor(sky.soft);
         g.setFont(FontCheck.font(Font.PLAIN, 18 * unit));
         g.drawString(stage.caption(), margin, height - margin);

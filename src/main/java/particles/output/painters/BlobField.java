@@ -4,10 +4,10 @@ import java.util.Arrays;
 import particles.output.raster.LongIndex;
 
 /**
- * The field around soft balls, on the nodes of a cubic grid near them: the sum of (1 - d&sup2;/R&sup2;)&sup3; over all whose
- * middle is nearer than R. Where the sum is {@link #LEVEL} is the surface: a lonely ball's is a sphere of radius R/2, and
- * the surfaces of two flow together when they are less than 2.54 radii apart. (G. Wyvill, C. McPheeters, B. Wyvill, "Data
- * structure for soft objects", 1986, with an exponent of 3 in place of their sextic.)
+ * The field around soft balls, on the nodes of a cubic grid near them: the sum of (1 - d&sup2;/R&sup2;)&sup3; over all
+ * whose middle is nearer than R. Where the sum is {@link #LEVEL} is the surface: a lonely ball's is a sphere of radius
+ * R/2, and the surfaces of two flow together when they are less than 2.54 radii apart. (G. Wyvill, C. McPheeters, B.
+ * Wyvill, "Data structure for soft objects", 1986, with an exponent of 3 in place of their sextic.)
  */
 public final class BlobField {
     /** R over the radius of a lonely ball. */

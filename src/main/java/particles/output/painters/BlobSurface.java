@@ -4,9 +4,9 @@ import java.util.Arrays;
 import particles.output.raster.LongIndex;
 
 /**
- * The surface of a field as triangles: each cell of the grid that it passes has one vertex, the mean of the places where it
- * crosses the cell's edges, moved onto the surface, and each edge that it crosses joins the four cells around it.
- * (S. Gibson, "Constrained elastic surface nets", 1998.) Closed, but where it is cut off for being too far away.
+ * The surface of a field as triangles: each cell of the grid that it passes has one vertex, the mean of the places
+ * where it crosses the cell's edges, moved onto the surface, and each edge that it crosses joins the four cells around
+ * it. (S. Gibson, "Constrained elastic surface nets", 1998.) Closed, but where it is cut off for being too far away.
  */
 public final class BlobSurface {
     private final LongIndex cells = new LongIndex();
@@ -55,7 +55,8 @@ public final class BlobSurface {
     }
 
     /**
-     * The four cells around an edge, as two triangles: counter-clockwise seen from the edge's far end if that is outside.
+     * The four cells around an edge, as two triangles: counter-clockwise seen from the edge's far end if that is
+     * outside.
      */
     private void join(long edge, int axis, boolean outwards) {
         long b = BlobField.step((axis + 1) % 3);
@@ -99,9 +100,10 @@ public final class BlobSurface {
     }
 
     /**
-     * From the mean of the crossings, which lies inside of a round surface, one step of Newton's method along the gradient.
-     * The field there is the mean of two estimates from the cell's corners k with their weights w of linear interpolation,
-     * sum w f and sum w (f + grad f . d), d from the corner to the place: their errors of second order are opposite.
+     * From the mean of the crossings, which lies inside of a round surface, one step of Newton's method along the
+     * gradient. The field there is the mean of two estimates from the cell's corners k with their weights w of linear
+     * interpolation, sum w f and sum w (f + grad f . d), d from the corner to the place: their errors of second order
+     * are opposite.
      */
     private void place(long cell, int vertex) {
         double share = 1 / crossing[3];

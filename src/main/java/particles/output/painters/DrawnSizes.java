@@ -21,7 +21,8 @@ public record DrawnSizes(double ball, boolean coils) {
         for (int s = 0; s < state.springs; s++) {
             mean += state.restLength[s] / state.springs;
         }
-        double ball = viewHeight * Math.min(PART_OF_PICTURE, PART_OF_DISTANCE / Math.cbrt(Math.max(1, state.particles)));
+        double ball = viewHeight * Math.min(PART_OF_PICTURE,
+                PART_OF_DISTANCE / Math.cbrt(Math.max(1, state.particles)));
         if (mean > 0) {
             ball = Math.min(ball, PART_OF_SPRING * mean);
         }
@@ -29,7 +30,8 @@ public record DrawnSizes(double ball, boolean coils) {
     }
 
     /**
-     * @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it (m)
+     * @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it
+     *         (m)
      */
     double core() {
         return ball / 3;

@@ -26,7 +26,9 @@ public final class FrameState {
     /** When particles came into being and are to die of age (s); only where they are asked for. */
     public double[] birth = {};
     public double[] death = {};
-    /** Where particles were, the oldest sample first, and the index of each in the newest; none where all are the same. */
+    /**
+     * Where particles were, the oldest sample first, and the index of each in the newest; none where all are the same.
+     */
     public TrailSample[] trail = {};
     public int[] trailIndex = {};
 

@@ -42,7 +42,8 @@ public final class GlowPainter {
         return mixed;
     }
 
-    public void paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown, double radius, Raster raster, Backdrop backdrop,
+    public void paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown, double radius,
+            Raster raster, Backdrop backdrop,
             int[] pixels) {
         layer.clear();
         for (int i = 0; i < state.particles; i++) {

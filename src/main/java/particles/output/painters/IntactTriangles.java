@@ -4,7 +4,8 @@ import particles.output.raster.LongIndex;
 import particles.view.Surface;
 
 /**
- * Which triangles of a surface are whole: those of cloth that tears are gone when fewer than two of their edges are springs.
+ * Which triangles of a surface are whole: those of cloth that tears are gone when fewer than two of their edges are
+ * springs.
  */
 public final class IntactTriangles {
     private final Surface surface;

@@ -7,7 +7,9 @@ import particles.output.raster.RoundShapes;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 
-/** Draws particles as what the look says, but for their glow and trails, which lie over all else; fixed ones as balls. */
+/**
+ * Draws particles as what the look says, but for their glow and trails, which lie over all else; fixed ones as balls.
+ */
 public final class ParticlePainter {
     /** The radius of a point, in parts of the picture's height. */
     private static final double POINT = 0.0026;
@@ -21,7 +23,8 @@ public final class ParticlePainter {
     private final Optional<BlobPainter> blobs;
     private double[] inBlobs = {};
 
-    public ParticlePainter(RoundShapes shapes, Optional<BlobPainter> blobs, CameraProjection view, RenderOptions look, VisibilityFilter shown, DrawnSizes sizes) {
+    public ParticlePainter(RoundShapes shapes, Optional<BlobPainter> blobs, CameraProjection view, RenderOptions look,
+            VisibilityFilter shown, DrawnSizes sizes) {
         this.shapes = shapes;
         this.view = view;
         this.look = look;

@@ -26,7 +26,8 @@ public final class ShadowPainter {
      * @param blobs     the surface around those that are not, if there is one
      * @param wires     drawn where there are some
      */
-    public ShadowPainter(VisibilityFilter shown, DrawnSizes sizes, Scenery scenery, ParticlePainter particles, Optional<BlobSurface> blobs,
+    public ShadowPainter(VisibilityFilter shown, DrawnSizes sizes, Scenery scenery, ParticlePainter particles,
+            Optional<BlobSurface> blobs,
                   Optional<WirePainter> wires) {
         this.shown = shown;
         this.sizes = sizes;
@@ -96,7 +97,8 @@ public final class ShadowPainter {
     private void triangles(ShadowMap map, int[] t, int length, int n) {
         for (int k = 0; k + 2 < length; k += 3) {
             if (t[k] < n && t[k + 1] < n && t[k + 2] < n && above[t[k]] && above[t[k + 1]] && above[t[k + 2]]) {
-                map.triangle(columns[t[k]], rows[t[k]], columns[t[k + 1]], rows[t[k + 1]], columns[t[k + 2]], rows[t[k + 2]]);
+                map.triangle(columns[t[k]], rows[t[k]], columns[t[k + 1]], rows[t[k + 1]], columns[t[k + 2]],
+                        rows[t[k + 2]]);
             }
         }
     }

@@ -5,7 +5,9 @@ import particles.output.raster.Colours;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
 
-/** Springs, coloured by their strain: as coils where they are few, as straight tubes where they are many. Rods as bars. */
+/**
+ * Springs, coloured by their strain: as coils where they are few, as straight tubes where they are many. Rods as bars.
+ */
 public final class SpringPainter {
     private static final int ROD = 0x6c7683;
     private static final int SEGMENTS_A_TURN = 18;
@@ -46,7 +48,8 @@ public final class SpringPainter {
         }
         if (state.rigid[s]) {
             double radius = sizes.rod() * (projected.scale[a] + projected.scale[b]) / 2;
-            shapes.tube(projected.x[a], projected.y[a], projected.near[a], projected.x[b], projected.y[b], projected.near[b],
+            shapes.tube(projected.x[a], projected.y[a], projected.near[a], projected.x[b], projected.y[b],
+                    projected.near[b],
                     radius, ROD);
             return false;
         }
@@ -67,7 +70,8 @@ public final class SpringPainter {
     }
 
     /** A helix around the line from particle to particle; its number of turns is that of the spring, at any stretch. */
-    private boolean paintCoil(double[] p, int at, double ex, double ey, double ez, double length, double rest, int rgb) {
+    private boolean paintCoil(double[] p, int at, double ex, double ey, double ez, double length, double rest,
+            int rgb) {
         // two directions across, the first of them as far as possible towards the viewer
         double along = ex * view.back.x() + ey * view.back.y() + ez * view.back.z();
         boolean endOn = Math.abs(along) > 0.999;

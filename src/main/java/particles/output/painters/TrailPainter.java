@@ -27,7 +27,8 @@ public final class TrailPainter {
         cover = new float[view.width * view.height];
     }
 
-    public void paint(FrameState state, VisibilityFilter shown, int rgb, Raster raster, Backdrop backdrop, int[] pixels) {
+    public void paint(FrameState state, VisibilityFilter shown, int rgb, Raster raster, Backdrop backdrop,
+            int[] pixels) {
         if (top < bottom) {
             Arrays.fill(cover, top * view.width, bottom * view.width, 0);
         }
@@ -93,7 +94,8 @@ public final class TrailPainter {
                 if (offSquare >= reach * reach) {
                     continue;
                 }
-                double off = Math.sqrt(offSquare);      // of pixels: hypot guards against what cannot be, at ten times the cost
+                // of pixels: hypot guards against what cannot be, at ten times the cost
+                double off = Math.sqrt(offSquare);
                 float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
                 int p = y * view.width + x;
                 double near = a[2] + along * (b[2] - a[2]);

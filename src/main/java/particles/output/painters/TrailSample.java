@@ -5,8 +5,8 @@ package particles.output.painters;
  *
  * @param time   when (s)
  * @param places three entries a particle (m)
- * @param before the index that each particle had in the sample before, -1 for those that were not there; empty where all
- *               had the same
+ * @param before the index that each particle had in the sample before, -1 for those that were not there; empty where
+ *               all had the same
  */
 public record TrailSample(double time, float[] places, int[] before) {
 

@@ -60,7 +60,8 @@ public final class VisibilityFilter {
 
     public boolean spring(int from, int to) {
         return look.springs() == RenderOptions.Shown.ALWAYS
-                || look.springs() == RenderOptions.Shown.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface, to))
+                || look.springs() == RenderOptions.Shown.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface,
+                to))
                 && !isIn(onClosed, from) && !isIn(onClosed, to);
     }
 }

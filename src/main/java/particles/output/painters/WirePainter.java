@@ -13,7 +13,9 @@ public final class WirePainter {
     private static final int PIECES = 120;
     private static final int FEWEST = 96;
     private static final int MOST = 20_000;
-    /** How far along an endless curve the part is looked for that is nearest to the middle of the picture, in heights. */
+    /**
+     * How far along an endless curve the part is looked for that is nearest to the middle of the picture, in heights.
+     */
     private static final int SEARCH = 60;
 
     private final RoundShapes shapes;
@@ -26,7 +28,8 @@ public final class WirePainter {
      * @param target the middle of the picture (m)
      * @param radius of the wires (m)
      */
-    public WirePainter(RoundShapes shapes, CameraProjection view, List<CurveView> curves, Vector3 target, double radius) {
+    public WirePainter(RoundShapes shapes, CameraProjection view, List<CurveView> curves, Vector3 target,
+            double radius) {
         this.shapes = shapes;
         this.radius = radius;
         places = curves.stream().map(curve -> points(curve, view, target)).toArray(double[][]::new);

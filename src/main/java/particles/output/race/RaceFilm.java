@@ -17,8 +17,8 @@ import particles.output.frames.FrameSetup;
 import particles.view.ChartData;
 
 /**
- * Films of several runs of a scene beside each other, each over the translucent ghost of a reference, and a chart over the
- * same time below. First the runs are watched, one after the other, then the film is written.
+ * Films of several runs of a scene beside each other, each over the translucent ghost of a reference, and a chart over
+ * the same time below. First the runs are watched, one after the other, then the film is written.
  */
 public final class RaceFilm implements AutoCloseable {
     /** The grey of the ghost. */

@@ -69,7 +69,8 @@ final class RacePage {
      * @param panels the pictures
      * @param chart  below them
      */
-    void draw(BufferedImage image, RaceFilm.Head head, double time, List<RaceFilm.Words> words, List<BufferedImage> panels,
+    void draw(BufferedImage image, RaceFilm.Head head, double time,
+            List<RaceFilm.Words> words, List<BufferedImage> panels,
               StripChart chart) {
         Graphics2D g = image.createGraphics();
         smooth(g);
@@ -85,7 +86,8 @@ final class RacePage {
             int x = free / 2 + k % columns * (panelWidth + GAP);
             int y = HEAD + k / columns * (LABEL + panelHeight + GAP);
             drawLabel(g, words.get(k), x, y, panelWidth);
-            drawPanel(g, panels.get(k), new Rectangle2D.Double(x, y + LABEL, panelWidth, panelHeight), words.get(k).left(),
+            drawPanel(g, panels.get(k), new Rectangle2D.Double(x, y + LABEL, panelWidth, panelHeight),
+                    words.get(k).left(),
                     time);
         }
         chart.draw(g, new Rectangle2D.Double(0, height() - STRIP, WIDTH, STRIP), time);
@@ -152,7 +154,8 @@ final class RacePage {
             String text = String.format(Locale.ROOT, "left at t = %.3g s", left.getAsDouble());
             g.setFont(NAME);
             double width = g.getFontMetrics().stringWidth(text) + 36.0;
-            RoundRectangle2D box = new RoundRectangle2D.Double(area.getCenterX() - width / 2, area.getMaxY() - 40, width,
+            RoundRectangle2D box = new RoundRectangle2D.Double(area.getCenterX() - width / 2, area.getMaxY() - 40,
+                    width,
                     26, 8, 8);
             g.setColor(Color.WHITE);
             g.fill(box);

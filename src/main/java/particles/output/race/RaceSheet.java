@@ -16,8 +16,8 @@ import particles.output.files.OutputFolder;
 import particles.output.text.FontCheck;
 
 /**
- * A race on paper: a row a run, its picture at some moments beside each other, and the chart with these moments below. Many
- * runs stand in two columns, with half the moments.
+ * A race on paper: a row a run, its picture at some moments beside each other, and the chart with these moments below.
+ * Many runs stand in two columns, with half the moments.
  */
 final class RaceSheet {
     /** How many pictures stand beside each other. */

@@ -8,8 +8,8 @@ import particles.view.Scenery;
 
 /**
  * What lies behind the moving things: a sky, the planes of the scene with a grid and shadows, and its spheres. Computed
- * once for a camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the size
- * of what rests on it, so that a ball at rest, whose middle is on the plane, touches what is drawn.
+ * once for a camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the
+ * size of what rests on it, so that a ball at rest, whose middle is on the plane, touches what is drawn.
  */
 public final class Backdrop {
     private static final float DARKEST_SHADOW = 0.56f;
@@ -29,7 +29,8 @@ public final class Backdrop {
     private final float[] column;
     private final float[] row;
 
-    public Backdrop(CameraProjection view, Lighting lighting, Scenery scenery, Sky sky, Vector3 target, double inset, Vector3 up) {
+    public Backdrop(CameraProjection view, Lighting lighting, Scenery scenery, Sky sky, Vector3 target, double inset,
+            Vector3 up) {
         this.sky = sky;
         int n = view.width * view.height;
         width = view.width;
@@ -62,7 +63,8 @@ public final class Backdrop {
                 : plane.normal().dot(view.back) > 0;
     }
 
-    private void paint(CameraProjection view, Lighting lighting, List<Plane> planes, Vector3 target, double spacing, Vector3 up,
+    private void paint(CameraProjection view, Lighting lighting, List<Plane> planes, Vector3 target, double spacing,
+            Vector3 up,
                        int x, int y) {
         int p = y * width + x;
         Vector3 start = view.rayStart(x + 0.5, y + 0.5);
@@ -98,10 +100,13 @@ public final class Backdrop {
         // how far apart two pixels are on the plane, from their rays
         Vector3 beside = on(view, plane, x + 1.5, y + 0.5, hit);
         Vector3 below = on(view, plane, x + 0.5, y + 1.5, hit);
-        double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU))) / spacing;
-        double footV = (Math.abs(beside.minus(hit).dot(map.axisV)) + Math.abs(below.minus(hit).dot(map.axisV))) / spacing;
+        double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU)))
+                / spacing;
+        double footV = (Math.abs(beside.minus(hit).dot(map.axisV)) + Math.abs(below.minus(hit).dot(map.axisV)))
+                / spacing;
         double line = Math.max(GridLines.coverage(u, footU), GridLines.coverage(v, footV));
-        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0), sky.horizon,
+        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
+                sky.horizon,
                 haze);
         near[p] = (float) view.nearness(depth);
         if (ShadowMap.isLit(plane, lighting.lamp) && haze < 0.9) {

@@ -5,8 +5,8 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 
 /**
- * The balls of a scene and the far inner walls of its hollows, painted once onto the backdrop: four lines of sight a pixel,
- * so that edges are smooth. A ball is drawn smaller, and a hollow larger, by the size of what rests on it.
+ * The balls of a scene and the far inner walls of its hollows, painted once onto the backdrop: four lines of sight a
+ * pixel, so that edges are smooth. A ball is drawn smaller, and a hollow larger, by the size of what rests on it.
  */
 final class BackdropSpheres {
     private static final int BALL = 0xaebccb;
@@ -37,7 +37,8 @@ final class BackdropSpheres {
     boolean[] paint(List<Sphere> spheres, double inset, int[] colour, float[] near) {
         boolean[] covered = new boolean[colour.length];
         for (Sphere sphere : spheres) {
-            double radius = sphere.hollow() ? sphere.radius() + inset : Math.max(0.3 * sphere.radius(), sphere.radius() - inset);
+            double radius = sphere.hollow() ? sphere.radius() + inset : Math.max(0.3 * sphere.radius(),
+                    sphere.radius() - inset);
             for (int p = 0; p < colour.length; p++) {
                 paint(sphere, radius, p, colour, near, covered);
             }

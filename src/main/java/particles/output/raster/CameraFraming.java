@@ -12,7 +12,9 @@ public final class CameraFraming {
     private static final double FIELD_OF_VIEW = 35;
     /** The part of the picture that things may take up: the corners hold words. */
     private static final double FILLED = 0.74;
-    /** A scene of less extent than this part of the largest, seen along an axis, is flat and looked at from the front. */
+    /**
+     * A scene of less extent than this part of the largest, seen along an axis, is flat and looked at from the front.
+     */
     private static final double FLAT = 0.05;
     private static final Vector3 UP = new Vector3(0, 1, 0);
     private static final Vector3 FROM_THE_SIDE = new Vector3(0.55, 0.42, 1);

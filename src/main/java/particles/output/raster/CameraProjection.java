@@ -45,7 +45,8 @@ public final class CameraProjection {
             viewHeight = 2 * half * distance;
         } else {
             if (!(camera.height() > 0) || !(camera.height() <= Double.MAX_VALUE)) {
-                throw new IllegalArgumentException("the height of a picture has to be positive, not " + camera.height());
+                throw new IllegalArgumentException("the height of a picture has to be positive, not "
+                        + camera.height());
             }
             focal = height / camera.height();
             viewHeight = camera.height();

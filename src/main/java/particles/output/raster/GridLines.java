@@ -1,6 +1,8 @@
 package particles.output.raster;
 
-/** The lines of a grid at whole numbers, every fifth of them thicker, as a pixel sees them: their mean over its width. */
+/**
+ * The lines of a grid at whole numbers, every fifth of them thicker, as a pixel sees them: their mean over its width.
+ */
 final class GridLines {
     private static final double THIN = 0.016;
     private static final double THICK = 0.034;

@@ -3,8 +3,8 @@ package particles.output.raster;
 import java.util.Arrays;
 
 /**
- * Light on top of a picture: what is behind stays visible, and light that is added many times comes near white and does not
- * pass it, as on a film: c becomes 255 - (255 - c) exp(-light).
+ * Light on top of a picture: what is behind stays visible, and light that is added many times comes near white and does
+ * not pass it, as on a film: c becomes 255 - (255 - c) exp(-light).
  */
 public final class LightLayer {
     private static final int STEPS_PER_UNIT = 256;
@@ -47,7 +47,8 @@ public final class LightLayer {
      * @param rgb        its colour
      * @param brightness of its middle; 1 for what makes black the most part of the colour
      */
-    public void spot(double x, double y, double radius, double near, int rgb, double brightness, Raster raster, Backdrop backdrop) {
+    public void spot(double x, double y, double radius, double near, int rgb, double brightness, Raster raster,
+            Backdrop backdrop) {
         int x0 = (int) Math.max(0, Math.ceil(x - radius - 0.5));
         int x1 = (int) Math.min(width - 1, Math.floor(x + radius - 0.5));
         int y0 = (int) Math.max(0, Math.ceil(y - radius - 0.5));
@@ -84,7 +85,8 @@ public final class LightLayer {
             float blue = light[3 * p + 2];
             if (red + green + blue > 0) {
                 int c = pixels[p];
-                pixels[p] = brighter(c >> 16 & 255, red) << 16 | brighter(c >> 8 & 255, green) << 8 | brighter(c & 255, blue);
+                pixels[p] = brighter(c >> 16 & 255, red) << 16 | brighter(c >> 8 & 255, green) << 8 | brighter(c & 255,
+                        blue);
             }
         }
     }

@@ -147,7 +147,9 @@ public final class Raster {
         }
     }
 
-    /** A channel along a row, in 1/65536: rounding, which thin triangles magnify, must not carry it out of its range. */
+    /**
+     * A channel along a row, in 1/65536: rounding, which thin triangles magnify, must not carry it out of its range.
+     */
     private void setOut(int channel, double first, double slope, int steps) {
         double from = Math.max(0, Math.min(BRIGHTEST, first));
         double to = Math.max(0, Math.min(BRIGHTEST, first + steps * slope));
@@ -177,10 +179,12 @@ public final class Raster {
 
     /** Where w + x slope becomes 0 on its way up: neighbouring triangles leave no sample between them. */
     private static double lower(double w, double slope) {
-        return slope > 0 ? -w / slope - 1e-9 : slope == 0 && w < 0 ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
+        return slope > 0 ? -w / slope - 1e-9 : slope == 0 && w < 0 ? Double.POSITIVE_INFINITY
+                : Double.NEGATIVE_INFINITY;
     }
 
     private static double upper(double w, double slope) {
-        return slope < 0 ? -w / slope + 1e-9 : slope == 0 && w < 0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+        return slope < 0 ? -w / slope + 1e-9 : slope == 0 && w < 0 ? Double.NEGATIVE_INFINITY
+                : Double.POSITIVE_INFINITY;
     }
 }

@@ -67,14 +67,16 @@ public final class ShadowMap {
     /** @return the column of the map over which a point of space lies, along the light; not whole */
     public double column(double x, double y, double z) {
         double h = plane.distance(x, y, z) / lampRise;
-        double u = (x - h * lamp.x() - plane.point().x()) * axisU.x() + (y - h * lamp.y() - plane.point().y()) * axisU.y()
+        double u = (x - h * lamp.x() - plane.point().x()) * axisU.x()
+                + (y - h * lamp.y() - plane.point().y()) * axisU.y()
                 + (z - h * lamp.z() - plane.point().z()) * axisU.z();
         return (u - middleU) * cells + SIZE / 2.0;
     }
 
     public double row(double x, double y, double z) {
         double h = plane.distance(x, y, z) / lampRise;
-        double v = (x - h * lamp.x() - plane.point().x()) * axisV.x() + (y - h * lamp.y() - plane.point().y()) * axisV.y()
+        double v = (x - h * lamp.x() - plane.point().x()) * axisV.x()
+                + (y - h * lamp.y() - plane.point().y()) * axisV.y()
                 + (z - h * lamp.z() - plane.point().z()) * axisV.z();
         return (v - middleV) * cells + SIZE / 2.0;
     }

@@ -24,7 +24,8 @@ final class Html {
 
     /** As XML 1.0 says. */
     private static boolean isCharacter(int c) {
-        return c == '\t' || c == '\n' || c == '\r' || c >= ' ' && c < 0xd800 || c >= 0xe000 && c < 0xfffe || c >= 0x10000;
+        return c == '\t' || c == '\n' || c == '\r' || c >= ' ' && c < 0xd800 || c >= 0xe000 && c < 0xfffe
+                || c >= 0x10000;
     }
 
     /** @return a name for an element, made of this text, that no other element of this page has */

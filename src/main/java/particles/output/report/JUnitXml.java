@@ -41,7 +41,8 @@ public final class JUnitXml {
             xml.writeStartDocument("UTF-8", "1.0");
             xml.writeCharacters("\n");
             start(xml, "testsuite", "name", suite, "tests", Integer.toString(cases.size()), "failures",
-                    Long.toString(cases.stream().filter(c -> c.failure().isPresent()).count()), "errors", "0", "skipped",
+                    Long.toString(cases.stream().filter(c -> c.failure().isPresent()).count()), "errors", "0",
+                    "skipped",
                             "0", "time", "0");
             for (Case result : cases) {
                 xml.writeCharacters("\n  ");

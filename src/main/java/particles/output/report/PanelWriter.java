@@ -54,7 +54,8 @@ final class PanelWriter {
             g.setFont(ChartStyle.TITLE);
             g.drawString(title, (float) (WIDTH - g.getFontMetrics().getStringBounds(title, g).getWidth()) / 2, 28);
             for (int k = 0; k < charts.size(); k++) {
-                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cellWidth, HEAD + k / columns * cellHeight,
+                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cellWidth,
+                        HEAD + k / columns * cellHeight,
                         cellWidth, cellHeight));
             }
             legend.draw(g, new Rectangle2D.Double((WIDTH - size.width) / 2, bottom, size.width, size.height));

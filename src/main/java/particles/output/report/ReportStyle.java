@@ -12,7 +12,8 @@ final class ReportStyle {
             h3 { font-size: 1rem; margin: 1.5rem 0 0.3rem; }
             section { border-top: 2px solid #c9ccd3; margin-top: 2.5rem; padding-top: 1rem; }
             .task { color: #555a64; font-size: 0.875rem; margin: 0 0 0.3rem; }
-            .failure { white-space: pre-line; border-left: 4px solid #a00; padding: 0.3rem 0.8rem; background: #fff3f2; }
+            .failure { white-space: pre-line; border-left: 4px solid #a00; padding: 0.3rem 0.8rem;
+                  background: #fff3f2; }
             nav { background: #f3f4f7; padding: 0.8rem 1rem; }
             nav h2 { font-size: 1rem; margin: 0; }
             nav ol { margin: 0.3rem 0 0; padding-left: 1.4rem; }

@@ -19,8 +19,8 @@ import particles.output.text.TableText;
 import particles.view.DataTable;
 
 /**
- * Writes a report as one HTML page that needs nothing else: pictures are inside, and so are its style and its script. The
- * page is well-formed XML too.
+ * Writes a report as one HTML page that needs nothing else: pictures are inside, and so are its style and its script.
+ * The page is well-formed XML too.
  */
 public final class ReportWriter {
     /** A longer table is folded up, and not printed. */
@@ -53,7 +53,8 @@ public final class ReportWriter {
     private void page(Report report) throws IOException {
         put("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
                 + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>"
-                + Html.escaped(report.title()) + "</title>\n<style>\n" + ReportStyle.CSS + "</style>\n</head>\n<body>\n<h1>"
+                + Html.escaped(report.title()) + "</title>\n<style>\n" + ReportStyle.CSS
+                + "</style>\n</head>\n<body>\n<h1>"
                 + Html.escaped(report.title()) + "</h1>\n");
         paragraphs(report.text());
         Map<Section, String> ids = new LinkedHashMap<>();

@@ -57,7 +57,8 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
          * @return a picture with one chart
          */
         public static Picture chart(String name, String caption, ChartData data) {
-            return new Picture(name, caption, name + ".png", List.of(data), (folder, file) -> ChartWriter.write(folder, file,
+            return new Picture(name, caption, name + ".png", List.of(data), (folder, file) -> ChartWriter.write(folder,
+                    file,
                     data));
         }
 
@@ -68,7 +69,8 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
          * @return a picture with one chart, in which circles are round
          */
         public static Picture map(String name, String caption, ChartData data) {
-            return new Picture(name, caption, name + ".png", List.of(data), (folder, file) -> ChartWriter.writeMap(folder,
+            return new Picture(name, caption, name + ".png", List.of(data),
+                    (folder, file) -> ChartWriter.writeMap(folder,
                     file, data));
         }
 
@@ -79,7 +81,8 @@ public record ResultPage(String name, String title, List<String> text, List<Pict
          * @return a picture with charts above each other over the same x axis
          */
         public static Picture stacked(String name, String caption, List<ChartData> data) {
-            return new Picture(name, caption, name + ".png", data, (folder, file) -> ChartWriter.writeStacked(folder, file,
+            return new Picture(name, caption, name + ".png", data, (folder, file) -> ChartWriter.writeStacked(folder,
+                    file,
                     data));
         }
 

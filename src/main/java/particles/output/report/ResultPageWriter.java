@@ -13,7 +13,10 @@ import particles.output.text.TableText;
 import particles.view.ChartData;
 import particles.view.DataTable;
 
-/** Writes what an experiment has to show: each picture with its numbers, each table, and a page that says what they mean. */
+/**
+ * Writes what an experiment has to show: each picture with its numbers, each table, and a page that says what they
+ * mean.
+ */
 public final class ResultPageWriter {
     /** A longer table is for programs. */
     private static final int MOST_ROWS = 100;

@@ -30,7 +30,8 @@ public final class DecimalTicks implements TickUnitSource {
         @Override
         public String valueToString(double value) {
             double units = Math.rint(value / getSize());
-            return Math.abs(units) < 1e15 ? label(size.multiply(BigDecimal.valueOf((long) units))) : Double.toString(value);
+            return Math.abs(units) < 1e15 ? label(size.multiply(BigDecimal.valueOf((long) units)))
+                    : Double.toString(value);
         }
     }
 

@@ -34,7 +34,8 @@ public final class FontCheck {
                 g.dispose();
                 return width > 0;
             } catch (LinkageError | InternalError | AWTError | RuntimeException e) {
-                return false;       // whatever it was, there is no text to be had; isAvailable() says so to those who ask
+                // whatever it was, there is no text to be had; isAvailable() says so to those who ask
+                return false;
             }
         }
     }

@@ -47,7 +47,8 @@ public final class TableText {
         List<List<String>> cells = cells(table);
         List<String> lines = new ArrayList<>();
         for (List<String> row : cells) {
-            lines.add(row.stream().map(cell -> cell.replace("|", "\\|")).collect(Collectors.joining(" | ", "| ", " |")));
+            lines.add(row.stream().map(cell -> cell.replace("|", "\\|")).collect(Collectors.joining(" | ", "| ",
+                    " |")));
             if (lines.size() == 1) {
                 StringBuilder rule = new StringBuilder("|");
                 for (int c = 0; c < row.size(); c++) {

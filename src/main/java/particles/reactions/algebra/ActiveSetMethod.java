@@ -4,9 +4,9 @@ import java.util.Arrays;
 
 /**
  * A mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and wires, and in those of
- * contacts lambda &ge; 0, w &ge; 0, lambda w = 0: what pushes does not separate, what separates does not push. The contacts
- * that push are found by principal pivoting with the least index first, starting with all (K. Murty 1974), each set by one
- * linear system; where A is positive definite it always ends.
+ * contacts lambda &ge; 0, w &ge; 0, lambda w = 0: what pushes does not separate, what separates does not push. The
+ * contacts that push are found by principal pivoting with the least index first, starting with all (K. Murty 1974),
+ * each set by one linear system; where A is positive definite it always ends.
  */
 public final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;

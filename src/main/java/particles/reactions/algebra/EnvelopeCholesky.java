@@ -3,8 +3,9 @@ package particles.reactions.algebra;
 import java.util.Arrays;
 
 /**
- * A symmetric positive definite matrix A = L L<sup>T</sup>, of which each row is kept from its first entry that is not zero
- * up to the diagonal; L fills no more than that. (Method: A. Jennings 1966; the same as a skyline or profile solver.)
+ * A symmetric positive definite matrix A = L L<sup>T</sup>, of which each row is kept from its first entry that is not
+ * zero up to the diagonal; L fills no more than that. (Method: A. Jennings 1966; the same as a skyline or profile
+ * solver.)
  */
 public final class EnvelopeCholesky {
     private final int size;

@@ -5,14 +5,16 @@ import particles.law.ForceDerivatives;
 import particles.law.Vector3;
 
 /**
- * The derivative of the contact force on one particle. The surfaces that push, with normals N_p, take up the force F before:
- * G lambda = -N . F with G_pq = N_p . N_q, so that lambda changes with F by -G<sup>-1</sup> N<sup>T</sup>; sliding friction
- * changes with lambda and with the velocity; static friction cancels all that is left.
+ * The derivative of the contact force on one particle. The surfaces that push, with normals N_p, take up the force F
+ * before: G lambda = -N . F with G_pq = N_p . N_q, so that lambda changes with F by -G<sup>-1</sup> N<sup>T</sup>;
+ * sliding friction changes with lambda and with the velocity; static friction cancels all that is left.
  *
- * <p>The normal of a curved surface turns with the place, dN = kappa P dx with P = 1 - N N<sup>T</sup>, and what the circle
- * needs, b = -m kappa v_t&sup2;, changes with place and velocity: {@link CurvedContact} puts that on the right-hand side.
+ * <p>The normal of a curved surface turns with the place, dN = kappa P dx with P = 1 - N N<sup>T</sup>, and what the
+ * circle needs, b = -m kappa v_t&sup2;, changes with place and velocity: {@link CurvedContact} puts that on the
+ * right-hand side.
  *
- * <p>Where a particle starts to slide or a surface to push, the force has a kink; there it is the derivative on one side.
+ * <p>Where a particle starts to slide or a surface to push, the force has a kink; there it is the derivative on one
+ * side.
  */
 final class ContactDerivative {
     private static final double[] NONE = new double[3];
@@ -102,7 +104,8 @@ final class ContactDerivative {
     /**
      * Sliding friction of surface p, minus factor times the direction.
      *
-     * @param factor as {@link SlidingDirection#find} gave it: proportional to the push, and for Coulomb's law inverse to the speed
+     * @param factor as {@link SlidingDirection#find} gave it: proportional to the push, and for Coulomb's law inverse
+     *               to the speed
      */
     void rub(int p, double factor, SlidingDirection sliding, Friction.Law law) {
         if (factor == 0) {

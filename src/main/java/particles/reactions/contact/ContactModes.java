@@ -4,8 +4,8 @@ import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * Who touches which surface, and whether it slides or sticks there: what rules decide between steps and the contact force
- * takes as given within one.
+ * Who touches which surface, and whether it slides or sticks there: what rules decide between steps and the contact
+ * force takes as given within one.
  */
 public final class ContactModes {
 
@@ -21,7 +21,8 @@ public final class ContactModes {
 
     private final Particles particles;
     private final int surfaces;
-    private Mode[][] modes = {};                        // by particle, then surface; null for those that never touched any
+    // by particle, then surface; null for those that never touched any
+    private Mode[][] modes = {};
     private int touching;
     private int changes;
 

@@ -21,7 +21,8 @@ public final class ContactResponse {
     private double pushed;                              // all pushes that holdSlack() found last (N)
     private boolean holdsOn;
 
-    public ContactResponse(Particles particles, List<ContactSurface> surfaces, ContactModes modes, SlidingDirection sliding) {
+    public ContactResponse(Particles particles, List<ContactSurface> surfaces, ContactModes modes,
+            SlidingDirection sliding) {
         this.particles = particles;
         this.surfaces = surfaces;
         this.modes = modes;
@@ -57,7 +58,9 @@ public final class ContactResponse {
         force[f + 2] += friction[2];
     }
 
-    /** The power of the answer for particle i (W), added to a sum: friction's, as surfaces that stand still do no work. */
+    /**
+     * The power of the answer for particle i (W), added to a sum: friction's, as surfaces that stand still do no work.
+     */
     public double addPower(double sum, int i, double[] state, double[] force) {
         if (respond(i, state, force) == 0) {
             return sum;
@@ -120,7 +123,9 @@ public final class ContactResponse {
         }
     }
 
-    /** Finds push and friction for one particle; returns how many surfaces it touches, 0 if there is nothing to answer. */
+    /**
+     * Finds push and friction for one particle; returns how many surfaces it touches, 0 if there is nothing to answer.
+     */
     private int respond(int i, double[] state, double[] force) {
         if (particles.isFixed(i)) {
             return 0;

@@ -15,7 +15,8 @@ public record ContactSurface(String name, Obstacle obstacle, double restitution,
     /** @throws IllegalArgumentException if a number is out of its range */
     public ContactSurface {
         if (!(restitution >= 0 && restitution <= 1)) {
-            throw new IllegalArgumentException("the restitution of '" + name + "' has to be in 0 ... 1, not " + restitution);
+            throw new IllegalArgumentException("the restitution of '" + name + "' has to be in 0 ... 1, not "
+                    + restitution);
         }
         if (!(restSpeed >= 0 && restSpeed <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("the rest speed of '" + name + "' has to be 0 or more and finite, not "

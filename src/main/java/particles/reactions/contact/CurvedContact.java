@@ -29,7 +29,8 @@ final class CurvedContact {
      * @param pushing which of the touched surfaces push; the first active are valid
      * @param inverse the inverse of G for them
      */
-    void begin(TouchedSurfaces touched, double mass, double[] state, int v, int[] pushing, int active, double[][] inverse) {
+    void begin(TouchedSurfaces touched, double mass, double[] state, int v, int[] pushing, int active,
+            double[][] inverse) {
         this.touched = touched;
         any = false;
         for (int a = 0; a < active; a++) {
@@ -51,7 +52,8 @@ final class CurvedContact {
                     .plus(slip.times(2 * mass * kappa * kappa * across)).plus(along(normal, total).times(-kappa));
             for (int b = 0; b < active; b++) {
                 int q = pushing[b];
-                byPlace = byPlace.plus(along(touched.normals[q], normal).times(-touched.push[q] * touched.curvature[q]));
+                byPlace = byPlace.plus(along(touched.normals[q],
+                        normal).times(-touched.push[q] * touched.curvature[q]));
             }
             put(byPlace, right[a]);
             put(slip.times(-2 * mass * kappa), rightByVelocity[a]);
@@ -78,7 +80,8 @@ final class CurvedContact {
     /**
      * Adds what the friction of surface p, minus a factor times v - (N . v) N, gains by the turning of the normal.
      *
-     * @param unit a vector of which only the direction counts, so that changes along it do not; or 0 if its length does too
+     * @param unit a vector of which only the direction counts, so that changes along it do not; or 0 if its length does
+     *             too
      * @param mirrored as {@link SlidingDirection#mirrored}
      */
     void addTurningOfSlip(int p, double factor, double[] unit, double[] mirrored, double[] matrix) {

@@ -31,7 +31,8 @@ public record Friction(Law law, double coefficient, double staticCoefficient, do
     public Friction {
         if (!(coefficient >= 0 && coefficient <= Double.MAX_VALUE && staticCoefficient >= 0
                 && staticCoefficient <= Double.MAX_VALUE && threshold >= 0 && threshold <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("friction coefficients and threshold have to be 0 or more and finite, not "
+            throw new IllegalArgumentException(
+                    "friction coefficients and threshold have to be 0 or more and finite, not "
                     + coefficient + ", " + staticCoefficient + ", " + threshold);
         }
     }

@@ -5,10 +5,10 @@ import particles.law.Vector3;
 
 /**
  * The pushes of several surfaces on one particle that is pressed by a force F: numbers lambda_p such that every push is
- * lambda_p &ge; 0, no surface is pressed into any more, N_p . (F + sum of lambda_q N_q) &ge; b_p, and a surface that is not
- * pressed does not push. b_p is 0 for a plane; what a particle needs to follow a curved surface is not. In space three
- * surfaces are always enough to hold a particle, so that the sets of one, two and three surfaces are tried in turn; each is
- * a small linear system.
+ * lambda_p &ge; 0, no surface is pressed into any more, N_p . (F + sum of lambda_q N_q) &ge; b_p, and a surface that is
+ * not pressed does not push. b_p is 0 for a plane; what a particle needs to follow a curved surface is not. In space
+ * three surfaces are always enough to hold a particle, so that the sets of one, two and three surfaces are tried in
+ * turn; each is a small linear system.
  */
 public final class NormalForces {
     /** Rounding, relative to the force. */
@@ -48,7 +48,9 @@ public final class NormalForces {
         }
     }
 
-    /** Tries all sets that extend the surfaces chosen so far; keeps in push the one that violates the conditions least. */
+    /**
+     * Tries all sets that extend the surfaces chosen so far; keeps in push the one that violates the conditions least.
+     */
     private double trySets(int size, int depth, int first, int count, Vector3[] normals, double[] push, double best,
                            double enough) {
         double least = best;
@@ -84,7 +86,8 @@ public final class NormalForces {
     }
 
     /**
-     * The pushes after which the chosen surfaces are just not pressed, by Cramer's rule on their matrix of scalar products.
+     * The pushes after which the chosen surfaces are just not pressed, by Cramer's rule on their matrix of scalar
+     * products.
      */
     private boolean solveChosen(int size, Vector3[] normals) {
         if (size == 0) {

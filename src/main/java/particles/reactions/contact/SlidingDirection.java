@@ -3,7 +3,9 @@ package particles.reactions.contact;
 import particles.ParticleSystem;
 import particles.law.Vector3;
 
-/** Which way a particle slides along a surface, also where it is about to start or has just turned round within a step. */
+/**
+ * Which way a particle slides along a surface, also where it is about to start or has just turned round within a step.
+ */
 public final class SlidingDirection {
     /** Relative to the speed at the beginning of a step; the direction of less is mostly rounding. */
     private static final double ALMOST_STOPPED = 1e-6;
@@ -69,10 +71,10 @@ public final class SlidingDirection {
     }
 
     /**
-     * Compares the velocity along a surface, now in direction, with that at the beginning of the step. What points back is
-     * mirrored: straight back that is the direction of the beginning, as if the sliding had not turned round, and obliquely
-     * friction stays continuous, so that implicit solvers find their stages. Where it is rounding and no direction any more,
-     * the beginning's takes its place.
+     * Compares the velocity along a surface, now in direction, with that at the beginning of the step. What points back
+     * is mirrored: straight back that is the direction of the beginning, as if the sliding had not turned round, and
+     * obliquely friction stays continuous, so that implicit solvers find their stages. Where it is rounding and no
+     * direction any more, the beginning's takes its place.
      */
     private void followBeginning(Vector3 normal, int v) {
         if (stepBegin.length <= v) {

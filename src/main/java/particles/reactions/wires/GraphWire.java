@@ -76,7 +76,8 @@ public final class GraphWire implements Curve {
      */
     public static Profile sine(double amplitude, double wavelength) {
         if (!Double.isFinite(amplitude) || !(Math.abs(wavelength) > 0) || !(Math.abs(wavelength) <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a sine needs a finite amplitude and a finite wavelength other than 0, not "
+            throw new IllegalArgumentException(
+                    "a sine needs a finite amplitude and a finite wavelength other than 0, not "
                     + amplitude + " and " + wavelength);
         }
         double k = 2 * Math.PI / wavelength;

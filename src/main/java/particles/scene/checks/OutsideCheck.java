@@ -23,12 +23,14 @@ final class OutsideCheck {
     static void check(List<Chosen<RuleKind>> rules, List<ParticleDescription> particles, List<ShapeDescription> shapes,
                       Problems problems) {
         if (rules.size() > MOST_RULES) {
-            problems.add(rules.get(MOST_RULES).place(), "there are " + rules.size() + " rules; a scene may have at most "
+            problems.add(rules.get(MOST_RULES).place(),
+                    "there are " + rules.size() + " rules; a scene may have at most "
                     + MOST_RULES);
             return;
         }
         for (Chosen<RuleKind> rule : rules) {
-            Optional<Obstacle> plane = Optional.of(rule.values()).filter(Values::isSound).flatMap(rule.kind()::obstacle);
+            Optional<Obstacle> plane = Optional.of(rule.values()).filter(Values::isSound)
+                    .flatMap(rule.kind()::obstacle);
             if (plane.isPresent()) {
                 for (ParticleDescription particle : particles) {
                     double distance = distance(plane.get(), particle.position());

@@ -40,7 +40,8 @@ final class RuleChecks {
     static void newIds(Values scene, BiConsumer<String, Place> take) {
         for (Chosen<RuleKind> rule : rulesOf(scene)) {
             rule.kind().newIds().ifPresent(key -> rule.values().find(key)
-                    .ifPresent(id -> take.accept(id, rule.values().isGiven(key) ? rule.values().place(key) : rule.place())));
+                    .ifPresent(id -> take.accept(id, rule.values().isGiven(key) ? rule.values().place(key)
+                    : rule.place())));
         }
     }
 
@@ -60,7 +61,8 @@ final class RuleChecks {
         String id = values.get(key);
         Place first = moved.putIfAbsent(id, values.place(key));
         if (first != null) {
-            problems.add(values.place(key), "particle " + Wording.quote(id) + " is moved twice, first at line " + first.line());
+            problems.add(values.place(key), "particle " + Wording.quote(id) + " is moved twice, first at line "
+                    + first.line());
         }
         boolean fixed = particles.stream().anyMatch(particle -> particle.id().equals(id) && particle.fixed());
         for (ShapeDescription shape : shapes) {

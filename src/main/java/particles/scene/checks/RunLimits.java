@@ -15,7 +15,8 @@ public final class RunLimits {
     private RunLimits() {
     }
 
-    public static void check(double deltaT, double duration, double frameRate, Map<Key<?>, Place> places, Problems problems) {
+    public static void check(double deltaT, double duration, double frameRate, Map<Key<?>, Place> places,
+            Problems problems) {
         if (duration / deltaT > MOST_STEPS) {
             problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
                     + " s takes more than 1e10 steps of deltaT = "
@@ -23,8 +24,7 @@ public final class RunLimits {
         }
         if (duration * frameRate > MOST_FRAMES) {
             problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
-                    + " s takes more than a million pictures at"
-                    + " frameRate = " + Wording.number(frameRate));
+                    + " s takes more than a million pictures at frameRate = " + Wording.number(frameRate));
         }
     }
 }

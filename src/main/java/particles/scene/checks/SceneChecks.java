@@ -27,7 +27,9 @@ import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 import particles.view.Camera;
 
-/** What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go. */
+/**
+ * What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go.
+ */
 public final class SceneChecks {
     private static final int MOST_CANDIDATES = 1000;
 
@@ -73,20 +75,23 @@ public final class SceneChecks {
         Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)
                 .flatMap(values -> SolverFormat.tolerances(values, problems));
         if (scene.find(SceneFormat.DELTA_T).isPresent() && scene.find(SceneFormat.DURATION).isPresent()) {
-            RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), frameRate(), places, problems);
+            RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), frameRate(), places,
+                    problems);
         }
         if (problems.count() > 0) {
             return Optional.empty();
         }
         Values noWords = Values.none(scene.place());
-        return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
+        return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE),
+                scene.get(SceneFormat.TEACHES),
                 scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
                         scene.get(SceneFormat.DURATION),
                 List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
                         List.copyOf(scene.get(SceneFormat.EFFECTS)),
                 List.copyOf(scene.get(SceneFormat.RULES)), scene.get(SceneFormat.IMPACT).equals("exact"), camera,
                         RenderFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords)),
-                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)), scene.get(SceneFormat.BLOW_UP_FACTOR),
+                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)),
+                scene.get(SceneFormat.BLOW_UP_FACTOR),
                 scene.find(SceneFormat.THREADS), Map.copyOf(places)));
     }
 
@@ -100,8 +105,7 @@ public final class SceneChecks {
             ParticleDescription particle = ParticleDescription.of(values);
             if (particle.fixed() && !particle.velocity().isZero()) {
                 problems.add(values.place(ParticleDescription.VELOCITY), "'" + particle.id()
-                        + "' is fixed and has a velocity;"
-                        + " leave out one of the two");
+                        + "' is fixed and has a velocity; leave out one of the two");
             }
             particles.add(particle);
         }
@@ -127,7 +131,8 @@ public final class SceneChecks {
     private void take(String id, Place place) {
         Place first = ids.putIfAbsent(id, place);
         if (first != null) {
-            problems.add(place, "the id " + Wording.quote(id) + " is taken, at line " + first.line() + "; give another");
+            problems.add(place, "the id " + Wording.quote(id) + " is taken, at line " + first.line()
+                    + "; give another");
         }
     }
 
@@ -140,8 +145,7 @@ public final class SceneChecks {
             SpringDescription spring = SpringDescription.of(values);
             if (spring.from().equals(spring.to())) {
                 problems.add(values.place(SpringDescription.TO), "a spring from " + Wording.quote(spring.from())
-                        + " to itself;"
-                        + " its ends have to be two particles");
+                        + " to itself; its ends have to be two particles");
             } else if (index.position(spring.from()).minus(index.position(spring.to())).isZero()) {
                 problems.add(values.place(SpringDescription.TO), Wording.quote(spring.from()) + " and "
                         + Wording.quote(spring.to())
@@ -191,7 +195,8 @@ public final class SceneChecks {
         for (Chosen<EffectKind> effect : effects) {
             Place first = named.putIfAbsent(effect.kind().name(), effect.place());
             if (first != null && !effect.kind().isRepeatable()) {
-                problems.add(effect.place(), "'" + effect.kind().name() + "' is named twice, first at line " + first.line());
+                problems.add(effect.place(), "'" + effect.kind().name() + "' is named twice, first at line "
+                        + first.line());
             }
         }
         for (Chosen<EffectKind> effect : effects) {

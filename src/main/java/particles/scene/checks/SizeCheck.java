@@ -14,7 +14,8 @@ final class SizeCheck {
     private SizeCheck() {
     }
 
-    static void check(Values scene, List<ParticleDescription> particles, List<ShapeDescription> shapes, Problems problems) {
+    static void check(Values scene, List<ParticleDescription> particles, List<ShapeDescription> shapes,
+            Problems problems) {
         long count = particles.size();
         long springs = scene.find(SceneFormat.SPRINGS).orElse(List.of()).size();
         for (ShapeDescription shape : shapes) {

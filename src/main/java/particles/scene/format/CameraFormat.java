@@ -29,7 +29,8 @@ public final class CameraFormat {
     static final Key<Double> HEIGHT = Key.optional("height", NumberType.positive("m"), "The height that an orthographic"
             + " picture covers (m); where it is not given, what a perspective one would cover at the target.");
 
-    static final MappingType TYPE = MappingType.of("the camera", POSITION, TARGET, UP, PROJECTION, FIELD_OF_VIEW, HEIGHT);
+    static final MappingType TYPE = MappingType.of("the camera", POSITION, TARGET, UP, PROJECTION, FIELD_OF_VIEW,
+            HEIGHT);
 
     private CameraFormat() {
     }
@@ -37,7 +38,8 @@ public final class CameraFormat {
     public static Optional<Camera> of(Values values, Problems problems) {
         Vector3 away = values.get(POSITION).minus(values.get(TARGET));
         if (away.length() == 0) {
-            problems.add(values.place(TARGET), "the camera's target is where the camera stands; it has to be another point");
+            problems.add(values.place(TARGET),
+                    "the camera's target is where the camera stands; it has to be another point");
             return Optional.empty();
         }
         if (away.normalized().cross(values.get(UP).normalized()).length() < 1e-6) {

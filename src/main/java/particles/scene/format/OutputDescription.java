@@ -75,7 +75,8 @@ public record OutputDescription(double frameRate, int width, int height, boolean
         }
     }
 
-    public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.between(0.001, 1000, "1/s"), 25.0,
+    public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.between(0.001, 1000, "1/s"),
+            25.0,
             "Pictures for a second of simulated time (1/s).");
     static final Key<Integer> WIDTH = Key.withDefault("width", new WholeNumberType(16, 4096), 960,
             "The pictures' width (pixels).");
@@ -83,21 +84,23 @@ public record OutputDescription(double frameRate, int width, int height, boolean
             "The pictures' height (pixels).");
     static final Key<Boolean> ANIMATION = Key.withDefault("animation", FlagType.FLAG, true,
             "Whether the pictures are put together to animation.gif.");
-    static final Key<String> VIDEO = Key.withDefault("video", NameType.of("kind of film", Video.names()), Video.NONE.label(),
+    static final Key<String> VIDEO = Key.withDefault("video", NameType.of("kind of film", Video.names()),
+            Video.NONE.label(),
             "Whether the pictures become a film too: mp4 for film.mp4, none for no film.");
     static final Key<Boolean> ENERGY = Key.withDefault("energy", FlagType.FLAG, true,
             "Whether energies are plotted to energy.png.");
     public static final Key<Values> PHASE = Key.optional("phase", Phase.TYPE,
             "Velocity over position of one particle, plotted to phase.png; none where it is not given.");
     static final Key<Integer> TRAJECTORY_STRIDE = Key.optional("trajectoryStride", new WholeNumberType(1, 1_000_000),
-            "Every how many steps the state is written to trajectory.csv; where it is not given, as often as the file stays"
-            + " below about 200,000 lines.");
+            "Every how many steps the state is written to trajectory.csv; where it is not given, as often as the file"
+            + " stays below about 200,000 lines.");
 
     static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, VIDEO, ENERGY,
             PHASE, TRAJECTORY_STRIDE);
 
     public static OutputDescription of(Values values) {
-        return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT), values.get(ANIMATION),
+        return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT),
+                values.get(ANIMATION),
                 Video.find(values.get(VIDEO)).orElseThrow(), values.get(ENERGY), values.find(PHASE).map(Phase::of),
                         values.find(TRAJECTORY_STRIDE));
     }

@@ -17,8 +17,10 @@ import particles.view.RenderOptions;
 /** What a scene says of how it is drawn. */
 public final class RenderFormat {
     private static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
-    private static final List<String> SHOWN = Arrays.stream(RenderOptions.Shown.values()).map(RenderFormat::nameOf).toList();
-    private static final List<String> KINDS = Arrays.stream(ParticleStyle.Kind.values()).map(RenderFormat::nameOf).toList();
+    private static final List<String> SHOWN = Arrays.stream(RenderOptions.Shown.values()).map(RenderFormat::nameOf)
+            .toList();
+    private static final List<String> KINDS = Arrays.stream(ParticleStyle.Kind.values()).map(RenderFormat::nameOf)
+            .toList();
     private static final String GLOW = nameOf(ParticleStyle.Kind.GLOW);
     private static final List<String> SKIES = List.of("day", "night");
     private static final int MOST_COLOURS = 16;
@@ -27,28 +29,35 @@ public final class RenderFormat {
     static final Key<String> PARTICLES = Key.withDefault("particles", NameType.of("choice", SHOWN),
             nameOf(STANDARD.particles()), "Which particles are drawn.");
     static final Key<String> PARTICLES_AS = Key.withDefault("particlesAs", NameType.of("way of drawing", KINDS),
-            nameOf(ParticleStyle.STANDARD.kind()), "As what those that are not fixed are drawn. balls: shaded; points: dots that are as"
-            + " large far away as near by; blobs: drops that flow together, with a smooth surface around all of them; glow: spots"
-            + " of light that add up, and fade with age where particles have a lifetime.");
-    static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR), "The colours of a"
+            nameOf(ParticleStyle.STANDARD.kind()),
+            "As what those that are not fixed are drawn. balls: shaded; points: dots that are as"
+            + " large far away as near by; blobs: drops that flow together, with a smooth surface around all of them;"
+            + " glow: spots of light that add up, and fade with age where particles have a lifetime.");
+    static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR),
+            "The colours of a"
             + " glow from a particle's birth to its death, evenly spread; those of a flame where they are not given.");
-    static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.between(0, 1000, "s"), ParticleStyle.STANDARD.trail(),
+    static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.between(0, 1000, "s"),
+            ParticleStyle.STANDARD.trail(),
             "For how long the way that a particle came is seen as a line that fades (s); 0 for none.");
     static final Key<String> SKY = Key.optional("sky", NameType.of("sky", SKIES),
             "day or night; where it is not given, night for a glow, which does not show by day, and day for all else.");
     static final Key<String> SPRINGS = Key.withDefault("springs", NameType.of("choice", SHOWN),
             nameOf(STANDARD.springs()), "Which springs are drawn, coloured by their strain, and which rods.");
     static final Key<Double> PARTICLE_RADIUS = Key.withDefault("particleRadius", NumberType.notNegative("m"),
-            STANDARD.particleRadius(), "The radius of a ball, a lonely blob or a spot of light (m); 0 for one that suits the"
+            STANDARD.particleRadius(),
+            "The radius of a ball, a lonely blob or a spot of light (m); 0 for one that suits the"
             + " scene's size.");
-    static final Key<Double> STRAIN_RANGE = Key.withDefault("strainRange", NumberType.positive(""), STANDARD.strainRange(),
+    static final Key<Double> STRAIN_RANGE = Key.withDefault("strainRange", NumberType.positive(""),
+            STANDARD.strainRange(),
             "The stretch, as a part of the rest length, at which a spring has its full colour.");
     static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.particleColour(),
             "The colour of particles and trails; a glow has its own.");
-    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(), "The colour of fixed particles.");
+    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(),
+            "The colour of fixed particles.");
     static final Key<String> FRONT_COLOUR = colour("frontColour", STANDARD.frontColour(),
             "The colour of a surface's front.");
-    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a surface's back.");
+    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(),
+            "The colour of a surface's back.");
 
     static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
             SPRINGS, PARTICLE_RADIUS, STRAIN_RANGE,
@@ -82,7 +91,8 @@ public final class RenderFormat {
                     + " are possible");
         }
         if (values.find(PARTICLES_AS).filter(as -> !as.equals(GLOW)).isPresent()) {
-            problems.add(values.place(AGE_COLOURS), "'ageColours' are those of a glow; add 'particlesAs: glow', or leave them out");
+            problems.add(values.place(AGE_COLOURS),
+                    "'ageColours' are those of a glow; add 'particlesAs: glow', or leave them out");
         }
     }
 

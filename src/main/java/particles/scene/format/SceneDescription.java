@@ -46,7 +46,8 @@ public record SceneDescription(String source, String sha256, String title, Strin
                                List<SpringDescription> springs, ConstraintDescription constraints,
                                        List<Chosen<EffectKind>> effects,
                                        List<Chosen<RuleKind>> rules,
-                               boolean exactImpacts, Optional<Camera> camera, RenderOptions look, OutputDescription output,
+                               boolean exactImpacts, Optional<Camera> camera, RenderOptions look,
+                               OutputDescription output,
                                        double blowUpFactor, Optional<Integer> threads,
                                Map<Key<?>, Place> places) {
 

@@ -25,14 +25,17 @@ import particles.spec.documents.Reference;
 
 /** What a scene file may say: the root of everything that reading, messages, schema and reference are made from. */
 public final class SceneFormat {
-    public static final Key<String> TITLE = Key.required("title", TextType.prose(), "What the scene shows, in a few words.");
+    public static final Key<String> TITLE = Key.required("title", TextType.prose(),
+            "What the scene shows, in a few words.");
     public static final Key<String> TEACHES = Key.required("teaches", TextType.prose(),
             "What one learns from it, in a sentence or two.");
     public static final Key<Values> SOLVER = Key.required("solver", SolverFormat.TYPE,
             "The method that solves the equations of motion.");
     public static final Key<Double> DELTA_T = Key.required("deltaT", NumberType.positive("s"), "The time step (s).");
-    public static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"), "How long the run lasts (s).");
-    public static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64), "How many threads may evaluate the"
+    public static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"),
+            "How long the run lasts (s).");
+    public static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64),
+            "How many threads may evaluate the"
             + " forces of a large system; as many as there are processors where it is not given. They change no bits.");
     public static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
             ParticleDescription.TYPE),
@@ -40,13 +43,16 @@ public final class SceneFormat {
     public static final Key<List<Chosen<ShapeKind>>> SHAPES = Key.withDefault("shapes",
             ListType.of("a shape", new KindType<>("shape", ShapeKind.ALL)), List.of(),
                     "Many particles and springs at once.");
-    public static final Key<List<Values>> SPRINGS = Key.withDefault("springs", ListType.of("a spring", SpringDescription.TYPE),
+    public static final Key<List<Values>> SPRINGS = Key.withDefault("springs",
+            ListType.of("a spring", SpringDescription.TYPE),
             List.of(),
             "Springs between any two particles.");
-    public static final Key<List<Values>> RODS = Key.withDefault("rods", ListType.of("a rod", RodDescription.TYPE), List.of(),
+    public static final Key<List<Values>> RODS = Key.withDefault("rods", ListType.of("a rod", RodDescription.TYPE),
+            List.of(),
             "Rigid rods between any two particles, as long as their initial distance.");
     public static final Key<List<Chosen<WireKind>>> WIRES = Key.withDefault("wires",
-            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(), "Wires that particles slide along.");
+            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(),
+            "Wires that particles slide along.");
     public static final Key<Values> CONSTRAINTS = Key.optional("constraints", ConstraintDescription.TYPE,
             "How rods and wires are kept.");
     public static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
@@ -56,10 +62,12 @@ public final class SceneFormat {
     public static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
             ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),
             "What happens between steps; what is not named does not happen.");
-    public static final Key<String> IMPACT = Key.withDefault("impact", NameType.of("kind of impact", List.of("clamp", "exact")),
+    public static final Key<String> IMPACT = Key.withDefault("impact",
+            NameType.of("kind of impact", List.of("clamp", "exact")),
             "clamp",
             "clamp: who is below a surface after a step is put onto it with the speed it had there, up to deltaT late,"
-                    + " and in a groove may go on to jump by about g deltaT^2; exact: the step is divided at the impact.");
+                    + " and in a groove may go on to jump by about g deltaT^2; exact: the step is divided at the"
+                    + " impact.");
     public static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
             "From where the scene is seen; where it is not given, so that everything fits into the picture.");
     public static final Key<Values> LOOK = Key.optional("look", RenderFormat.TYPE, "How things are drawn.");
@@ -67,14 +75,18 @@ public final class SceneFormat {
     public static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
             "The run ends when the kinetic energy exceeds the scene's own energy scale by this factor.");
 
-    public static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION, PARTICLES,
+    public static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION,
+            PARTICLES,
             SHAPES,
             SPRINGS, RODS, WIRES, CONSTRAINTS, EFFECTS, RULES, IMPACT, CAMERA, LOOK, OUTPUT, BLOW_UP_FACTOR, THREADS);
 
     private SceneFormat() {
     }
 
-    /** @return the JSON Schema of scene files, by which editors complete and check them: {@code scenes/scene.schema.json} */
+    /**
+     * @return the JSON Schema of scene files, by which editors complete and check them:
+     *         {@code scenes/scene.schema.json}
+     */
     public static String jsonSchema() {
         return JsonSchema.of(SCENE, "A scene of DESolver",
                 "Generated from particles.scene.format.SceneFormat; a test keeps the two equal.");

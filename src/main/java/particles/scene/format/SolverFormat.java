@@ -19,8 +19,8 @@ public final class SolverFormat {
             ClassNames.form("exercises.MySolver")),
             "The method that solves the equations of motion.");
     static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 0.1, ""), 
-            "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 where only the other is"
-                    + " given. Over 1e-3 what vibrates fast may grow.");
+            "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 where only the other"
+                    + " is given. Over 1e-3 what vibrates fast may grow.");
     static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
             "The error that it allows besides, in m and m/s; 1e-9 where only the other is given.");
 

@@ -19,7 +19,8 @@ final class BirthAndDeath {
     }
 
     private static final Key<Double> STRAIN = Key.required("strain", NumberType.positive(""),
-            "The stretch over the rest length beyond which a spring tears: 0.5 at one and a half times its rest length.");
+            "The stretch over the rest length beyond which a spring tears: 0.5 at one and a half times its rest"
+            + " length.");
 
     static final RuleKind TEAR = new RuleKind("tear", "Springs that are stretched too far are gone.", STRAIN) {
         @Override
@@ -34,18 +35,23 @@ final class BirthAndDeath {
     };
 
     private static final Key<String> ID = Key.required("id", ParticleDescription.NEW_ID,
-            "Its name, with which its particles' ids begin: fountain[0], fountain[1] ...; no particle or shape has it.");
-    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where particles begin (m).");
+            "Its name, with which its particles' ids begin: fountain[0], fountain[1] ...; no particle or shape has"
+            + " it.");
+    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"),
+            "Where particles begin (m).");
     private static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
             "How far from there at most (m).");
-    private static final Key<Vector3> DIRECTION = Key.withDefault("direction", VectorType.notZero(""), new Vector3(0, 1, 0),
+    private static final Key<Vector3> DIRECTION = Key.withDefault("direction", VectorType.notZero(""),
+            new Vector3(0, 1, 0),
             "Where they go; of any length.");
     private static final Key<Double> SPREAD = Key.withDefault("spread", NumberType.between(0, 180, "degrees"), 0.0,
             "The largest angle between a particle's direction and that (degrees).");
-    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"), "How fast they go (m/s).");
+    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"),
+            "How fast they go (m/s).");
     private static final Key<Double> RATE = Key.required("rate", NumberType.between(1e-6, 1e6, "1/s"),
             "How many are born in a second (1/s).");
-    private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0, "The mass of each (kg).");
+    private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0,
+            "The mass of each (kg).");
     private static final Key<Double> LIFETIME = Key.optional("lifetime", NumberType.positive("s"),
             "How long each lives (s); for ever where it is not given.");
 
@@ -56,7 +62,8 @@ final class BirthAndDeath {
         public void build(Values values, SceneAssembly assembly) {
             double lifetime = values.find(LIFETIME).orElse(Double.POSITIVE_INFINITY);
             assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), values.get(POSITION), values.get(RADIUS),
-                    values.get(DIRECTION), StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED), values.get(RATE),
+                    values.get(DIRECTION), StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED),
+                    values.get(RATE),
                     values.get(MASS), lifetime, values.get(SharedKeys.SEED))));
             if (lifetime < Double.POSITIVE_INFINITY) {
                 assembly.letDie();
@@ -102,12 +109,14 @@ final class BirthAndDeath {
     private static final Key<Double> LIGHTEST = Key.required("lightest", NumberType.positive("kg"),
             "No particle becomes lighter than this by becoming two (kg).");
 
-    static final RuleKind SAMPLES = new RuleKind("samples", "Particles merge and split so that they are spread evenly.", FARTHEST,
+    static final RuleKind SAMPLES = new RuleKind("samples", "Particles merge and split so that they are spread evenly.",
+            FARTHEST,
             CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED) {
         @Override
         public void build(Values values, SceneAssembly assembly) {
             double farthest = values.get(FARTHEST);
-            assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.springs(), farthest * values.get(CLOSEST), farthest,
+            assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.springs(),
+                    farthest * values.get(CLOSEST), farthest,
                     values.get(LIGHTEST), values.get(SharedKeys.SEED)));
         }
 

@@ -10,8 +10,8 @@ import java.util.stream.IntStream;
 import particles.law.Vector3;
 
 /**
- * Particles at regular places along one, two or three directions, which a rope, a cloth and a block of jelly are. The first
- * index varies slowest.
+ * Particles at regular places along one, two or three directions, which a rope, a cloth and a block of jelly are. The
+ * first index varies slowest.
  *
  * @param id      the shape's name; a particle is called {@code cloth[3,4]}
  * @param counts  how many particles there are along each direction, at least 2

@@ -20,12 +20,14 @@ import particles.spec.messages.Place;
  * @param fixed    whether it stays where it is
  * @param place    where the scene says so
  */
-public record ParticleDescription(String id, Vector3 position, Vector3 velocity, double mass, boolean fixed, Place place) {
+public record ParticleDescription(String id, Vector3 position, Vector3 velocity, double mass, boolean fixed,
+        Place place) {
     /** Fit for CSV, and never the id of a shape's particle, which has brackets. */
     static final TextType NEW_ID = TextType.of("a name without spaces, brackets, commas and quotes",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}$");
 
-    public static final Key<String> ID = Key.required("id", NEW_ID, "The particle's name; no other particle or shape has it.");
+    public static final Key<String> ID = Key.required("id", NEW_ID,
+            "The particle's name; no other particle or shape has it.");
     static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where it is at the start (m).");
     public static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
             "How it moves at the start (m/s).");

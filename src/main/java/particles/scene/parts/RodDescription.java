@@ -13,7 +13,8 @@ import particles.spec.messages.Place;
  * @param place where the scene says so
  */
 public record RodDescription(String from, String to, Place place) {
-    public static final Key<String> FROM = Key.required("from", SpringDescription.ANY_ID, "The particle where the rod begins.");
+    public static final Key<String> FROM = Key.required("from", SpringDescription.ANY_ID,
+            "The particle where the rod begins.");
     public static final Key<String> TO = Key.required("to", SpringDescription.ANY_ID, "The particle where it ends.");
     public static final MappingType TYPE = MappingType.of("a rod", FROM, TO);
 

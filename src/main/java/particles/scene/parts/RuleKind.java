@@ -155,6 +155,7 @@ public abstract class RuleKind implements Kind {
     };
 
     /** All rules. */
-    public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, BirthAndDeath.TEAR, MotionKinds.SHAKE, MotionKinds.CIRCLE,
+    public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, BirthAndDeath.TEAR, MotionKinds.SHAKE,
+            MotionKinds.CIRCLE,
             MotionKinds.GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL, BirthAndDeath.SAMPLES);
 }

@@ -67,11 +67,13 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
                 chosen.place()));
     }
 
-    private static void addPart(String part, Lattice lattice, ShapeKind kind, BitSet fixed, Place place, Problems problems) {
+    private static void addPart(String part, Lattice lattice, ShapeKind kind, BitSet fixed, Place place,
+            Problems problems) {
         if (part.endsWith("]")) {
             OptionalInt number = lattice.find(part);
             if (number.isEmpty()) {
-                problems.add(place, "unknown particle " + Wording.quote(part) + " in 'fixed'; known: " + lattice.range());
+                problems.add(place, "unknown particle " + Wording.quote(part) + " in 'fixed'; known: "
+                        + lattice.range());
             }
             number.ifPresent(fixed::set);
             return;

@@ -18,7 +18,9 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 import particles.spec.WholeNumberType;
 
-/** The shapes that a scene can name: each is one entry of {@link #ALL}, with its keys and where it puts its particles. */
+/**
+ * The shapes that a scene can name: each is one entry of {@link #ALL}, with its keys and where it puts its particles.
+ */
 public abstract class ShapeKind implements Kind {
     private static final TextType OWN_ID = TextType.of("an id of a particle of the shape, such as cloth[3,4]",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");
@@ -55,7 +57,8 @@ public abstract class ShapeKind implements Kind {
         List<String> parts = new ArrayList<>();
         sides.forEach(parts::addAll);
         parts.addAll(more);
-        fixed = Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)), List.of(),
+        fixed = Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)),
+                List.of(),
                 "Which particles stay where they are: names of parts, ids of its particles, or a list of both.");
         List<Key<?>> all = new ArrayList<>(List.of(id));
         all.addAll(Arrays.asList(own));
@@ -98,13 +101,15 @@ public abstract class ShapeKind implements Kind {
         return keys;
     }
 
-    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"), "Where its first particle is (m).");
+    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"),
+            "Where its first particle is (m).");
     private static final Key<Vector3> END = Key.required("end", VectorType.of("m"), "Where its last particle is (m).");
     private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "How many particles it has.");
 
     private static final ShapeKind ROPE = new ShapeKind("rope",
             "Particles rope[0], rope[1] ... at regular distances along a line.",
-            List.of(List.of("start", "end")), List.of(), List.of(Sort.STRUCTURAL, Sort.BEND), false, START, END, PARTICLES) {
+            List.of(List.of("start", "end")), List.of(), List.of(Sort.STRUCTURAL, Sort.BEND), false, START, END,
+            PARTICLES) {
         @Override
         Lattice lattice(Values values) {
             return new Lattice(values.get(id()), List.of(values.get(PARTICLES)), values.get(START),
@@ -119,7 +124,8 @@ public abstract class ShapeKind implements Kind {
     private static final Key<Vector3> DOWN = Key.required("down", VectorType.notZero("m"),
             "From its top left to its bottom left particle (m).");
     private static final Key<Integer> COLUMNS = Key.required("columns", COUNT, "How many particles it has across.");
-    private static final Key<Integer> ROWS = Key.required("rows", COUNT, "How many particles it has from top to bottom.");
+    private static final Key<Integer> ROWS = Key.required("rows", COUNT,
+            "How many particles it has from top to bottom.");
 
     private static final ShapeKind CLOTH = new ShapeKind("cloth",
             "Particles cloth[column,row] in a rectangle or parallelogram;"
@@ -155,7 +161,8 @@ public abstract class ShapeKind implements Kind {
                     new Vector3(0, 0, size.z()))
                     .map(edge -> turned(edge, values.get(TURN))).toList();
             Vector3 diagonal = edges.get(0).plus(edges.get(1)).plus(edges.get(2));
-            return new Lattice(values.get(id()), List.of(values.get(COLUMNS), values.get(JELLY_ROWS), values.get(LAYERS)),
+            return new Lattice(values.get(id()), List.of(values.get(COLUMNS), values.get(JELLY_ROWS),
+                    values.get(LAYERS)),
                     values.get(CENTRE).minus(diagonal.times(0.5)), edges);
         }
     };

@@ -44,7 +44,8 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         List<int[]> offsets(int dimensions) {
             List<int[]> offsets = new ArrayList<>();
             int all = (int) Math.round(StrictMath.pow(3, dimensions));
-            for (int code = all / 2 + 1; code < all; code++) {          // the half of all steps in {-1, 0, 1} after zero
+            // the half of all steps in {-1, 0, 1} after zero
+            for (int code = all / 2 + 1; code < all; code++) {
                 int[] offset = new int[dimensions];
                 int length = 0;
                 for (int d = dimensions - 1, rest = code; d >= 0; d--, rest /= 3) {

@@ -14,7 +14,9 @@ import particles.spec.NameType;
 import particles.spec.Type;
 import particles.spec.messages.Wording;
 
-/** Writes what may stand in a file as tables of Markdown: one for each mapping, with key, values, default and meaning. */
+/**
+ * Writes what may stand in a file as tables of Markdown: one for each mapping, with key, values, default and meaning.
+ */
 public final class Reference {
     private final List<String> lines = new ArrayList<>();
     private final Set<String> told = new LinkedHashSet<>();
@@ -49,7 +51,8 @@ public final class Reference {
         lines.add("| --- | --- | --- | --- |");
         for (Key<?> key : mapping.keys()) {
             String standard = key.required() ? "*needed*" : key.defaultJson().map(Reference::written).orElse("");
-            lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + key.sentence() + " |");
+            lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + key.sentence()
+                    + " |");
         }
         mapping.keys().forEach(key -> tellWithin(key.type(), heading));
     }
@@ -67,7 +70,8 @@ public final class Reference {
     private static String values(Type<?> type) {
         if (type instanceof MappingType mapping) {
             Optional<Key<?>> brief = mapping.shortForm();
-            return brief.map(key -> values(key.type()) + "; or ").orElse("") + "see " + mapping.name().replace('\'', '`');
+            return brief.map(key -> values(key.type()) + "; or ").orElse("") + "see " + mapping.name().replace('\'',
+                    '`');
         } else if (type instanceof ListType<?> list && !(list.element() instanceof NameType)) {
             return "a list of: " + values(list.element());
         } else if (type instanceof KindType<?> kinds) {
@@ -79,7 +83,8 @@ public final class Reference {
 
     private static String written(Object json) {
         if (json instanceof List<?> list) {
-            return list.isEmpty() ? "none" : "[" + String.join(", ", list.stream().map(Reference::written).toList()) + "]";
+            return list.isEmpty() ? "none" : "[" + String.join(", ", list.stream().map(Reference::written).toList())
+                    + "]";
         }
         return json instanceof Number number ? Wording.number(number.doubleValue()) : json.toString();
     }

@@ -45,7 +45,8 @@ public final class Wording {
              as with one or two letters
      */
     public static String hint(String found, Collection<String> known) {
-        return found.length() < 3 || found.length() > LONGEST_QUOTE ? ";" : DidYouMean.hint(found, known, Wording::quote);
+        return found.length() < 3 || found.length() > LONGEST_QUOTE ? ";" : DidYouMean.hint(found, known,
+                Wording::quote);
     }
 
     /** @return the names, or the first of them if there are many */

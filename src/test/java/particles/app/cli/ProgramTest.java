@@ -83,19 +83,22 @@ class ProgramTest {
 
     @Test
     void unknownOptionIsRefusedWithWhatMayBeMeant() {
-        assertRefused(OptionStyle.GRADLE, "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
+        assertRefused(OptionStyle.GRADLE,
+                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
                 "try", "--deltat=0.1");
     }
 
     @Test
     void unknownOptionIsWrittenAsItWasTyped() {
-        assertRefused(OptionStyle.SHELL, "unknown option --scenes; did you mean --scene? allowed: --deltaT, --frames, --scene, --help",
+        assertRefused(OptionStyle.SHELL,
+                "unknown option --scenes; did you mean --scene? allowed: --deltaT, --frames, --scene, --help",
                 "try", "--scenes=2");
     }
 
     @Test
     void gradlesOptionsAreRecognisedInTheShell() {
-        assertRefused(OptionStyle.SHELL, "unknown option -Pscene; did you mean --scene? allowed: --deltaT, --frames, --scene, --help",
+        assertRefused(OptionStyle.SHELL,
+                "unknown option -Pscene; did you mean --scene? allowed: --deltaT, --frames, --scene, --help",
                 "try", "-Pscene=2");
     }
 
@@ -125,13 +128,15 @@ class ProgramTest {
 
     @Test
     void argumentThatIsNoOptionIsRefused() {
-        assertRefused(OptionStyle.SHELL, "unexpected 'cloth'; options are written --name=value; allowed: --help", "solvers",
+        assertRefused(OptionStyle.SHELL, "unexpected 'cloth'; options are written --name=value; allowed: --help",
+                "solvers",
                 "cloth");
     }
 
     @Test
     void unknownCommandIsRefused() {
-        assertRefused(OptionStyle.SHELL, "unknown command 'solver'; did you mean 'solvers'? commands: " + commands(), "solver");
+        assertRefused(OptionStyle.SHELL, "unknown command 'solver'; did you mean 'solvers'? commands: " + commands(),
+                "solver");
     }
 
     @Test
@@ -141,7 +146,8 @@ class ProgramTest {
 
     @Test
     void optionBeforeTheCommandIsRefused() {
-        assertRefused(OptionStyle.SHELL, "option --scene=2 has to follow a command; commands: " + commands(), "--scene=2");
+        assertRefused(OptionStyle.SHELL, "option --scene=2 has to follow a command; commands: " + commands(),
+                "--scene=2");
     }
 
     private static String commands() {
@@ -193,7 +199,8 @@ class ProgramTest {
     @Test
     void resultThatCannotBeWrittenIsOneLineAndCode1() {
         assertEnds(ExitCode.TROUBLE, "cannot write build/out/run.json: the disk is full",
-                new OutputException(Path.of("build/out/run.json"), "write", new IOException("No space left on device")));
+                new OutputException(Path.of("build/out/run.json"), "write",
+                new IOException("No space left on device")));
     }
 
     @Test
@@ -238,8 +245,8 @@ class ProgramTest {
     void fullMemoryIsOneLineAndCode1() {
         long most = Runtime.getRuntime().maxMemory();
         assertEnds(ExitCode.TROUBLE, "the memory that Java may use, " + (most >> 20)
-                + " MiB, is full; take fewer particles, frames or"
-                + " runs, or give Java more: JAVA_TOOL_OPTIONS=-Xmx" + ((most >> 30) + 1)
+                + " MiB, is full; take fewer particles, frames or runs, or give Java more:"
+                + " JAVA_TOOL_OPTIONS=-Xmx" + ((most >> 30) + 1)
                 + "g", new OutOfMemoryError("Java heap space"));
     }
 
@@ -253,6 +260,7 @@ class ProgramTest {
         assertEquals(ExitCode.DONE, execute(OptionStyle.SHELL, "solvers"));
         List<String> firstWords = out.toString().lines().map(line -> line.split(" ")[0]).toList();
         assertEquals(SolverCatalog.names(), firstWords);
-        assertTrue(out.toString().lines().anyMatch(line -> line.matches("rk4 +order 4  The old workhorse.*")), out.toString());
+        assertTrue(out.toString().lines().anyMatch(line -> line.matches("rk4 +order 4  The old workhorse.*")),
+                out.toString());
     }
 }

@@ -11,6 +11,7 @@ class VersionTest {
     @Test
     void buildHasTheSame() throws IOException {
         String wanted = "version = '" + Version.CURRENT + "'";
-        assertTrue(Files.readAllLines(Path.of("build.gradle")).stream().anyMatch(line -> line.startsWith(wanted)), wanted);
+        assertTrue(Files.readAllLines(Path.of("build.gradle")).stream().anyMatch(line -> line.startsWith(wanted)),
+                wanted);
     }
 }

@@ -130,7 +130,8 @@ class ReportCommandTest {
     @Test
     void whatIsNotThereIsSaidBeforeAnythingRuns() {
         assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--experiments=shws"));
-        assertTrue(err.toString().startsWith("option -Pexperiments: no experiment is called 'shws'; did you mean 'shows'?"),
+        assertTrue(err.toString()
+                .startsWith("option -Pexperiments: no experiment is called 'shws'; did you mean 'shows'?"),
                 err.toString());
         assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--scene=sprng"));
         assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--solvers=rk5"));

@@ -70,7 +70,8 @@ class RunCommandTest {
         }
         lines.getBuffer().setLength(0);
         errors.getBuffer().setLength(0);
-        List<ProgramCommand> commands = List.of(new RunCommand(scenes, OptionStyle.GRADLE, stop), new ScenesCommand(scenes));
+        List<ProgramCommand> commands = List.of(new RunCommand(scenes, OptionStyle.GRADLE, stop),
+                new ScenesCommand(scenes));
         return new Program(commands, OptionStyle.GRADLE, new PrintWriter(lines), new PrintWriter(errors))
                 .execute(args.toArray(String[]::new));
     }
@@ -96,7 +97,8 @@ class RunCommandTest {
         Files.writeString(scenes.resolve("01-block.yaml"), SCENE.replace(old, replacement));
     }
 
-    private static final Set<String> NUMBERS_AND_PLOTS = Set.of("energy.png", "phase.png", "run.json", "trajectory.csv");
+    private static final Set<String> NUMBERS_AND_PLOTS = Set.of("energy.png", "phase.png", "run.json",
+            "trajectory.csv");
 
     @Test
     void aRunLeavesWhatIsPromisedAndSaysWhere() throws IOException {
@@ -119,7 +121,8 @@ class RunCommandTest {
         String where = "in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json";
         assertTrue(lines.toString().contains(where), lines.toString());
         String json = Files.readString(out.resolve("run.json"));
-        for (String part : List.of("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50", "\"evaluations\" : 200",
+        for (String part : List.of("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
+                "\"evaluations\" : 200",
                 "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5")) {
             assertTrue(json.contains(part), part + " in " + json);
         }
@@ -144,7 +147,8 @@ class RunCommandTest {
     @Test
     void aFilmThatCannotBeIsOneLine() {
         assertEnds(ExitCode.BAD_INPUT, "option -Pvideo: 'avi' is no kind of film; allowed: none, mp4", "--video=avi");
-        assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; leave -Pframes=false away", "--video=mp4", "--frames=false");
+        assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; leave -Pframes=false away", "--video=mp4",
+                "--frames=false");
     }
 
     @Test
@@ -188,7 +192,8 @@ class RunCommandTest {
     void optionsGoBeforeTheScene() throws IOException {
         assertEnds(ExitCode.DONE, "", "--frames=false", "--solver=euler", "--deltaT=0.004", "--duration=0.01");
         String json = Files.readString(out.resolve("run.json"));
-        for (String part : List.of("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" : 0.01", "\"steps\" : 3")) {
+        for (String part : List.of("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" : 0.01",
+                "\"steps\" : 3")) {
             assertTrue(json.contains(part), part + " in " + json);
         }
     }
@@ -202,7 +207,8 @@ class RunCommandTest {
         assertEquals(0.4, thinned.get(2), 1e-14);               // the clock adds 0.01 forty times
         assertEquals(0.5, thinned.get(3));
         Files.writeString(scenes.resolve("01-block.yaml"), SCENE);
-        run("--frames=false", "--deltaT=1e-6", "--duration=0.15");      // 150,001 times of two particles: every second step
+        // 150,001 times of two particles: every second step
+        run("--frames=false", "--deltaT=1e-6", "--duration=0.15");
         List<String> times = times();
         assertEquals(75_001, times.size());
         assertEquals("2.0E-6", times.get(1));
@@ -216,12 +222,14 @@ class RunCommandTest {
 
     @Test
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
-        assertEnds(ExitCode.BAD_INPUT, "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
+        assertEnds(ExitCode.BAD_INPUT,
+                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
                 + " -Pduration, -Pthreads, -Pout, -Pframes, -Pvideo, -Phelp", "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
                 "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
-        assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64", "--threads=0");
+        assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64",
+                "--threads=0");
         assertEnds(ExitCode.BAD_INPUT, "option -Pframes: 'maybe' is not a boolean", "--frames=maybe");
         assertEnds(ExitCode.BAD_INPUT, "-Pout needs the name of a folder", "--out= ");
         assertEquals(ExitCode.BAD_INPUT, run("--solver=rk5"));
@@ -247,7 +255,8 @@ class RunCommandTest {
     void aFolderThatCannotBeIsOneLineAndCode1() throws IOException {
         Files.writeString(out, "a file");
         assertEnds(ExitCode.TROUBLE, "cannot create the folder " + out + ": a file is where a folder should be");
-        assertEnds(ExitCode.TROUBLE, "cannot create the folder " + out.resolve("below") + ": a file is where a folder should be",
+        assertEnds(ExitCode.TROUBLE,
+                "cannot create the folder " + out.resolve("below") + ": a file is where a folder should be",
                 "--out=" + out.resolve("below"));
         assertEquals("a file", Files.readString(out));
     }
@@ -265,7 +274,8 @@ class RunCommandTest {
     void aBlowUpKeepsWhatWasSeenAndEndsWithCode3() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--deltaT=0.5", "--duration=100"));
         assertEquals(1, errors.toString().lines().count(), errors.toString());
-        assertTrue(files().containsAll(NUMBERS_AND_PLOTS) && files().contains("frames/frame-00000.png"), files().toString());
+        assertTrue(files().containsAll(NUMBERS_AND_PLOTS) && files().contains("frames/frame-00000.png"),
+                files().toString());
         assertTrue(files().stream().noneMatch(name -> name.endsWith(".part")), files().toString());
         assertTrue(lines.toString().contains(" s of 100 s in "), lines.toString());
         String end = times().get(times().size() - 1);
@@ -287,8 +297,10 @@ class RunCommandTest {
     @Test
     void scenesAreListedWithWhatTheyTeach() {
         List<ProgramCommand> commands = List.of(new ScenesCommand(scenes));
-        assertEquals(ExitCode.DONE, new Program(commands, OptionStyle.SHELL, new PrintWriter(lines), new PrintWriter(errors))
+        assertEquals(ExitCode.DONE, new Program(commands, OptionStyle.SHELL, new PrintWriter(lines),
+                new PrintWriter(errors))
                 .execute("scenes"));
-        assertEquals(List.of("01  block: A block (rk4)", "    Nothing but that it runs."), lines.toString().lines().toList());
+        assertEquals(List.of("01  block: A block (rk4)", "    Nothing but that it runs."),
+                lines.toString().lines().toList());
     }
 }

@@ -28,7 +28,9 @@ class TimeEstimateTest {
                 """.formatted(duration).getBytes(StandardCharsets.UTF_8));
     }
 
-    /** A clock on which each step takes so long; after the first spans it takes a quarter of that, as with a warm Java. */
+    /**
+     * A clock on which each step takes so long; after the first spans it takes a quarter of that, as with a warm Java.
+     */
     private static LongSupplier clock(long nanosPerStep, long slowSteps) {
         AtomicLong now = new AtomicLong();
         AtomicLong calls = new AtomicLong();

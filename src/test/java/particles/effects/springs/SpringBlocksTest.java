@@ -11,7 +11,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.law.Vector3;
 
-/** Springs in blocks and joints: what each touches, that all of them act, and what becomes of them when particles go. */
+/**
+ * Springs in blocks and joints: what each touches, that all of them act, and what becomes of them when particles go.
+ */
 class SpringBlocksTest {
     private static final int PARTICLES = 3000;
 
@@ -20,7 +22,8 @@ class SpringBlocksTest {
         ParticleSystem network = new ParticleSystem();
         Random random = new Random(11);
         for (int i = 0; i < PARTICLES; i++) {
-            network.addParticle("p" + i, 1, new Vector3(random.nextDouble(), random.nextDouble(), i * 0.01), Vector3.ZERO, false);
+            network.addParticle("p" + i, 1, new Vector3(random.nextDouble(), random.nextDouble(), i * 0.01),
+                    Vector3.ZERO, false);
         }
         SpringForce springs = new SpringForce(network.getParticles());
         for (int s = 0; s < 20_000; s++) {
@@ -50,7 +53,8 @@ class SpringBlocksTest {
         double[] bySprings = new double[state.length];
         for (int s = springs.size() - 1; s >= 0; s--) {
             SpringForce one = new SpringForce(network.getParticles());
-            one.addSpring(springs.from(s), springs.to(s), springs.stiffness(s), springs.restLength(s), springs.damping(s));
+            one.addSpring(springs.from(s), springs.to(s), springs.stiffness(s), springs.restLength(s),
+                    springs.damping(s));
             one.addForces(state, 0, bySprings);
         }
         assertArrayEquals(bySprings, together, 1e-14);          // measured 8.9e-16

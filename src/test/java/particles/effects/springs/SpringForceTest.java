@@ -69,7 +69,8 @@ class SpringForceTest {
         assertTrue(assertThrows(IllegalArgumentException.class, () -> springs.addSpring(1, 1, 1, 1, 0)).getMessage()
                 .contains("'b' to itself"));
         for (int[] ends : new int[][] {{0, 2}, {2, 0}, {-1, 0}, {0, -1}}) {
-            Exception e = assertThrows(IllegalArgumentException.class, () -> springs.addSpring(ends[0], ends[1], 1, 1, 0));
+            Exception e = assertThrows(IllegalArgumentException.class, () -> springs.addSpring(ends[0], ends[1], 1, 1,
+                    0));
             assertTrue(e.getMessage().contains("there are 2"), e.getMessage());
         }
         assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, -1, 1, 0));

@@ -13,8 +13,8 @@ import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
- * The three loops for springs - spring by spring, particle by particle, and for lengths of which the square overflows - held
- * to the law as the slide has it, with ends anywhere and moving in any direction.
+ * The three loops for springs - spring by spring, particle by particle, and for lengths of which the square overflows -
+ * held to the law as the slide has it, with ends anywhere and moving in any direction.
  */
 class SpringKernelTest {
     private static final int STRIDE = Particles.STRIDE;

@@ -184,7 +184,10 @@ class SpringTableTest {
         return parts;
     }
 
-    /** Ranges of particles as the springs divide them: each block is all that lies within one, each joint what else in its two. */
+    /**
+     * Ranges of particles as the springs divide them: each block is all that lies within one, each joint what else in
+     * its two.
+     */
     @ParameterizedTest
     @ValueSource(ints = {8192, 20_000, 40_000})
     void aBlockIsAllThatLiesWithinItsRange(int count) {
@@ -213,7 +216,9 @@ class SpringTableTest {
         assertFalse(parts.hasNext());
     }
 
-    /** In a random network most springs join two ranges; up to a quarter may, in a chain of two blocks of 4096 springs. */
+    /**
+     * In a random network most springs join two ranges; up to a quarter may, in a chain of two blocks of 4096 springs.
+     */
     @Test
     void aQuarterMayJoinTwoRanges() {
         for (int joining : new int[] {2047, 2048, 2049}) {

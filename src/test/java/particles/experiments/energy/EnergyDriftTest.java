@@ -40,7 +40,8 @@ class EnergyDriftTest {
         Comparison comparison = compare(spring(0.125, 25), "euler, midpoint, rk4, backward-euler", false);
         assertEquals(0.5, comparison.scale(), 1e-6);                // the energy at the start, by a run to 1e-9
         for (Drift drift : comparison.drifts()) {
-            double amplitude = StabilityPolynomial.of(drift.setting().solver().name(), 0.125).orElseThrow().amplitude(200);
+            double amplitude = StabilityPolynomial.of(drift.setting().solver().name(),
+                    0.125).orElseThrow().amplitude(200);
             assertEquals(amplitude * amplitude - 1, drift.end(), 1e-7 * amplitude * amplitude,
                     drift.setting().solver().name());
             assertEquals(Kind.SECULAR, drift.kind());
@@ -60,7 +61,8 @@ class EnergyDriftTest {
             assertEquals(Kind.BOUNDED, drift.kind(), drift.setting().solver().name());
         }
         // of symplectic Euler E + h x v / 2 is constant: the error is at most h/4 of the scale 1/2
-        assertEquals(0.125 / 2, compare(spring(0.125, 100), "symplectic-euler", false).drifts().get(0).largest(), 0.005);
+        assertEquals(0.125 / 2, compare(spring(0.125, 100), "symplectic-euler", false).drifts().get(0).largest(),
+                0.005);
     }
 
     @Test
@@ -71,14 +73,15 @@ class EnergyDriftTest {
     }
 
     /**
-     * Bounces that take nine tenths of the energy are physics, and free fall is exact for methods of order 2. Symplectic
-     * Euler
+     * Bounces that take nine tenths of the energy are physics, and free fall is exact for methods of order 2.
+     * Symplectic Euler
      * loses m g^2 h^2 / 2 in each step of a fall, whatever the floor does: m g^2 h / 2 a second.
      */
     @Test
     void bouncesArePhysicsAndNoDrift() {
         SceneDescription ball = SceneReader.read(Path.of("scenes/06-bouncing-ball.yaml"));
-        Comparison comparison = compare(ball.solvedBy("rk4", Optional.empty(), 0.002, 1.5), "rk4, verlet, symplectic-euler",
+        Comparison comparison = compare(ball.solvedBy("rk4", Optional.empty(), 0.002, 1.5),
+                "rk4, verlet, symplectic-euler",
                 false);
         for (Drift drift : comparison.drifts().subList(0, 2)) {
             assertEquals(Kind.ROUNDING, drift.kind(), drift.setting().solver().name());
@@ -87,14 +90,16 @@ class EnergyDriftTest {
         Drift euler = comparison.drifts().get(2);
         assertEquals(Kind.SECULAR, euler.kind());
         double mass = SceneBuilder.build(ball, new Overrides()).system().getParticles().mass(0);
-        assertEquals(1, euler.slope() / (-mass * 9.81 * 9.81 * 0.002 / 2 / comparison.scale()), 0.02);     // measured 1.000
+        // measured 1.000
+        assertEquals(1, euler.slope() / (-mass * 9.81 * 9.81 * 0.002 / 2 / comparison.scale()), 0.02);
     }
 
     /** Drops that come with energy and take it away again: the books change with each, and rk4 does not. */
     @Test
     void birthsAndDeathsArePhysicsAndNoDrift() {
         SceneDescription fountain = SceneReader.read(Path.of("scenes/27-fountain.yaml"));
-        Comparison comparison = compare(fountain.solvedBy("rk4", Optional.empty(), 0.01, 2), "rk4, backward-euler", false);
+        Comparison comparison = compare(fountain.solvedBy("rk4", Optional.empty(), 0.01, 2), "rk4, backward-euler",
+                false);
         assertTrue(comparison.drifts().get(0).largest() < 2e-10, "measured 2.2e-11, now "
                 + comparison.drifts().get(0).largest());
         assertEquals(-0.05, comparison.drifts().get(1).slope(), 0.01, "what backward Euler does is seen");

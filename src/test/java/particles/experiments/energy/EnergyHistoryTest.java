@@ -35,7 +35,10 @@ class EnergyHistoryTest {
         return new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
     }
 
-    /** A ball that falls from a height above the origin, and has its velocity turned at one metre above the start of all. */
+    /**
+     * A ball that falls from a height above the origin, and has its velocity turned at one metre above the start of
+     * all.
+     */
     private static Simulation falling(double height) {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 2, new Vector3(0, height, 0), Vector3.ZERO, false);
@@ -115,7 +118,8 @@ class EnergyHistoryTest {
         List<Series> a = here.chart("").series();
         List<Series> b = there.chart("").series();
         for (int s = 0; s < a.size(); s++) {
-            assertArrayEquals(a.get(s).y(), b.get(s).y(), 1e-12, a.get(s).name());      // measured 1.2e-13, of 600 J: their rounding
+            // measured 1.2e-13, of 600 J: their rounding
+            assertArrayEquals(a.get(s).y(), b.get(s).y(), 1e-12, a.get(s).name());
         }
         Series gravity = series(here.chart(""), "potential: gravity, from its lowest");
         assertEquals(0, java.util.Arrays.stream(gravity.y()).min().orElse(1));
@@ -168,13 +172,16 @@ class EnergyHistoryTest {
     void aBounceIsWorkAndNoError() {
         EnergyLedgerRecorder books = keepBooks(falling(10));
         double before = 0.5 * 2 * (G * 0.5) * (G * 0.5);
-        assertEquals(-0.75 * before, books.getWork().values().stream().mapToDouble(w -> w).sum(), 1e-13);    // measured 1.4e-14
-        assertTrue(books.getLargestNumericalError() < 3e-14 * before, "8.5e-14 J and not " + books.getLargestNumericalError());
+        // measured 1.4e-14
+        assertEquals(-0.75 * before, books.getWork().values().stream().mapToDouble(w -> w).sum(), 1e-13);
+        assertTrue(books.getLargestNumericalError() < 3e-14 * before,
+                "8.5e-14 J and not " + books.getLargestNumericalError());
         Series work = books.charts(before).get(0).series().get(0);
         for (int k = 0; work.x()[k] < 0.5; k++) {
             assertEquals(0, work.y()[k]);                   // level until the bounce, and then a vertical line
         }
-        assertEquals(0.5, work.x()[IntStream.range(0, work.y().length).filter(k -> work.y()[k] < 0).findFirst().orElse(0)]);
+        assertEquals(0.5,
+                work.x()[IntStream.range(0, work.y().length).filter(k -> work.y()[k] < 0).findFirst().orElse(0)]);
         assertTrue(IntStream.range(0, work.y().length).anyMatch(k -> work.x()[k] == 0.5 && work.y()[k] == 0));
         assertEquals(-0.75 * before, work.y()[work.y().length - 1], 1e-13);
     }

@@ -16,7 +16,9 @@ import particles.view.VectorField;
 
 class LectureFiguresTest {
 
-    /** The values are the stability functions', to six digits; measured and theory differ by rounding, 8e-12 at most. */
+    /**
+     * The values are the stability functions', to six digits; measured and theory differ by rounding, 8e-12 at most.
+     */
     @ParameterizedTest
     @CsvSource({
         "midpoint, 1,   11,   3.411969, 11.641532, 1.178636,  22",
@@ -34,8 +36,10 @@ class LectureFiguresTest {
         assertEquals(energy, result.amplitude() * result.amplitude(), 0.5e-6);
         assertEquals(phase, result.phaseError(), 0.5e-6);
         assertEquals(evaluations, result.evaluations());
-        assertEquals(result.theory().orElseThrow().amplitude(), result.amplitude(), 2e-12);           // measured 2.2e-13
-        assertEquals(result.theory().orElseThrow().phaseError(), result.phaseError(), 3e-11);         // measured 7.7e-12
+        // measured 2.2e-13
+        assertEquals(result.theory().orElseThrow().amplitude(), result.amplitude(), 2e-12);
+        // measured 7.7e-12
+        assertEquals(result.theory().orElseThrow().phaseError(), result.phaseError(), 3e-11);
     }
 
     /**
@@ -56,7 +60,9 @@ class LectureFiguresTest {
         }
     }
 
-    /** What the heading says of each solver is what the table has: who grows by more than threefold grows not slowly. */
+    /**
+     * What the heading says of each solver is what the table has: who grows by more than threefold grows not slowly.
+     */
     @Test
     void theFindingIsThatOfTheTable() {
         List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
@@ -81,7 +87,8 @@ class LectureFiguresTest {
     @Test
     void eulerHasNineTimesTheEnergyAfterThreeOscillations() {
         Result result = LectureFigures.run(LectureFigures.onSlides().get(0));
-        assertEquals(9.050, result.amplitude() * result.amplitude(), 0.0005);       // after 161 steps; 3 periods are 160.6
+        // after 161 steps; 3 periods are 160.6
+        assertEquals(9.050, result.amplitude() * result.amplitude(), 0.0005);
         assertEquals(3, result.figure().steps() * result.figure().deltaT() / (2 * Math.PI), 0.01);
     }
 

@@ -81,7 +81,9 @@ class PhaseHistoryTest {
         assertEquals(evaluations, simulation.getSystem().getEvaluations());
     }
 
-    /** Along x, the spring that lies along z pulls across: no single degree of freedom; nor do two particles have one. */
+    /**
+     * Along x, the spring that lies along z pulls across: no single degree of freedom; nor do two particles have one.
+     */
     @Test
     void moreDegreesOfFreedomHaveNoField() {
         Simulation simulation = oscillator(0.02, 4);

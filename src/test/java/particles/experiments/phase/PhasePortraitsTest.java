@@ -20,11 +20,14 @@ class PhasePortraitsTest {
     private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
 
     private static Portraits compare(SceneDescription scene, String solvers) {
-        return PhasePortraits.compare(scene, SolverChoice.list(solvers), List.of("block"), List.of(Axis.X), (part, what) ->
+        return PhasePortraits.compare(scene, SolverChoice.list(solvers), List.of("block"), List.of(Axis.X),
+                (part, what) ->
                 { });
     }
 
-    /** The reference stays on the unit circle and returns after three periods; Euler's path ends three times as far out. */
+    /**
+     * The reference stays on the unit circle and returns after three periods; Euler's path ends three times as far out.
+     */
     @Test
     void eachSolverIsOverTheReferenceInAChartOfItsOwn() {
         Portraits portraits = compare(SPIRAL, "euler,symplectic-euler,rk4");
@@ -47,10 +50,10 @@ class PhasePortraitsTest {
     }
 
     /**
-     * Euler's last state is 3.0 from the centre of the unit circle. Symplectic Euler moves on the ellipse x^2 - h x v + v^2
-     * = 1
-     * with h = 0.117, whose farthest point from the circle is at 1 / sqrt(1 - h / 2): 3.07 % off; measured a little more,
-     * since
+     * Euler's last state is 3.0 from the centre of the unit circle. Symplectic Euler moves on the ellipse x^2 - h x v +
+     * v^2 = 1
+     * with h = 0.117, whose farthest point from the circle is at 1 / sqrt(1 - h / 2): 3.07 % off; measured a little
+     * more, since
      * the start is at the beginning of a step.
      */
     @Test
@@ -87,7 +90,8 @@ class PhasePortraitsTest {
         assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), both.portraits().stream().map(Portrait::axis).toList());
         assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
         assertEquals("'ball', rk4: at rest along z", both.portraits().get(0).chart().title());
-        assertTrue(PhasePortraits.finding("Ball", both.portraits()).startsWith("Ball: rk4 and verlet stay on the curve to "),
+        assertTrue(PhasePortraits.finding("Ball",
+                both.portraits()).startsWith("Ball: rk4 and verlet stay on the curve to "),
                 PhasePortraits.finding("Ball", both.portraits()));
     }
 

@@ -45,7 +45,8 @@ class RaceTest {
             long evaluations = lane.drift().outcome().evaluations();
             assertEquals(lane.match().evaluations(), evaluations, "what was measured is what ran");
             assertTrue(Math.abs(evaluations - 300) < lane.match().aStep(),
-                    lane.match().setting().solver().label() + ": " + evaluations + ", a step has " + lane.match().aStep());
+                    lane.match().setting().solver().label() + ": " + evaluations + ", a step has "
+                    + lane.match().aStep());
         }
         assertTrue(RaceCharts.title(race).contains("equal work, 300 evaluations each"), RaceCharts.title(race));
     }
@@ -148,21 +149,24 @@ class RaceTest {
             assertEquals(450e-6, lane.match().seconds().orElseThrow(), EqualTime.CLOSE * 450e-6,
                     lane.match().setting().solver().label());
         }
-        assertEquals(150, Math.round(3 / result.lanes().get(2).match().setting().deltaT()), 1.5, "verlet: steps of 1 + 2");
+        assertEquals(150, Math.round(3 / result.lanes().get(2).match().setting().deltaT()), 1.5,
+                "verlet: steps of 1 + 2");
         assertTrue(RaceCharts.title(result).contains("equal time, 0.450 ms each"), RaceCharts.title(result));
     }
 
     /** Radau's loosest tolerance needs more than rk4 at the scene's step: now all take as long as that. */
     @Test
     void whoCannotDoWithLessSetsTheTimeOfAll() {
-        SceneDescription scene = CHAIN.solvedBy("rk4", Optional.empty(), 0.05, 3);      // rk4 makes 240 evaluations, radau 304
+        // rk4 makes 240 evaluations, radau 304
+        SceneDescription scene = CHAIN.solvedBy("rk4", Optional.empty(), 0.05, 3);
         Result result = new Race(scene, SolverChoice.list("rk4, backward-euler, radau, verlet"), 30,
                 outcome -> 1e-6 * outcome.evaluations()).run(NOBODY, (part, what) -> { });
         assertEquals("radau", result.shares().slowest().orElseThrow().label());
         Lane radau = result.lanes().get(2);
         assertEquals(0.1, radau.match().setting().tolerance().orElseThrow(), "the loosest there is");
         assertEquals(1e-6 * radau.drift().outcome().evaluations(), result.shares().work(), 1e-18);
-        assertTrue(result.shares().work() > 1.05 * 240e-6, "more than rk4 at the scene's step: " + result.shares().work());
+        assertTrue(result.shares().work() > 1.05 * 240e-6,
+                "more than rk4 at the scene's step: " + result.shares().work());
         for (Lane lane : result.lanes()) {
             assertEquals(result.shares().work(), 1e-6 * lane.drift().outcome().evaluations(),
                     EqualTime.CLOSE * result.shares().work(), lane.match().setting().solver().label());
@@ -179,11 +183,14 @@ class RaceTest {
                         : outcome.evaluations())).run(NOBODY, (part, what) -> { });
         assertEquals("radau", result.shares().slowest().orElseThrow().label());
         assertTrue(result.lanes().get(1).match().setting().tolerance().orElseThrow() < 0.05);
-        assertTrue(result.shares().work() >= 400e-6 && result.shares().work() < 600e-6, "now " + result.shares().work());
+        assertTrue(result.shares().work() >= 400e-6 && result.shares().work() < 600e-6,
+                "now " + result.shares().work());
         assertTrue(EqualTime.spread(result.shares()) < EqualTime.CLOSE, "spread " + EqualTime.spread(result.shares()));
     }
 
-    /** A machine on which every fifth run takes thrice as long, and all others up to 10 % more: medians are what counts. */
+    /**
+     * A machine on which every fifth run takes thrice as long, and all others up to 10 % more: medians are what counts.
+     */
     @Test
     void aNoisyMachineDoesNotMatter() {
         Random random = new Random(5);
@@ -199,7 +206,9 @@ class RaceTest {
         assertTrue(most / least < 1.15, "without the noise they differ by " + (most / least - 1));     // 0.016
     }
 
-    /** By a clock that charges an implicit solver's evaluations hundredfold nothing can be equal, and the title says so. */
+    /**
+     * By a clock that charges an implicit solver's evaluations hundredfold nothing can be equal, and the title says so.
+     */
     @Test
     void whatCannotBeEqualIsSaid() {
         double[] most = {0};
@@ -214,12 +223,14 @@ class RaceTest {
     /** By evaluations too: bulirsch-stoer needs more than the 800 of rk4 with a step of 0.06 s. */
     @Test
     void whoNeedsMoreEvaluationsSetsThoseOfAll() {
-        Result race = run(CHAIN.solvedBy("rk4", Optional.empty(), 0.06, 12), "midpoint, rk4, step-doubling, bulirsch-stoer, verlet", 240, NOBODY);
+        Result race = run(CHAIN.solvedBy("rk4", Optional.empty(), 0.06, 12),
+                "midpoint, rk4, step-doubling, bulirsch-stoer, verlet", 240, NOBODY);
         assertEquals("bulirsch-stoer", race.shares().slowest().orElseThrow().label());
         assertTrue(race.shares().work() > 800, "now " + race.shares().work());
         for (Lane lane : race.lanes()) {
             assertTrue(Math.abs(lane.drift().outcome().evaluations() - race.shares().work()) < lane.match().aStep()
-                    || lane.left().isPresent(), lane.match().setting().solver().label() + ": " + lane.match().evaluations());
+                    || lane.left().isPresent(),
+                    lane.match().setting().solver().label() + ": " + lane.match().evaluations());
         }
     }
 

@@ -21,7 +21,9 @@ class MinMaxThinningTest {
         assertArrayEquals(new double[] {0, 3, 6, 1, 4, 7, 2, 5}, extremes.points()[1]);
     }
 
-    /** 100,000 random samples on 64 buckets: every point kept is a sample, in order, and every part keeps its extremes. */
+    /**
+     * 100,000 random samples on 64 buckets: every point kept is a sample, in order, and every part keeps its extremes.
+     */
     @Test
     void noExtremeIsLost() {
         Random random = new Random(715);

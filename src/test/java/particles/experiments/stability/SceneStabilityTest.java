@@ -17,14 +17,17 @@ import particles.scene.format.SceneDescription;
 /** On chains of n unit masses between two walls, whose largest omega is 2 sin(n pi / (2 (n + 1))). */
 class SceneStabilityTest {
     private static SceneDescription chain(int n, String damping) {
-        StringBuilder text = new StringBuilder("title: chain\nteaches: stability\nsolver: rk4\ndeltaT: 0.1\nduration: 1\nparticles:\n");
+        StringBuilder text =
+                new StringBuilder(
+                "title: chain\nteaches: stability\nsolver: rk4\ndeltaT: 0.1\nduration: 1\nparticles:\n");
         for (int i = 0; i <= n + 1; i++) {
             text.append("  - {id: p").append(i).append(", position: [").append(i).append(", 0, 0], mass: 1")
                     .append(i == 0 || i == n + 1 ? ", fixed: true" : "").append("}\n");
         }
         text.append("springs:\n");
         for (int i = 0; i <= n; i++) {
-            text.append("  - {from: p").append(i).append(", to: p").append(i + 1).append(", stiffness: 1, restLength: 1")
+            text.append("  - {from: p").append(i).append(", to: p").append(i + 1)
+                    .append(", stiffness: 1, restLength: 1")
                     .append(damping).append("}\n");
         }
         return SceneReader.read("chain.yaml", text.toString().getBytes(StandardCharsets.UTF_8));
@@ -61,7 +64,8 @@ class SceneStabilityTest {
         assertEquals(0, limit.predicted());
         assertEquals(1, limit.predictedGrowth() / growth, 1e-5, limit.toString());
         assertEquals(1, limit.measuredGrowth() / growth, 2e-3, limit.toString());
-        assertTrue(SceneStability.table(List.of(limit)).rows().get(0).get(1).toString().startsWith("none: grows by 1.9"));
+        assertTrue(SceneStability.table(List.of(limit)).rows().get(0).get(1).toString()
+                .startsWith("none: grows by 1.9"));
     }
 
     /**
@@ -74,7 +78,8 @@ class SceneStabilityTest {
         assertEquals("Arnoldi on the Jacobian", SceneStability.spectrum(scene).method());
         Limit limit = limits(scene, "euler").get(0);
         assertEquals(0.3, limit.predicted(), 3e-6, limit.toString());
-        assertEquals(0.3, limit.measured(), 0.04, limit.toString());     // measured 0.330: growth under 0.6 % a step is not seen
+        // measured 0.330: growth under 0.6 % a step is not seen
+        assertEquals(0.3, limit.measured(), 0.04, limit.toString());
     }
 
     /** omega^2 - (c/2)^2 under the root: all eigenvalues of the damped chain, from the undamped chain's. */
@@ -104,7 +109,8 @@ class SceneStabilityTest {
     }
 
     /**
-     * A mass in the middle of a compressed spring pair snaps out by itself: no solver is blamed, and no limit comes from it.
+     * A mass in the middle of a compressed spring pair snaps out by itself: no solver is blamed, and no limit comes
+     * from it.
      */
     @Test
     void growthOfTheMotionItselfIsPhysics() {
@@ -123,7 +129,8 @@ class SceneStabilityTest {
                   - {from: m, to: b, stiffness: 100, restLength: 1.01}
                 """).getBytes(StandardCharsets.UTF_8));
         Spectrum spectrum = SceneStability.spectrum(scene);
-        assertEquals(Math.sqrt(2), spectrum.growth(), 1e-9);        // transverse: 2 k (restLength - 1)/m = 2 grows as e^(sqrt 2 t)
+        // transverse: 2 k (restLength - 1)/m = 2 grows as e^(sqrt 2 t)
+        assertEquals(Math.sqrt(2), spectrum.growth(), 1e-9);
         Limit limit = limits(scene, "verlet").get(0);
         assertEquals(2 / Math.sqrt(200), limit.predicted(), 1e-8);
         assertEquals(1, limit.measured() / limit.predicted(), 0.01, limit.toString());

@@ -41,7 +41,9 @@ class StabilityLimitsTest {
         assertTrue(limit.text().startsWith("none: grows by"), limit.text());
     }
 
-    /** With h^8: too little to see at 0.1, 9.3e-14, and not stable for all that. No threshold may turn it into a limit. */
+    /**
+     * With h^8: too little to see at 0.1, 9.3e-14, and not stable for all that. No threshold may turn it into a limit.
+     */
     @Test
     void theGrowthOfBulirschStoerIsTinyAndNotNone() {
         SolverInfo info = SolverCatalog.info("bulirsch-stoer");
@@ -51,11 +53,13 @@ class StabilityLimitsTest {
     }
 
     /**
-     * Damping takes from symplectic-euler's step: 4 - q - 2g = 0, q = h^2, g = 2h gives 2 (sqrt 2 - 1). Measured 2.8e-9 off.
+     * Damping takes from symplectic-euler's step: 4 - q - 2g = 0, q = h^2, g = 2h gives 2 (sqrt 2 - 1). Measured 2.8e-9
+     * off.
      */
     @Test
     void criticalDampingLimitsSymplecticEuler() {
-        assertEquals(2 * (Math.sqrt(2) - 1), StabilityLimits.real(SolverCatalog.info("symplectic-euler")).value(), 2e-8);
+        assertEquals(2 * (Math.sqrt(2) - 1), StabilityLimits.real(SolverCatalog.info("symplectic-euler")).value(),
+                2e-8);
     }
 
     /**
@@ -75,7 +79,9 @@ class StabilityLimitsTest {
         assertEquals(List.of("unbounded", "unbounded", "unbounded", "unbounded"), implicit.subList(1, 5));
     }
 
-    /** Circles of radius 1 about -1 and 1, and |z| = 1 has no point farther off than the grid's straight pieces allow. */
+    /**
+     * Circles of radius 1 about -1 and 1, and |z| = 1 has no point farther off than the grid's straight pieces allow.
+     */
     @ParameterizedTest
     @CsvSource({"euler, -1", "backward-euler, 1"})
     void theOutlinesOfTheTwoEulersAreCircles(String solver, double centre) {

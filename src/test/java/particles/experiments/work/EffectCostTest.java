@@ -17,7 +17,9 @@ import particles.view.ChartData;
 /** The measurement by a clock of the test's own, and the hand-written springs against the system's. */
 class EffectCostTest {
 
-    /** The clock gives 100 ns to the first turn, 200 to the second ...; the later round is slower and does not count. */
+    /**
+     * The clock gives 100 ns to the first turn, 200 to the second ...; the later round is slower and does not count.
+     */
     @Test
     void theFastestRoundOfEachCounts() {
         long[] now = {0};
@@ -34,7 +36,8 @@ class EffectCostTest {
         }
         ChartData chart = EffectCost.chart(costs);
         assertEquals(costs.stream().map(EffectCost.Cost::name).toList(), chart.rows());
-        assertArrayEquals(new double[] {0, 1, 0}, Arrays.copyOfRange(chart.series().get(0).x(), 3, 6));     // springs alone
+        // springs alone
+        assertArrayEquals(new double[] {0, 1, 0}, Arrays.copyOfRange(chart.series().get(0).x(), 3, 6));
         assertEquals(16, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
     }

@@ -33,9 +33,9 @@ class StiffGalleryTest {
     }
 
     /**
-     * Also where a run has few steps, the step of a run that counts as stable is within the limit, 1 % and a step at most
-     * from it. What is left of rk4's vibration there is less than at the start; a symplectic solver's energy oscillates by
-     * up to (1 + h omega / 2) / (1 - h omega / 2), which is 400 for symplectic Euler 1 % from its limit.
+     * Also where a run has few steps, the step of a run that counts as stable is within the limit, 1 % and a step at
+     * most from it. What is left of rk4's vibration there is less than at the start; a symplectic solver's energy
+     * oscillates by up to (1 + h omega / 2) / (1 - h omega / 2), which is 400 for symplectic Euler 1 % from its limit.
      */
     @ParameterizedTest
     @CsvSource({"rk4, 4, 1", "symplectic-euler, 1, 1000", "verlet, 1, 1000", "yoshida4, 3, 1000"})
@@ -71,8 +71,8 @@ class StiffGalleryTest {
     }
 
     /**
-     * What grows as (h omega)^q / c a step stays small over a time as long as h^(q-1) omega^q does: steps as k^(q / (2q -
-     * 2)).
+     * What grows as (h omega)^q / c a step stays small over a time as long as h^(q-1) omega^q does: steps as k^(q / (2q
+     * - 2)).
      */
     @ParameterizedTest
     @CsvSource({"midpoint, 4, 0.01", "adams, 5, 0.02"})

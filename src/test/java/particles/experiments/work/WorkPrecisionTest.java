@@ -29,7 +29,8 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 
 class WorkPrecisionTest {
-    private static final List<String> FIXED_STEP = List.of("euler", "midpoint", "rk4", "adams", "symplectic-euler", "verlet",
+    private static final List<String> FIXED_STEP = List.of("euler", "midpoint", "rk4", "adams", "symplectic-euler",
+            "verlet",
             "yoshida4", "backward-euler", "implicit-midpoint");
 
     private static Curve curve(String problem, String solver) {
@@ -65,7 +66,8 @@ class WorkPrecisionTest {
     }
 
     /**
-     * Theory: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, table IV.15.1; measured 2.98, 2.00, 1.01.
+     * Theory: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, table IV.15.1; measured 2.98, 2.00,
+     * 1.01.
      */
     @Test
     void theStiffChainReducesTheOrderOfRadauToThatOfItsStages() {
@@ -126,10 +128,12 @@ class WorkPrecisionTest {
     void failuresAreDrawnByKindBelowTheErrors() {
         WorkProblem chain = WorkProblems.of("stiff-chain");
         Curve rk4 = curve(chain, "rk4");
-        assertEquals(Optional.of(Failure.UNSTABLE), rk4.points().get(0).failure(), "a step of 0.125 s for omega = 1407 1/s");
+        assertEquals(Optional.of(Failure.UNSTABLE), rk4.points().get(0).failure(),
+                "a step of 0.125 s for omega = 1407 1/s");
         assertTrue(rk4.points().get(rk4.points().size() - 1).failure().isEmpty());
         Curve verlet = curve(chain, "verlet");
-        assertEquals(Optional.of(Failure.NOT_CONVERGED), verlet.points().get(0).failure(), verlet.points().get(0).why());
+        assertEquals(Optional.of(Failure.NOT_CONVERGED), verlet.points().get(0).failure(),
+                verlet.points().get(0).why());
         Curve implicit = curve(chain, "backward-euler");
         assertTrue(implicit.points().stream().allMatch(point -> point.failure().isEmpty()));
         for (List<ChartData> charts : List.of(WorkCharts.byEvaluations(chain, List.of(rk4, implicit, verlet)),
@@ -138,7 +142,8 @@ class WorkPrecisionTest {
             assertEquals(List.of("rk4", "verlet"), below.rows());
             assertEquals(List.of(Mark.FAILURES, Mark.GIVEN_UP),
                     below.series().stream().map(ChartData.Series::mark).toList());
-            assertEquals(failed(rk4) + failed(verlet), below.series().stream().mapToLong(series -> series.x().length).sum());
+            assertEquals(failed(rk4) + failed(verlet),
+                    below.series().stream().mapToLong(series -> series.x().length).sum());
         }
         assertEquals(1, WorkCharts.byEvaluations(chain, List.of(implicit)).size(), "nothing failed");
     }
@@ -169,7 +174,8 @@ class WorkPrecisionTest {
         assertEquals(2, bent.first());
         assertEquals(5, bent.last());
         SlopeFit none = SlopeFit.byStep(points(1e-2, 5e-3, 1e-3, 4e-4, 0.2e-4), problem, false, 2);
-        assertTrue(Double.isNaN(none.slope()) && !none.contains(0) && none.whyNot().contains("straight"), none.whyNot());
+        assertTrue(Double.isNaN(none.slope()) && !none.contains(0) && none.whyNot().contains("straight"),
+                none.whyNot());
         SlopeFit other = SlopeFit.byStep(points(1e-2, 2.5e-3, 6.25e-4, 1.5625e-4), problem, false, 4);
         assertTrue(Double.isNaN(other.slope()) && !other.contains(1), other.toString());
         assertEquals("a straight piece of slope 2.00, which is not the method's", other.whyNot());
@@ -184,11 +190,13 @@ class WorkPrecisionTest {
         Curve curve = curve("stiff-chain", "dormand-prince");
         assertTrue(curve.fit().whyNot().startsWith("a straight piece of slope 8.39"), curve.fit().toString());
         assertEquals(", no slope", WorkCharts.slope(curve));
-        assertEquals(List.of(), IntStream.range(0, curve.points().size()).filter(curve.fit()::contains).boxed().toList());
+        assertEquals(List.of(),
+                IntStream.range(0, curve.points().size()).filter(curve.fit()::contains).boxed().toList());
     }
 
     private static List<Point> points(double... errors) {
-        return IntStream.range(0, errors.length).mapToObj(k -> new Point(Math.pow(2, -k), Double.NaN, 1L << k, errors[k], 1,
+        return IntStream.range(0, errors.length).mapToObj(k -> new Point(Math.pow(2, -k), Double.NaN, 1L << k,
+                errors[k], 1,
                 1, 1,
                 Optional.empty(), "")).toList();
     }

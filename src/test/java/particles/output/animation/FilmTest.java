@@ -50,7 +50,8 @@ class FilmTest {
     }
 
     private void write(int width, int height, double fps, int first, int count) {
-        try (OutputFolder folder = OutputFolder.open(top, Film.FILE); Film film = new Film(folder, width, height, fps)) {
+        try (OutputFolder folder = OutputFolder.open(top, Film.FILE); Film film = new Film(folder, width, height,
+                fps)) {
             for (int k = 0; k < count; k++) {
                 film.add(first + k, frame(width, height, k));
             }
@@ -68,7 +69,8 @@ class FilmTest {
             for (Packet packet = track.nextFrame(); packet != null; packet = track.nextFrame()) {
                 int width = size.getWidth() + 15 & ~15;
                 int height = size.getHeight() + 15 & ~15;
-                byte[][] planes = {new byte[width * height], new byte[width * height / 4], new byte[width * height / 4]};
+                byte[][] planes = {new byte[width * height], new byte[width * height / 4],
+                        new byte[width * height / 4]};
                 pictures.add(decoder.decodeFrame(ByteBuffer.wrap(NIOUtils.toArray(packet.getData())), planes));
                 times.add(packet.getPtsD());
             }
@@ -77,7 +79,8 @@ class FilmTest {
     }
 
     /**
-     * The inverse of what {@link FilmColours} does, in floating point, from the standard's definition (BT.709, 3.2 to 3.5).
+     * The inverse of what {@link FilmColours} does, in floating point, from the standard's definition (BT.709, 3.2 to
+     * 3.5).
      */
     private static int[] rgb(Picture picture, int x, int y) {
         double luma = ((picture.getPlaneData(0)[y * picture.getPlaneWidth(0) + x] + 128) - 16) / 219.0;
@@ -169,7 +172,8 @@ class FilmTest {
             }
         } : OutputFile.ON_DISK.open(file);
         OutputException e = assertThrows(OutputException.class, () -> {
-            try (OutputFolder folder = OutputFolder.open(top, full, Film.FILE); Film film = new Film(folder, W, H, 25)) {
+            try (OutputFolder folder = OutputFolder.open(top, full, Film.FILE);
+                    Film film = new Film(folder, W, H, 25)) {
                 film.add(0, frame(W, H, 0));
             }
         });

@@ -69,7 +69,8 @@ class GifAnimationTest {
             BufferedImage screen = null;
             for (int k = 0; k < reader.getNumImages(true); k++) {
                 BufferedImage part = reader.read(k);
-                IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(k).getAsTree("javax_imageio_gif_image_1.0");
+                IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(k)
+                        .getAsTree("javax_imageio_gif_image_1.0");
                 IIOMetadataNode place = (IIOMetadataNode) root.getElementsByTagName("ImageDescriptor").item(0);
                 if (screen == null) {
                     screen = new BufferedImage(part.getWidth(), part.getHeight(), BufferedImage.TYPE_INT_RGB);
@@ -78,8 +79,10 @@ class GifAnimationTest {
                 g.drawImage(part, Integer.parseInt(place.getAttribute("imageLeftPosition")),
                         Integer.parseInt(place.getAttribute("imageTopPosition")), null);
                 g.dispose();
-                IIOMetadataNode control = (IIOMetadataNode) root.getElementsByTagName("GraphicControlExtension").item(0);
-                frames.add(new Frame(screen.getRGB(0, 0, screen.getWidth(), screen.getHeight(), null, 0, screen.getWidth()),
+                IIOMetadataNode control = (IIOMetadataNode) root.getElementsByTagName("GraphicControlExtension")
+                        .item(0);
+                frames.add(new Frame(screen.getRGB(0, 0, screen.getWidth(), screen.getHeight(), null, 0,
+                        screen.getWidth()),
                         screen.getWidth(), Integer.parseInt(control.getAttribute("delayTime")), root));
             }
         }

@@ -179,10 +179,12 @@ class ChartsTest {
 
     @Test
     void pathAndFieldAreDrawnAndWritten() throws IOException {
-        VectorField field = new VectorField(new double[] {0, 1, 0, 1}, new double[] {0, 0, 1, 1}, new double[] {0, 0, 1, 1},
+        VectorField field = new VectorField(new double[] {0, 1, 0, 1}, new double[] {0, 0, 1, 1},
+                new double[] {0, 0, 1, 1},
                 new double[] {0, -1, 0, -1});
         JFreeChart chart = PhasePlot.of(chart(false, series("path", 1, 2, 3), series("start", 1)), Optional.of(field));
-        assertEquals(1.5, chart.getXYPlot().getDomainAxis().getUpperBound());      // the field, and half a cell around it
+        // the field, and half a cell around it
+        assertEquals(1.5, chart.getXYPlot().getDomainAxis().getUpperBound());
         OutputFolder folder = OutputFolder.open(top);
         ChartWriter.writePhase(folder, "phase.png", chart(false, series("path", 1, 2, 3)), Optional.of(field));
         ChartWriter.writeStacked(folder, "energy.png",

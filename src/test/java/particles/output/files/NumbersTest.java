@@ -31,7 +31,8 @@ class NumbersTest {
                 continue;
             }
             String digits = Numbers.shortest(value);
-            assertEquals(Double.doubleToRawLongBits(value), Double.doubleToRawLongBits(Double.parseDouble(digits)), digits);
+            assertEquals(Double.doubleToRawLongBits(value), Double.doubleToRawLongBits(Double.parseDouble(digits)),
+                    digits);
             int count = new BigDecimal(digits).stripTrailingZeros().precision();
             if (count > 2) {        // two digits are always written
                 BigDecimal shorter = new BigDecimal(value).round(new MathContext(count - 1));

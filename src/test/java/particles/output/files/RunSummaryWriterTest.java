@@ -39,7 +39,8 @@ class RunSummaryWriterTest {
 
     @Test
     void everyValueReadsBack() throws IOException {
-        Map<String, String> values = readBack(new RunSummary("one \"spring\"", "ab12", "rk4", 0.1, 10, 9.9, "1.0", 99, 396,
+        Map<String, String> values = readBack(new RunSummary("one \"spring\"", "ab12", "rk4", 0.1, 10, 9.9, "1.0", 99,
+                396,
                 0.25, 2, 1.5, 4, 1, Map.of("airDrag (dissipated)", -0.625), 0.125, 0.5));
         assertEquals("one \"spring\"", values.get("scene"));
         assertEquals("ab12", values.get("sceneSha256"));
@@ -73,6 +74,7 @@ class RunSummaryWriterTest {
 
     @Test
     void nothingThatMovesDriftsByNothing() {
-        assertEquals(0, new RunSummary("s", "h", "euler", 1, 1, 1, "1", 1, 1, 1, 3, 3, 0, 0, Map.of(), 0, 0).relativeDrift());
+        assertEquals(0, new RunSummary("s", "h", "euler", 1, 1, 1, "1", 1, 1, 1, 3, 3, 0, 0, Map.of(), 0,
+                0).relativeDrift());
     }
 }

@@ -69,7 +69,8 @@ class FrameObserverTest {
 
     private static FrameRenderer renderer() {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3, 0.1, 0x00ff00, 0, 0, 0, ParticleStyle.STANDARD);
+        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3, 0.1,
+                0x00ff00, 0, 0, 0, ParticleStyle.STANDARD);
         return new FrameRenderer(new FrameSetup(camera, look, Scenery.NONE, "", ""), W, H, 2);
     }
 

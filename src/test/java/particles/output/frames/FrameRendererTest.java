@@ -23,8 +23,10 @@ class FrameRendererTest {
     private static final int W = 320;
     private static final int H = 200;
     /** 20 pixels a metre, the origin in the middle. */
-    private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-    private static final RenderOptions LOOK = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.5, 0.1, 0x00ff00, 0x000000,
+    private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0,
+            10);
+    private static final RenderOptions LOOK = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS,
+            0.5, 0.1, 0x00ff00, 0x000000,
             0xff0000, 0x0000ff, ParticleStyle.STANDARD);
 
     private static FrameState state(double... positions) {
@@ -35,8 +37,10 @@ class FrameRendererTest {
         return state;
     }
 
-    private static FrameRenderer renderer(Camera camera, RenderOptions look, List<Surface> surfaces, List<Plane> planes) {
-        return new FrameRenderer(new FrameSetup(camera, look, new Scenery(surfaces, planes, List.of(), List.of()), "", ""), W, H, 2);
+    private static FrameRenderer renderer(Camera camera, RenderOptions look,
+            List<Surface> surfaces, List<Plane> planes) {
+        return new FrameRenderer(new FrameSetup(camera, look, new Scenery(surfaces, planes, List.of(), List.of()), "",
+                ""), W, H, 2);
     }
 
     private static boolean isGreen(int rgb) {
@@ -90,7 +94,8 @@ class FrameRendererTest {
         state.rigid = new boolean[1];
         state.from = new int[] {0};
         state.to = new int[] {1};
-        RenderOptions springsOnly = new RenderOptions(RenderOptions.Shown.NEVER, RenderOptions.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0, 0, ParticleStyle.STANDARD);
+        RenderOptions springsOnly = new RenderOptions(RenderOptions.Shown.NEVER, RenderOptions.Shown.ALWAYS, 0.5, 0.1,
+                0, 0, 0, 0, ParticleStyle.STANDARD);
         double[][] middle = new double[2][];
         for (int k = 0; k < 2; k++) {
             state.restLength = new double[] {k == 0 ? 7 : 5};
@@ -110,7 +115,9 @@ class FrameRendererTest {
         assertTrue(middle[1][0] > 1.5 * middle[1][1], "stretched is red");
     }
 
-    /** A ball at rest lies on the ground that is drawn; one below is hidden; where the lamp does not shine is shadow. */
+    /**
+     * A ball at rest lies on the ground that is drawn; one below is hidden; where the lamp does not shine is shadow.
+     */
     @Test
     void theGroundHidesAndCarriesShadows() {
         Camera above = new Camera(new Vector3(0, 20, 20), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
@@ -141,7 +148,8 @@ class FrameRendererTest {
         VisibilityFilter open = new VisibilityFilter(beside, List.of(new Surface(new int[] {0, 1, 2}, false)));
         assertTrue(!open.particle(0) && open.particle(3));
         assertTrue(!open.spring(0, 1) && open.spring(0, 3) && open.spring(3, 4));
-        VisibilityFilter closed = new VisibilityFilter(beside, List.of(new Surface(new int[] {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}, false)));
+        VisibilityFilter closed = new VisibilityFilter(beside,
+                List.of(new Surface(new int[] {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}, false)));
         assertTrue(!closed.particle(3) && closed.particle(4));
         assertTrue(!closed.spring(0, 4) && closed.spring(4, 5));
         VisibilityFilter all = new VisibilityFilter(LOOK, List.of(new Surface(new int[] {0, 1, 2}, false)));
@@ -185,9 +193,11 @@ class FrameRendererTest {
         state.springs = 2;
         state.structure++;
         assertArrayEquals(new boolean[] {false, false}, whole.in(state));
-        assertArrayEquals(new boolean[] {true, true}, new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
+        assertArrayEquals(new boolean[] {true, true},
+                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
         state.particles = 3;
-        assertArrayEquals(new boolean[] {true, false}, new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
+        assertArrayEquals(new boolean[] {true, false},
+                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
     }
 
     @Test

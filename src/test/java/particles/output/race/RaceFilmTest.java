@@ -41,7 +41,8 @@ class RaceFilmTest {
 
     private static FrameSetup stage() {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        return new FrameSetup(camera, new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3, 0.1, 0xff0000, 0, 0, 0,
+        return new FrameSetup(camera, new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3,
+                0.1, 0xff0000, 0, 0, 0,
                 ParticleStyle.STANDARD), Scenery.NONE, "", "");
     }
 
@@ -135,7 +136,8 @@ class RaceFilmTest {
         }
         assertEquals(6, parts);
         ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
-        try (ImageInputStream in = ImageIO.createImageInputStream(Files.newInputStream(top.resolve("race/animation.gif")))) {
+        try (ImageInputStream in = ImageIO.createImageInputStream(
+                Files.newInputStream(top.resolve("race/animation.gif")))) {
             reader.setInput(in);
             assertEquals(6, reader.getNumImages(true));
             assertEquals(1000, reader.getWidth(0));

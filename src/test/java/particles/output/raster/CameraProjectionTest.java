@@ -27,7 +27,10 @@ class CameraProjectionTest {
         return new Camera(new Vector3(0, 0, 4), Vector3.ZERO, UP, perspective, 90, 8);
     }
 
-    /** At distance 4 under 90 degrees the picture is 8 m high, as the orthographic one is everywhere: 100 pixels a metre. */
+    /**
+     * At distance 4 under 90 degrees the picture is 8 m high, as the orthographic one is everywhere: 100 pixels a
+     * metre.
+     */
     @Test
     void metresBecomePixels() {
         for (boolean perspective : new boolean[] {true, false}) {
@@ -90,10 +93,12 @@ class CameraProjectionTest {
             Vector3 low = random(random).times(20);
             Vector3 size = new Vector3(random.nextDouble() + 0.01, 3 * random.nextDouble() + 0.01, random.nextDouble());
             double aspect = k % 3 == 0 ? 0.6 : 16 / 9.0;
-            CameraProjection view = new CameraProjection(CameraFraming.around(low, low.plus(size), aspect), (int) (aspect * 900), 900);
+            CameraProjection view = new CameraProjection(CameraFraming.around(low, low.plus(size), aspect),
+                    (int) (aspect * 900), 900);
             double farthest = 0;
             for (int c = 0; c < 8; c++) {
-                double[] place = project(view, new Vector3(low.x() + (c & 1) * size.x(), low.y() + (c >> 1 & 1) * size.y(),
+                double[] place = project(view, new Vector3(low.x() + (c & 1) * size.x(),
+                        low.y() + (c >> 1 & 1) * size.y(),
                         low.z() + (c >> 2) * size.z()));
                 farthest = Math.max(farthest, Math.abs(2 * place[0] / view.width - 1));
                 farthest = Math.max(farthest, Math.abs(2 * place[1] / view.height - 1));
@@ -114,7 +119,8 @@ class CameraProjectionTest {
         }
         ParticleSystem ball = new ParticleSystem();
         ball.addParticle("ball", 1, new Vector3(0, 3, 0), Vector3.ZERO, false);
-        CameraProjection falling = new CameraProjection(CameraFraming.around(ball, List.of(Plane.ground(0)), 1.5), 900, 600);
+        CameraProjection falling = new CameraProjection(CameraFraming.around(ball, List.of(Plane.ground(0)), 1.5), 900,
+                600);
         double[] landing = project(falling, Vector3.ZERO);
         assertTrue(landing[1] > 300 && landing[1] < 600);
         CameraFraming.around(new ParticleSystem(), List.of(), 1.5);         // nothing at all has a camera, too

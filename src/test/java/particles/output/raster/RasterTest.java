@@ -90,7 +90,8 @@ class RasterTest {
             assertEquals(Float.NEGATIVE_INFINITY, near);
         }
         raster.triangle(0, 1, 2, new double[] {-1e6, 1e6, 0}, new double[] {-1e6, -1e6, 1e6}, NEAR, rgb);
-        assertTrue(raster.firstColumn() == 0 && raster.endColumn() == 50 && raster.firstRow() == 0 && raster.endRow() == 50);
+        assertTrue(raster.firstColumn() == 0 && raster.endColumn() == 50 && raster.firstRow() == 0
+                && raster.endRow() == 50);
         assertEquals(1, raster.near[0]);
     }
 }

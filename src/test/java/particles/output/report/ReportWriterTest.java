@@ -39,7 +39,8 @@ import particles.view.DataTable;
 
 class ReportWriterTest {
     private static final String NASTY = "A \"chain\" <b>&amp; co</b> ]]> \u0001 \ud83d\ude80 \u03c9\u00b2";
-    private static final DataTable COST = new DataTable("cost", "What it costs", List.of(DataTable.column("solver <name>"),
+    private static final DataTable COST = new DataTable("cost", "What it costs",
+            List.of(DataTable.column("solver <name>"),
             DataTable.column("error (m)"), DataTable.column("evaluations")),
             List.of(List.of("rk4 & co", 1.23456789e-7, 400L), List.of("euler", Double.NaN, 12_345_678L)));
 
@@ -56,7 +57,8 @@ class ReportWriterTest {
         DataTable many = new DataTable("cost", "All", List.of(DataTable.column("n")),
                 Collections.nCopies(200, List.of((Object) 7)));
         ResultPage fall = new ResultPage("fall", NASTY, List.of("First.", NASTY),
-                List.of(Picture.chart("height", NASTY, chart), Picture.made("animation.gif", "It moves.")), List.of(COST, many));
+                List.of(Picture.chart("height", NASTY, chart), Picture.made("animation.gif", "It moves.")),
+                List.of(COST, many));
         List<Section> sections = new ArrayList<>();
         for (String name : List.of("fall", "fallToo")) {
             Path made = top.resolve(name);
@@ -148,7 +150,8 @@ class ReportWriterTest {
         assertEquals(3 + 2 * 2 + 2 * 2, ids.size(), "sections, figures and tables have one");
         List<Element> links = all("a");
         assertEquals(3, links.size());
-        links.forEach(link -> assertTrue(ids.contains(link.getAttribute("href").substring(1)), link.getAttribute("href")));
+        links.forEach(link -> assertTrue(ids.contains(link.getAttribute("href").substring(1)),
+                link.getAttribute("href")));
     }
 
     /** A control character may not be in a page, in whatever form. */
@@ -183,11 +186,14 @@ class ReportWriterTest {
         assertTrue(script.contains("th button") && script.contains("data-value") && script.contains("aria-sort"));
     }
 
-    /** A long table has no lone heading on paper: what hides it hides the heading too, and a sentence stands for both. */
+    /**
+     * A long table has no lone heading on paper: what hides it hides the heading too, and a sentence stands for both.
+     */
     @Test
     void longTablesAreNotPrintedButNamed() {
         Element section = all("section").get(0);
-        Element folded = all(section, "div").stream().filter(div -> div.getAttribute("class").equals("folded")).findFirst()
+        Element folded = all(section, "div").stream().filter(div -> div.getAttribute("class").equals("folded"))
+                .findFirst()
                 .orElseThrow();
         assertEquals(List.of("All"), all(folded, "h3").stream().map(Element::getTextContent).toList());
         assertEquals(2, all(section, "h3").size(), "the short table's stands alone");
@@ -205,10 +211,12 @@ class ReportWriterTest {
                 all("figure").stream().map(figure -> figure.getAttribute("class")).toList());
         try (OutputFolder folder = OutputFolder.open(top.resolve("wide"))) {
             ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false, List.of());
-            ResultPage panels = new ResultPage("wide", "Wide", List.of(), List.of(Picture.panels("many", "Many.", "Many", 2,
+            ResultPage panels = new ResultPage("wide", "Wide", List.of(),
+                    List.of(Picture.panels("many", "Many.", "Many", 2,
                     Collections.nCopies(2, new ResultPage.Panel(chart, false, Optional.empty())))), List.of());
             ResultPageWriter.write(folder, panels);
-            ReportWriter.write(folder, "report.html", new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.",
+            ReportWriter.write(folder, "report.html",
+                    new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.",
                     top.resolve("wide"), 1, Optional.of(panels), Optional.empty())), "The end."));
         }
         assertTrue(Files.readString(top.resolve("wide/report.html")).contains("class=\"whole\""));

@@ -26,18 +26,21 @@ class ResultPageWriterTest {
 
     @Test
     void tablesHaveAllDigitsInFilesAndFewForPeople() {
-        assertEquals(List.of("solver,error (m),evaluations", "\"rk4, \"\"old\"\"\",1.23456789E-7,400", "a|b,NaN,12345678"),
+        assertEquals(List.of("solver,error (m),evaluations", "\"rk4, \"\"old\"\"\",1.23456789E-7,400",
+                "a|b,NaN,12345678"),
                 TableText.csv(TABLE));
         assertEquals(List.of("solver      error (m)  evaluations", "rk4, \"old\"   1.235e-7          400",
                 "a|b                 \u2013     12345678"), TableText.plain(TABLE));
-        assertEquals(List.of("| solver | error (m) | evaluations |", "| --- | ---: | ---: |", "| rk4, \"old\" | 1.235e-7 | 400 |",
+        assertEquals(List.of("| solver | error (m) | evaluations |", "| --- | ---: | ---: |",
+                "| rk4, \"old\" | 1.235e-7 | 400 |",
                 "| a\\|b | \u2013 | 12345678 |"), TableText.markdown(TABLE));
     }
 
     @Test
     void numbersArePlainWhereThatIsShort() {
         DataTable numbers = new DataTable("n", "n", List.of(new DataTable.Column("x", 3)),
-                List.of(List.of(1234567.0), List.of(12.3456), List.of(0.0), List.of(-2.0), List.of(1e22), List.of(1.0 / 0)));
+                List.of(List.of(1234567.0), List.of(12.3456), List.of(0.0), List.of(-2.0), List.of(1e22),
+                List.of(1.0 / 0)));
         assertEquals(List.of("x", "1230000", "12.3", "0", "-2", "1e22", "\u221e"),
                 TableText.plain(numbers).stream().map(String::strip).toList());
     }
@@ -66,7 +69,8 @@ class ResultPageWriterTest {
                 List.of(new Series("ball", Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25})));
         ResultPage page = new ResultPage("fall", "It falls", List.of("As all does."), List.of(
                 ResultPage.Picture.chart("height", "Height over time.", data),
-                ResultPage.Picture.panels("both", "Twice.", "Two", 2, List.of(new ResultPage.Panel(data, false, Optional.empty()),
+                ResultPage.Picture.panels("both", "Twice.", "Two", 2,
+                List.of(new ResultPage.Panel(data, false, Optional.empty()),
                         new ResultPage.Panel(data, true, Optional.empty())))), List.of(TABLE));
         try (OutputFolder folder = OutputFolder.open(path.resolve("fall"))) {
             ResultPageWriter.write(folder, page);

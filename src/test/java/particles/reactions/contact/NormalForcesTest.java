@@ -19,7 +19,8 @@ class NormalForcesTest {
         int count = 1 + random.nextInt(6);
         Vector3[] normals = new Vector3[count];
         for (int p = 0; p < count; p++) {
-            normals[p] = new Vector3(random.nextGaussian(), 1 + random.nextGaussian(), random.nextGaussian()).normalized();
+            normals[p] = new Vector3(random.nextGaussian(), 1 + random.nextGaussian(),
+                    random.nextGaussian()).normalized();
         }
         double[] force = {random.nextGaussian(), random.nextGaussian() - 2, random.nextGaussian()};
         double[] push = new double[count];
@@ -28,7 +29,8 @@ class NormalForcesTest {
         double scale = total.length();
         for (int p = 0; p < count; p++) {
             total = total.plus(normals[p].times(push[p]));
-            scale = Math.max(scale, push[p]);           // nearly parallel planes can push far harder than they are pressed
+            // nearly parallel planes can push far harder than they are pressed
+            scale = Math.max(scale, push[p]);
         }
         for (int p = 0; p < count; p++) {
             double away = normals[p].dot(total);

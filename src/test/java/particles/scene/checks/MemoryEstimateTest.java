@@ -10,17 +10,19 @@ import particles.scene.format.SceneDescription;
 import particles.spec.messages.Problems;
 
 /**
- * What a scene takes is told before it is built. The least heaps (MiB) in which cloths with structural and shear springs
- * would run, found by bisection: 100 x 100 with rk4 31, backward-euler 39; 300 x 300 with rk4 106, with pictures 118,
- * bulirsch-stoer 148; 600 x 600 with rk4 less than 392. With implicit solvers, what was alive after a collection in the
- * middle of a run with damped springs: backward-euler 33, 119 and 276 on 100, 200 and 300 particles square, radau 80 and
- * 341 on 100 and 200; in a jelly of 22 x 22 x 22 43 and 95. The estimates lie above, by less than twice.
+ * What a scene takes is told before it is built. The least heaps (MiB) in which cloths with structural and shear
+ * springs would run, found by bisection: 100 x 100 with rk4 31, backward-euler 39; 300 x 300 with rk4 106, with
+ * pictures 118, bulirsch-stoer 148; 600 x 600 with rk4 less than 392. With implicit solvers, what was alive after a
+ * collection in the middle of a run with damped springs: backward-euler 33, 119 and 276 on 100, 200 and 300 particles
+ * square, radau 80 and 341 on 100 and 200; in a jelly of 22 x 22 x 22 43 and 95. The estimates lie above, by less than
+ * twice.
  */
 class MemoryEstimateTest {
     private static final double MEGABYTE = 1 << 20;
 
     private static SceneDescription cloth(int side, String solver) {
-        return read("solver: " + solver + "\nshapes:\n  - cloth: {corner: [-1, 1, 0], across: [2, 0, 0], down: [0, -1, 0], columns: "
+        return read("solver: " + solver
+                + "\nshapes:\n  - cloth: {corner: [-1, 1, 0], across: [2, 0, 0], down: [0, -1, 0], columns: "
                 + side + ", rows: " + side + ", totalMass: 1, structural: {stiffness: 10}, shear: {stiffness: 10}}\n");
     }
 
@@ -50,21 +52,23 @@ class MemoryEstimateTest {
     void whatDoesNotFitIsSaidWithNumbers() {
         Problems problems = new Problems();
         MemoryEstimate.check(cloth(300, "rk4"), 100 * MEGABYTE, problems);
-        assertEquals(List.of("x.yaml:7:3: the scene needs about 152 MiB of memory for up to 90000 particles and 358202 springs"
-                + " with rk4, and Java may use 100 MiB; take fewer particles, or give Java more: JAVA_TOOL_OPTIONS=-Xmx1g"),
+        assertEquals(List.of(
+                "x.yaml:7:3: the scene needs about 152 MiB of memory for up to 90000 particles and 358202 springs"
+                + " with rk4, and Java may use 100 MiB; take fewer particles, or give Java more:"
+                + " JAVA_TOOL_OPTIONS=-Xmx1g"),
                 problems.lines());
         MemoryEstimate.check(cloth(300, "rk4"), 153 * MEGABYTE, problems);
         assertEquals(1, problems.count());
     }
 
     /**
-     * 64,000 points with trails of half a second, sampled 100 times a second: 63 samples were alive, 955 bytes a particle;
-     * and 499 MiB after collections, with all else, where 250,000 had such trails.
+     * 64,000 points with trails of half a second, sampled 100 times a second: 63 samples were alive, 955 bytes a
+     * particle; and 499 MiB after collections, with all else, where 250,000 had such trails.
      */
     @Test
     void trailsCount() {
-        String points = "solver: rk4\nlook: {particlesAs: points%s}\nshapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1],"
-                + " columns: 63, rows: 63, layers: 63, totalMass: 1, surface: false}\n";
+        String points = "solver: rk4\nlook: {particlesAs: points%s}\nshapes:\n  - jelly: {centre: [0, 0, 0], size:"
+                + " [1, 1, 1], columns: 63, rows: 63, layers: 63, totalMass: 1, surface: false}\n";
         double with = MemoryEstimate.of(read(points.formatted(", trail: 0.5"))).bytes();
         double without = MemoryEstimate.of(read(points.formatted(""))).bytes();
         assertEquals(955.0 * 63 * 63 * 63, with - without, 0.02 * (with - without));
@@ -72,8 +76,8 @@ class MemoryEstimateTest {
     }
 
     /**
-     * 100 a second: those of half a second and of a step where they live half a second (at the end of a step the new ones
-     * come before the old ones go), those of the whole run where they live for ever.
+     * 100 a second: those of half a second and of a step where they live half a second (at the end of a step the new
+     * ones come before the old ones go), those of the whole run where they live for ever.
      */
     @Test
     void thoseThatAreBornCount() {
