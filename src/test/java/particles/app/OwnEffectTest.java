@@ -22,9 +22,9 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
-import particles.teaching.EffectCheck;
-import particles.teaching.EffectSample;
-import particles.teaching.Skeleton;
+import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectSample;
+import particles.teaching.effects.EffectSkeleton;
 
 /** A law of one's own is one class, which a scene names. The class and the scene here are README's. */
 class OwnEffectTest {
@@ -183,7 +183,7 @@ class OwnEffectTest {
 
     @Test
     void whatNewEffectWritesRunsInAScene() throws IOException {
-        write("MyForce", Skeleton.effect("MyForce"));
+        write("MyForce", EffectSkeleton.effect("MyForce"));
         assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*",
                 "exercises.MyForce: {strength: 2}")).system().getEffects()
                 .get(0).getName());

@@ -18,8 +18,8 @@ import particles.law.Particles;
 import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
-import particles.teaching.EffectClaims;
-import particles.teaching.EffectSample;
+import particles.teaching.effects.EffectClaims;
+import particles.teaching.effects.EffectSample;
 
 /** Every effect keeps what it claims, and effects with a planted error do not. */
 class EffectClaimsTest {

@@ -6,10 +6,10 @@ import java.util.TreeSet;
 import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.output.report.ResultPage;
-import particles.teaching.EffectCheck;
-import particles.teaching.EffectSample;
-import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
+import particles.teaching.Finding;
+import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectSample;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

@@ -5,10 +5,10 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
-import particles.teaching.exercises.Draw;
-import particles.teaching.exercises.Exercise;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.exercises.Mark;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
+import particles.teaching.marking.Mark;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

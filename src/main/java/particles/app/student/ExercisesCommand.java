@@ -4,8 +4,8 @@ import java.io.PrintWriter;
 import java.util.List;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
-import particles.teaching.exercises.Exercise;
 import particles.teaching.exercises.Exercises;
+import particles.teaching.marking.Exercise;
 import picocli.CommandLine.Command;
 
 /** {@code gradle exercises}: the exercises, a line each. */

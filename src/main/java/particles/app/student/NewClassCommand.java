@@ -11,7 +11,8 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
-import particles.teaching.Skeleton;
+import particles.teaching.effects.EffectSkeleton;
+import particles.teaching.solvers.SolverSkeleton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -45,7 +46,7 @@ public abstract class NewClassCommand extends ProgramCommand {
     @Override
     public final void run(PrintWriter out) throws IOException {
         String name = className.replaceFirst("^exercises[.]", "");
-        if (!Skeleton.isClassName(name)) {
+        if (!SolverSkeleton.isClassName(name)) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
                     + "' is no name for a class; a capital and then letters and digits are, as in HeunSolver");
         }
@@ -65,7 +66,7 @@ public abstract class NewClassCommand extends ProgramCommand {
     /** A solver. */
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     public static final class NewSolver extends NewClassCommand {
-        @Option(names = "--from", paramLabel = "CLASS", defaultValue = Skeleton.SLIDES_WAY,
+        @Option(names = "--from", paramLabel = "CLASS", defaultValue = SolverSkeleton.SLIDES_WAY,
                 description = "What it extends: DESolver, as on the slides, or FixedStepSolver, which has helpers for formulas.")
         private String from;
 
@@ -78,11 +79,11 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         @Override
         String text(String name) {
-            if (!Skeleton.SOLVER_BASES.contains(from)) {
+            if (!SolverSkeleton.SOLVER_BASES.contains(from)) {
                 throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("from") + ": '" + from
-                        + "' cannot be extended here; allowed are: " + String.join(", ", Skeleton.SOLVER_BASES));
+                        + "' cannot be extended here; allowed are: " + String.join(", ", SolverSkeleton.SOLVER_BASES));
             }
-            return Skeleton.solver(name, from);
+            return SolverSkeleton.solver(name, from);
         }
 
         @Override
@@ -105,7 +106,7 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         @Override
         String text(String name) {
-            return Skeleton.effect(name);
+            return EffectSkeleton.effect(name);
         }
 
         @Override

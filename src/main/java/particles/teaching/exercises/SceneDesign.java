@@ -12,8 +12,8 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.experiments.energy.EnergyHistory;
-import particles.experiments.runs.SceneRun;
 import particles.experiments.runs.SceneRun.Outcome;
+import particles.experiments.runs.SceneRun;
 import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -21,7 +21,10 @@ import particles.scene.SceneException;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
+import particles.teaching.marking.Mark;
 
 /** Design a scene: a student's scene file is run and held to what was asked for. */
 final class SceneDesign implements Exercise {

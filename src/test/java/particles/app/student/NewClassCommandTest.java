@@ -24,10 +24,10 @@ import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
 import particles.law.Effect;
 import particles.law.Particles;
-import particles.teaching.EffectCheck;
-import particles.teaching.EffectSample;
 import particles.teaching.Finding;
-import particles.teaching.SolverCheck;
+import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectSample;
+import particles.teaching.solvers.SolverCheck;
 
 /** Skeletons compile without a warning, do nothing yet, say how to go on, and never replace what is there. */
 class NewClassCommandTest {

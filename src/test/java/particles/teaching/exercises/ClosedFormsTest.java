@@ -10,6 +10,9 @@ import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** The right answers against closed forms, which read the numbers from the task's own text as a student does. */
 class ClosedFormsTest {
