@@ -52,16 +52,19 @@ public final class SolverCatalog {
                     "Midpoint steps extrapolated to length 0, of variable order: smooth motion to very high accuracy."),
             entry(AdamsBashforthMoultonSolver::new, "adams", AdamsBashforthMoultonSolver.class,
                     4, "multistep", "2", false, 1.28, 0,
-                    "Predicts from the last derivatives and corrects: two evaluations for order 4, if nothing interrupts."),
+                    "Predicts from the last derivatives and corrects: two evaluations for order 4, if nothing"
+                    + " interrupts."),
             entry(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class,
                     1, "symplectic", "1", true, NONE, 2,
-                    "The slides' simple algorithm: new velocity first, so that in small steps the energy swings and does not drift."),
+                    "The slides' simple algorithm: new velocity first, so that in small steps the energy swings and"
+                    + " does not drift."),
             entry(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class,
                     2, "symplectic", "1, more with damping", true, NONE, 2,
                     "Kick, drift, kick: reversible, and in small steps the energy swings and does not drift."),
             entry(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class,
                     4, "symplectic", "3, more with damping", true, NONE, 1.5734,
-                    "Three leapfrogs whose errors cancel: order 4, and in small steps the energy swings and does not drift."),
+                    "Three leapfrogs whose errors cancel: order 4, and in small steps the energy swings and does not"
+                    + " drift."),
             entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
                     1, "implicit", "Newton", false, UNLIMITED, UNLIMITED,
                     "Stable for any step on stiff springs and strong damping, and damps what it cannot follow."),
@@ -87,7 +90,8 @@ public final class SolverCatalog {
     private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
                                String family, String evaluations, boolean secondOrder, double realLimit,
                                double imaginaryLimit, String sentence) {
-        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder, realLimit,
+        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder,
+                realLimit,
                 imaginaryLimit, sentence);
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
@@ -102,7 +106,8 @@ public final class SolverCatalog {
     }
 
     private static DESolver throwNotAdaptive(String name) {
-        throw new IllegalArgumentException("solver '" + name + "' steps by deltaT and takes no tolerances; adaptive are: "
+        throw new IllegalArgumentException("solver '" + name
+                + "' steps by deltaT and takes no tolerances; adaptive are: "
                 + String.join(", ", all().stream().filter(SolverInfo::adaptive).map(SolverInfo::name).toList()));
     }
 
@@ -144,7 +149,8 @@ public final class SolverCatalog {
     /**
      * Makes a solver.
      *
-     * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg constructor
+     * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg
+     *             constructor
      * @return a new solver
      * @throws NoSuchElementException   if there is neither a solver nor a class of this name
      * @throws IllegalArgumentException if the class is no {@link DESolver} or cannot be made
@@ -166,8 +172,8 @@ public final class SolverCatalog {
      * @param absoluteTolerance error allowed besides, in the entry's unit
      * @return a new solver
      * @throws NoSuchElementException   if there is neither a solver nor a class of this name
-     * @throws IllegalArgumentException if the solver is not adaptive, the class is no {@link DESolver} or cannot be made, or
-     *                                  a tolerance is negative or not finite, or both are 0
+     * @throws IllegalArgumentException if the solver is not adaptive, the class is no {@link DESolver} or cannot be
+     *                                  made, or a tolerance is negative or not finite, or both are 0
      */
     public static DESolver create(String name, double relativeTolerance, double absoluteTolerance) {
         Entry entry = ENTRIES.get(name);
@@ -199,8 +205,10 @@ public final class SolverCatalog {
             throw new IllegalArgumentException("class " + name + " cannot be loaded: "
                     + (e.getCause() == null ? e : e.getCause()), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
-            throw new IllegalArgumentException("class " + name + " cannot be made: it has to be public, not abstract, and"
-                    + " have a public constructor " + (tolerances.length == 0 ? "without parameters" : "of two doubles"), e);
+            throw new IllegalArgumentException("class " + name
+                    + " cannot be made: it has to be public, not abstract, and"
+                    + " have a public constructor " + (tolerances.length == 0 ? "without parameters"
+                    : "of two doubles"), e);
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException("the constructor of " + name + " failed: " + e.getCause(), e);
         }

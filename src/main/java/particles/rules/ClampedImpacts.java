@@ -131,15 +131,6 @@ public final class ClampedImpacts implements Rule {
         return changed;
     }
 
-    /** Takes away the speed into a surface; what hangs on rods or wires passes the blow on. */
-    private void stop(Vector3 normal, int p, int i, double[] state) {
-        if (contacts.isCoupled(i)) {
-            contacts.strike(p, i, 0, state);
-        } else {
-            stopAlong(normal, state, i);
-        }
-    }
-
     /** A particle that was free: an impact if it is below the surface now. */
     private boolean collide(ParticleSystem system, int p, int i, double deltaT) {
         double[] state = system.getOwnState();
@@ -170,14 +161,17 @@ public final class ClampedImpacts implements Rule {
         double[] state = system.getOwnState();
         ContactSurface surface = contacts.getSurfaces().get(p);
         Vector3 normal = normal(surface, state, i);
-        if (leaving <= Math.max(surface.restSpeed(), gained)) {
-            stop(normal, p, i, state);
-            touch(p, i);
-            keepOnOthers(system, p, i, deltaT);
-        } else if (contacts.isCoupled(i)) {
-            contacts.strike(p, i, leaving, state);
+        boolean rests = leaving <= Math.max(surface.restSpeed(), gained);
+        if (contacts.isCoupled(i)) {
+            contacts.strike(p, i, rests ? 0 : leaving, state);      // its rods and wires pass the blow on
+        } else if (rests) {
+            stopAlong(normal, state, i);
         } else {
             moveAlong(normal, state, STRIDE * i + 3, leaving - normalSpeed(surface, state, i));
+        }
+        if (rests) {
+            touch(p, i);
+            keepOnOthers(system, p, i, deltaT);
         }
     }
 

@@ -22,7 +22,9 @@ import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
 import picocli.CommandLine.Option;
 
-/** A command that checks a student's class: the check runs in a process of its own, with a limit to its computing time. */
+/**
+ * A command that checks a student's class: the check runs in a process of its own, with a limit to its computing time.
+ */
 abstract class CheckCommand extends ProgramCommand {
     private static final double SECONDS = 8;
 
@@ -93,7 +95,8 @@ abstract class CheckCommand extends ProgramCommand {
     }
 
     /**
-     * Writes the report of a check that did not come back, and ends the process: the class's thread may still be running.
+     * Writes the report of a check that did not come back, and ends the process: the class's thread may still be
+     * running.
      */
     private void giveUp(PrintWriter lines, Finding failure) {
         ExitCode code = ExitCode.BAD_INPUT;
@@ -110,7 +113,8 @@ abstract class CheckCommand extends ProgramCommand {
 
     private ResultPage failed(String reason) {
         String title = subject().replaceFirst(".*=", "") + ": the check did not come to its end.";
-        return new ResultPage(name(), title, paragraphs(List.of(new Finding(Kind.FAILURE, reason))), List.of(), List.of());
+        return new ResultPage(name(), title, paragraphs(List.of(new Finding(Kind.FAILURE, reason))), List.of(),
+                List.of());
     }
 
     /** @return where the report is */
@@ -141,7 +145,8 @@ abstract class CheckCommand extends ProgramCommand {
         lines.println();
         lines.println("report: " + report);
         if (!wrong.isEmpty()) {
-            throw new Failure(ExitCode.BAD_INPUT, wrong.size() == 1 ? "one thing is wrong" : wrong.size() + " things are wrong");
+            throw new Failure(ExitCode.BAD_INPUT, wrong.size() == 1 ? "one thing is wrong"
+                    : wrong.size() + " things are wrong");
         }
     }
 

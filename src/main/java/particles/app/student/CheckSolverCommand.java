@@ -18,11 +18,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: what method a solver is, and what is wrong with it. */
-@Command(name = CheckSolverCommand.NAME, description = "Checks a solver: which method it is, and what is wrong with it.")
+@Command(name = CheckSolverCommand.NAME,
+        description = "Checks a solver: which method it is, and what is wrong with it.")
 public final class CheckSolverCommand extends CheckCommand {
     static final String NAME = "checkSolver";
 
-    @Option(names = "--solver", paramLabel = "NAME", required = true, description = "A solver's name, or the class of your own.")
+    @Option(names = "--solver", paramLabel = "NAME", required = true,
+            description = "A solver's name, or the class of your own.")
     private String solver;
 
     @Override
@@ -64,14 +66,17 @@ public final class CheckSolverCommand extends CheckCommand {
             return new Checked(title, all, new ResultPage(NAME, title, paragraphs(all), List.of(), List.of()));
         }
         List<Picture> pictures = new ArrayList<>();
-        pictures.add(Picture.chart("order", "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
+        pictures.add(Picture.chart("order",
+                "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
                 figures.order()));
         figures.region().ifPresent(region -> pictures.add(Picture.map("region",
-                "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie there: deltaT times its"
-                        + " eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m. Pale: the built-in solver that is nearest.", region)));
+                "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
+                        + " there: deltaT times its eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m."
+                        + " Pale: the built-in solver that is nearest.", region)));
         pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.",
                 figures.energy()));
-        pictures.add(Picture.chart("work-precision", "The error after eight seconds against the work: lower left is better.",
+        pictures.add(Picture.chart("work-precision",
+                "The error after eight seconds against the work: lower left is better.",
                 figures.workPrecision()));
         return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures,
                 Stream.concat(Stream.of(figures.facts()), figures.growth().stream()).toList()));

@@ -13,14 +13,16 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * {@code gradle exercise -Pnumber=5 -Pstudent=ID}: the text with the student's own numbers; with {@code -Panswer} the mark.
+ * {@code gradle exercise -Pnumber=5 -Pstudent=ID}: the text with the student's own numbers; with {@code -Panswer} the
+ * mark.
  */
 @Command(name = "exercise", description = "Shows an exercise with numbers of your own, or marks your answer.")
 public final class ExerciseCommand extends ProgramCommand {
     @Option(names = "--number", paramLabel = "NUMBER", required = true, description = "Which exercise.")
     private String number;
 
-    @Option(names = "--student", paramLabel = "ID", required = true, description = "Your id, from which your numbers come.")
+    @Option(names = "--student", paramLabel = "ID", required = true,
+            description = "Your id, from which your numbers come.")
     private String student;
 
     @Option(names = "--answer", paramLabel = "ANSWER",

@@ -27,7 +27,9 @@ import particles.view.DataTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle grade -Pstudent=ID}: marks all answers and all solvers of a student, as one report and for autograders. */
+/**
+ * {@code gradle grade -Pstudent=ID}: marks all answers and all solvers of a student, as one report and for autograders.
+ */
 @Command(name = GradeCommand.NAME, description = "Marks all answers and solvers of a student.")
 public final class GradeCommand extends ProgramCommand {
     static final String NAME = "grade";
@@ -41,7 +43,8 @@ public final class GradeCommand extends ProgramCommand {
             description = "The file of answers, lines such as 5: 3.42 (default: answers.yaml).")
     private Path answers;
 
-    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solver classes that have to pass, separated by commas"
+    @Option(names = "--solvers", paramLabel = "NAMES",
+            description = "Solver classes that have to pass, separated by commas"
             + " (default: every ...Solver.java in src/main/java/exercises).")
     private String solvers;
 
@@ -133,7 +136,8 @@ public final class GradeCommand extends ProgramCommand {
         if (!Files.isRegularFile(folder.resolve(name + ".java"))) {
             return new Mark(false, List.of("there is no file " + name + ".java"));
         }
-        StudentProcess.Outcome outcome = StudentProcess.runQuietly(List.of(CheckSolverCommand.NAME, "--solver=exercises." + name,
+        StudentProcess.Outcome outcome = StudentProcess.runQuietly(List.of(CheckSolverCommand.NAME,
+                "--solver=exercises." + name,
                 "--inThisProcess", "--out=" + results.resolve(name)), folder);
         List<String> lines = outcome.lines().stream().takeWhile(line -> !line.startsWith("property"))
                 .filter(line -> !line.isBlank()).limit(MOST_LINES).toList();
@@ -144,7 +148,8 @@ public final class GradeCommand extends ProgramCommand {
     private static String paragraph(List<String> lines) {
         StringBuilder text = new StringBuilder();
         for (String line : lines) {
-            text.append(text.length() == 0 ? "" : text.toString().matches("(?s).*[.:]") ? " " : "; ").append(line.strip());
+            text.append(text.length() == 0 ? "" : text.toString().matches("(?s).*[.:]") ? " "
+                    : "; ").append(line.strip());
         }
         return text.toString();
     }
@@ -158,7 +163,8 @@ public final class GradeCommand extends ProgramCommand {
             cases.add(new JUnitXml.Case(item.name(), item.mark().right() ? Optional.empty() : Optional.of(first),
                     item.mark().lines()));
         }
-        DataTable table = new DataTable("marks", "Marks", List.of(DataTable.column("exercise"), DataTable.column("mark"),
+        DataTable table = new DataTable("marks", "Marks",
+                List.of(DataTable.column("exercise"), DataTable.column("mark"),
                 DataTable.column("what there is to say")),
                 rows);
         ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)));

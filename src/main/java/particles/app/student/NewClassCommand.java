@@ -16,7 +16,9 @@ import particles.teaching.solvers.SolverSkeleton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: a class to begin with. */
+/**
+ * {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: a class to begin with.
+ */
 public abstract class NewClassCommand extends ProgramCommand {
     @Option(names = "--class", paramLabel = "NAME", required = true,
             description = "What the class is to be called, such as HeunSolver or MyForce.")
@@ -67,7 +69,8 @@ public abstract class NewClassCommand extends ProgramCommand {
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     public static final class NewSolver extends NewClassCommand {
         @Option(names = "--from", paramLabel = "CLASS", defaultValue = SolverSkeleton.SLIDES_WAY,
-                description = "What it extends: DESolver, as on the slides, or FixedStepSolver, which has helpers for formulas.")
+                description = "What it extends: DESolver, as on the slides, or FixedStepSolver, which has helpers for"
+                        + " formulas.")
         private String from;
 
         private final OptionStyle style;

@@ -26,8 +26,8 @@ import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 
 /**
- * Finds students' classes by compiling them when they are asked for, each by itself: one that does not compile breaks what
- * uses it and nothing else. What is compiled stays in memory.
+ * Finds students' classes by compiling them when they are asked for, each by itself: one that does not compile breaks
+ * what uses it and nothing else. What is compiled stays in memory.
  */
 public final class StudentLoader extends ClassLoader {
     /** The system property by which a folder reaches a process of its own. */
@@ -81,12 +81,14 @@ public final class StudentLoader extends ClassLoader {
         try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null);
                 InMemory memory = new InMemory(files)) {
             files.setLocation(StandardLocation.SOURCE_PATH, List.of(folder.toAbsolutePath().getParent().toFile()));
-            boolean compiles = compiler.getTask(null, memory, messages, List.of("-cp", System.getProperty("java.class.path"),
+            boolean compiles = compiler.getTask(null, memory, messages,
+                    List.of("-cp", System.getProperty("java.class.path"),
                     "-proc:none"),
                     null, files.getJavaFileObjects(source.toFile())).call();
             if (!compiles) {
                 throw new IllegalArgumentException(messages.getDiagnostics().stream()
-                        .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).findFirst().map(StudentLoader::line)
+                        .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).findFirst()
+                        .map(StudentLoader::line)
                         .orElse(source.getFileName() + ": it does not compile"));
             }
         } catch (IOException e) {
@@ -115,7 +117,8 @@ public final class StudentLoader extends ClassLoader {
         }
 
         @Override
-        public JavaFileObject getJavaFileForOutput(JavaFileManager.Location location, String name, JavaFileObject.Kind kind,
+        public JavaFileObject getJavaFileForOutput(JavaFileManager.Location location, String name,
+                JavaFileObject.Kind kind,
                 FileObject sibling) {
             return new SimpleJavaFileObject(URI.create("memory:///" + name.replace('.', '/') + kind.extension), kind) {
                 @Override

@@ -29,7 +29,8 @@ final class StudentProcess {
      */
     public static int run(List<String> args) throws IOException {
         String folder = System.getProperty(StudentLoader.FOLDER);
-        return await(builder(args, folder == null ? List.of() : List.of(property(folder))).inheritIO());       // null where it was not set
+        // null where it was not set
+        return await(builder(args, folder == null ? List.of() : List.of(property(folder))).inheritIO());
     }
 
     /**

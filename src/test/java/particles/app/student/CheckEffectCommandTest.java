@@ -189,7 +189,8 @@ class CheckEffectCommandTest {
         return out.toString();
     }
 
-    private static void assertFailure(String expected, Class<?> planted, Path folder) throws IOException, InterruptedException {
+    private static void assertFailure(String expected, Class<?> planted, Path folder)
+            throws IOException, InterruptedException {
         String found = CheckProcess.failureOf("checkEffect", "--effect=", planted, folder);
         assertTrue(found.startsWith("failure: " + expected), found);
         assertTrue(found.endsWith(" of CheckEffectCommandTest.java"), "the place is named: " + found);
@@ -206,12 +207,11 @@ class CheckEffectCommandTest {
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertTrue(here(ExitCode.BAD_INPUT, "gravty", folder).contains("no effect is called 'gravty'; known effects:"
-                + " attraction,"
-                + " cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag, springs,"
-                + " turbulence, wind"));
+                + " attraction, cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag,"
+                + " springs, turbulence, wind"));
         assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class exercises.MyGravity; a"
-                + " class of your"
-                + " own stands in src/main/java/exercises, and gradle newEffect writes one to begin with"));
+                + " class of your own stands in src/main/java/exercises, and gradle newEffect writes one to begin"
+                + " with"));
     }
 
     @Test
@@ -221,13 +221,15 @@ class CheckEffectCommandTest {
 
     @Test
     void aConstructorThatEndsTheProgramIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("the class ends the whole program (System.exit), in ExitsAtOnce.<init>, line ", ExitsAtOnce.class, folder);
+        assertFailure("the class ends the whole program (System.exit), in ExitsAtOnce.<init>, line ", ExitsAtOnce.class,
+                folder);
     }
 
     @Tag("slow")
     @Test
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it did not come back within 8 s: an endless loop, in Loops.addForces, line ", Loops.class, folder);
+        assertFailure("it did not come back within 8 s: an endless loop, in Loops.addForces, line ", Loops.class,
+                folder);
     }
 
     @Test
@@ -238,6 +240,7 @@ class CheckEffectCommandTest {
 
     @Test
     void hugeArraysAreFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it asks for more memory than the 256 MB that there are, in Hoards.addForces, line ", Hoards.class, folder);
+        assertFailure("it asks for more memory than the 256 MB that there are, in Hoards.addForces, line ",
+                Hoards.class, folder);
     }
 }

@@ -123,7 +123,8 @@ class CheckSolverCommandTest {
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, GivesUp.class.getName(), folder);
         assertTrue(screen.startsWith("GivesUp: This is the Euler method."), screen);
-        String mistake = "while it was measured on springs, stepState ended in an exception: java.lang.IllegalStateException: not with 0.1, in GivesUp.";
+        String mistake = "while it was measured on springs, stepState ended in an exception:"
+                + " java.lang.IllegalStateException: not with 0.1, in GivesUp.";
         assertTrue(screen.contains("  failure: " + mistake), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
     }
@@ -140,13 +141,17 @@ class CheckSolverCommandTest {
 
     @Test
     void aClassThatEndsTheProgramIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(failure(Exits.class, folder).startsWith("failure: the class ends the whole program (System.exit), in Exits.stepState, line "));
+        assertTrue(failure(Exits.class,
+                folder).startsWith(
+                "failure: the class ends the whole program (System.exit), in Exits.stepState, line "));
     }
 
     @Tag("slow")
     @Test
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
-        assertTrue(failure(Loops.class, folder).startsWith("failure: it did not come back within 8 s: an endless loop, in Loops.stepState, line "));
+        assertTrue(failure(Loops.class,
+                folder).startsWith(
+                "failure: it did not come back within 8 s: an endless loop, in Loops.stepState, line "));
     }
 
     @Test

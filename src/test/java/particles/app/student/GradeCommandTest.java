@@ -118,7 +118,8 @@ class GradeCommandTest {
         Files.writeString(folder.resolve("answers.yaml"), "# mine\n1: NaN\n2: " + spiral(text, 1)
                 + "\n3: 0,5 kg\n12: no <such> & scene.yaml\n");
         Files.writeString(classes.resolve("GoodSolver.java"), EULER.formatted("GoodSolver", "deltaT * dSdt[i]"));
-        Files.writeString(classes.resolve("WrongSolver.java"), EULER.formatted("WrongSolver", "0.5 * deltaT * dSdt[i]"));
+        Files.writeString(classes.resolve("WrongSolver.java"),
+                EULER.formatted("WrongSolver", "0.5 * deltaT * dSdt[i]"));
         Files.writeString(classes.resolve("BrokenSolver.java"), EULER.formatted("BrokenSolver", "deltaT * dSdx[i]"));
         String screen = grade(ExitCode.BAD_INPUT);
         assertTrue(screen.contains("2 of 15 marks for " + STUDENT), screen);
@@ -130,9 +131,12 @@ class GradeCommandTest {
         assertTrue(report.contains("| 1. Three steps of the Euler method | 0 | 'NaN' is no finite number"), report);
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
         assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: This is the Euler method."), report);
-        assertTrue(report.contains("| solver BrokenSolver | 0 | exercises.BrokenSolver cannot be checked. Wrong: failure: "),
+        assertTrue(report.contains(
+                "| solver BrokenSolver | 0 | exercises.BrokenSolver cannot be checked. Wrong: failure: "),
                 report);
-        assertTrue(report.contains("failure: BrokenSolver.java:11: it does not compile: cannot find symbol symbol: variable dSdx"), report);
+        assertTrue(report.contains(
+                "failure: BrokenSolver.java:11: it does not compile: cannot find symbol symbol: variable dSdx"),
+                report);
         assertTrue(report.contains("| solver WrongSolver | 0 | WrongSolver: "), report);
         assertEquals(Exercises.all().size() + 3,
                 report.lines().filter(line -> line.matches("\\| .* \\| [01] \\| .*")).count());
@@ -158,7 +162,8 @@ class GradeCommandTest {
                 + "            there is no file HeunSolver.java"), screen);
         List<String> lines = screen.lines().toList();
         assertTrue(lines.get(0).endsWith("answers.yaml: there is no such file"), screen);
-        assertEquals(1, lines.stream().filter(line -> line.contains("answers.yaml")).count(), "it is said once: " + screen);
+        assertEquals(1, lines.stream().filter(line -> line.contains("answers.yaml")).count(),
+                "it is said once: " + screen);
         assertEquals("no answer 1. Three steps of the Euler method", lines.get(1));
         assertEquals("no answer 12. Design a scene", lines.get(12));
         assertTrue(Files.exists(folder.resolve("report/TEST-grade.xml")), "who hands in nothing gets a report too");

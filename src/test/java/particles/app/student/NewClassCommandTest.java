@@ -37,11 +37,13 @@ class NewClassCommandTest {
     private String run(ExitCode expected, String command, String name, String... options) {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
-        List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"), OptionStyle.GRADLE),
+        List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"),
+                OptionStyle.GRADLE),
                 new NewClassCommand.NewEffect(folder.resolve("exercises"), OptionStyle.GRADLE));
         List<String> args = new ArrayList<>(List.of(command, "--class=" + name));
         args.addAll(List.of(options));
-        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both, both).execute(args.toArray(new String[0])),
+        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both,
+                both).execute(args.toArray(new String[0])),
                 out.toString());
         return out.toString();
     }
@@ -49,8 +51,10 @@ class NewClassCommandTest {
     private Class<?> compiled(String name) throws ReflectiveOperationException, IOException {
         Path file = folder.resolve("exercises").resolve(name + ".java");
         // without the warning that Gradle's class path names a folder for resources that no one needs
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-Xlint:all,-path", "-Werror", "-proc:none",
-                "-cp", System.getProperty("java.class.path"), "-d", folder.toString(), file.toString()), Files.readString(file));
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-Xlint:all,-path", "-Werror",
+                "-proc:none",
+                "-cp", System.getProperty("java.class.path"), "-d", folder.toString(), file.toString()),
+                Files.readString(file));
         try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
             return loader.loadClass("exercises." + name);
         }
@@ -58,14 +62,16 @@ class NewClassCommandTest {
 
     @Test
     void aSolverCompilesAndIsToldWhatIsMissing() throws ReflectiveOperationException, IOException {
-        assertTrue(run(ExitCode.DONE, "newSolver", "MyRK4Solver").contains("gradle checkSolver -Psolver=exercises.MyRK4Solver"));
+        assertTrue(run(ExitCode.DONE, "newSolver",
+                "MyRK4Solver").contains("gradle checkSolver -Psolver=exercises.MyRK4Solver"));
         assertTrue(Files.readString(folder.resolve("exercises/MyRK4Solver.java"))
                 .contains("// 4. k4 = deltaT * derivative at (s + k3, t + deltaT)"));
         Class<?> solver = compiled("MyRK4Solver");
         List<String> wrong = SolverCheck.check(() -> make(solver),
                 "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
         assertTrue(wrong.contains("time: the clock never moves: incTime(deltaT) is missing"), wrong.toString());
-        assertTrue(wrong.contains("state: the new state never reaches the source: setState(state) is missing"), wrong.toString());
+        assertTrue(wrong.contains("state: the new state never reaches the source: setState(state) is missing"),
+                wrong.toString());
     }
 
     /** The formula is all that is missing: clock and state are the base class's part. */
@@ -73,14 +79,17 @@ class NewClassCommandTest {
     void aSolverOnFixedStepSolverCompilesAndMissesOnlyItsFormula() throws ReflectiveOperationException, IOException {
         run(ExitCode.DONE, "newSolver", "HeunSolver", "--from=FixedStepSolver");
         Class<?> solver = compiled("HeunSolver");
-        List<String> wrong = SolverCheck.check(() -> make(solver), "HeunSolver").wrong().stream().map(Finding::toString).toList();
+        List<String> wrong = SolverCheck.check(() -> make(solver),
+                "HeunSolver").wrong().stream().map(Finding::toString).toList();
         assertFalse(wrong.isEmpty());
-        assertTrue(wrong.stream().noneMatch(line -> line.startsWith("time: ") || line.contains("setState")), wrong.toString());
+        assertTrue(wrong.stream().noneMatch(line -> line.startsWith("time: ") || line.contains("setState")),
+                wrong.toString());
     }
 
     @Test
     void aSolverExtendsOneOfTwoClasses() {
-        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver", "--from=RK4Solver").startsWith("option -Pfrom: 'RK4Solver'"
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver",
+                "--from=RK4Solver").startsWith("option -Pfrom: 'RK4Solver'"
                 + " cannot be extended here; allowed are: DESolver, FixedStepSolver"));
         assertFalse(Files.exists(folder.resolve("exercises/HeunSolver.java")));
     }
@@ -98,7 +107,8 @@ class NewClassCommandTest {
         for (String[] pair : new String[][] {{"MidpointSolver", "gMid"}, {"SymplecticEulerSolver", "v += a * deltaT"},
                 {"HeunSolver", "weights add up to 1"}}) {
             run(ExitCode.DONE, "newSolver", pair[0]);
-            assertTrue(Files.readString(folder.resolve("exercises").resolve(pair[0] + ".java")).contains(pair[1]), pair[0]);
+            assertTrue(Files.readString(folder.resolve("exercises").resolve(pair[0] + ".java")).contains(pair[1]),
+                    pair[0]);
         }
     }
 
@@ -118,7 +128,8 @@ class NewClassCommandTest {
         run(ExitCode.DONE, "newSolver", "HeunSolver");
         Path file = folder.resolve("exercises/HeunSolver.java");
         Files.writeString(file, "my work");
-        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver").contains("is there already, and is left as it is"));
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver",
+                "HeunSolver").contains("is there already, and is left as it is"));
         assertTrue(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver").contains("is there already"));
         assertEquals("my work", Files.readString(file));
     }

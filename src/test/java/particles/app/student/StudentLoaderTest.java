@@ -25,11 +25,13 @@ class StudentLoaderTest {
 
     @Test
     void oneThatDoesNotCompileBreaksWhatUsesItOnly() throws Exception {
-        StudentLoader loader = loader("Good", "public static int of() { return Helper.ONE + new Inner().two; } static class Inner { int two = 2; }",
+        StudentLoader loader = loader("Good",
+                "public static int of() { return Helper.ONE + new Inner().two; } static class Inner { int two = 2; }",
                 "Helper", "static final int ONE = Integer.valueOf(1);", "Broken", "int x = y;\nint z = w;", "User",
                         "Broken broken;");
         assertEquals(3, loader.loadClass("exercises.Good").getMethod("of").invoke(null));
-        String message = "Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class exercises.Broken";
+        String message = "Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class"
+                + " exercises.Broken";
         assertEquals(message, assertThrows(IllegalArgumentException.class,
                 () -> loader.loadClass("exercises.Broken")).getMessage());
         assertEquals(message, assertThrows(IllegalArgumentException.class,
