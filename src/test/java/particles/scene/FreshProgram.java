@@ -67,7 +67,7 @@ final class FreshProgram extends URLClassLoader {
         Set<String> laws = new TreeSet<>();
         for (String name : Set.copyOf(loaded)) {
             Class<?> type = loadClass(name);
-            for (String law : new String[] {"Effect", "Reaction", "Rule"}) {
+            for (String law : new String[] {"law.Effect", "law.Reaction", "Rule"}) {
                 if (loadClass("particles." + law).isAssignableFrom(type) && !type.isInterface()) {
                     laws.add(type.getSimpleName());
                 }

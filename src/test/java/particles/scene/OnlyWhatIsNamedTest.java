@@ -72,7 +72,7 @@ class OnlyWhatIsNamedTest {
                 "Emitter",
                         "Lifetimes"),
                 Addition.of("rules:\n  - kill: {point: [0, -9, 0]}\n", "KillPlane"),
-                Addition.of("rules:\n  - samples: {farthest: 9, lightest: 1}\n", "EvenSamples"));
+                Addition.of("rules:\n  - samples: {farthest: 9, lightest: 1}\n", "ParticleResampler"));
     }
 
     @ParameterizedTest
