@@ -10,7 +10,6 @@ import java.util.Collections;
 import java.util.List;
 import particles.engine.Anchors;
 import particles.engine.ForceSum;
-import particles.engine.ParallelForces;
 import particles.engine.ParticleJacobian;
 import particles.law.AnchorMotion;
 import particles.law.Effect;
@@ -33,7 +32,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
-    final ForceSum forces = new ForceSum(particles, effects, reactions);
+    public final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();
     private final ParticleJacobian jacobian = new ParticleJacobian(this, particles, forces, effects, reactions);
     private double[] state = {};
@@ -139,11 +138,6 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /** @param reaction a reaction to act from now on, after all effects */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);
-    }
-
-    /** @param threads how many evaluate forces, where that pays, with the same bits; 1 ends all but the caller's */
-    public void setThreads(int threads) {
-        forces.setThreads(threads, ParallelForces.PAYS_FROM);
     }
 
     /** @return what the particles are */

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import particles.engine.ParallelForces;
 import particles.law.DifferentiableEffect;
 import particles.law.ForceDerivatives;
 import particles.law.PerParticleEffect;
@@ -61,11 +62,11 @@ class SceneThreadsTest {
         Scene scene = SceneBuilder.build(description, new Overrides().with("duration", "" + duration, "--duration"));
         Witness witness = new Witness();
         scene.system().addEffect(witness);
-        scene.system().forces.setThreads(threads, 0);
+        ParallelForces.use(scene.system(), threads, 0);
         try {
             scene.simulation().run();
         } finally {
-            scene.system().setThreads(1);
+            ParallelForces.use(scene.system(), 1);
         }
         helpers[0] = (int) witness.threads.stream().filter(name -> name.startsWith("forces-")).count();
         double[] state = Arrays.copyOf(scene.system().getOwnState(), scene.system().getStateSize() + 1);

@@ -16,6 +16,7 @@ import particles.app.experiments.ReportCommand;
 import particles.app.experiments.StabilityCommand;
 import particles.app.experiments.StiffGalleryCommand;
 import particles.app.experiments.WorkPrecisionCommand;
+import particles.app.run.GalleryCommand;
 import particles.app.run.RunCommand;
 import particles.app.run.ScenesCommand;
 import particles.app.run.SolversCommand;
@@ -60,7 +61,8 @@ public final class Main {
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
     public static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
-        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new SolversCommand(),
+        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new GalleryCommand(SCENES),
+                new SolversCommand(),
                 new LectureFiguresCommand(style),
                 new EnergyDriftCommand(style),
                 new WorkPrecisionCommand(style),

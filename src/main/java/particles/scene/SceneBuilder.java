@@ -30,7 +30,6 @@ import particles.scene.parts.SpringDescription;
 import particles.scene.parts.SpringFamily;
 import particles.spec.Chosen;
 import particles.spec.messages.Problems;
-import particles.view.Scenery;
 import particles.view.Surface;
 
 /** From a description to a simulation: what it names is built, and nothing else. */

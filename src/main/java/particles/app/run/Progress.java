@@ -4,7 +4,8 @@ import java.io.PrintWriter;
 import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
-import particles.app.cli.Digits;
+import particles.messages.Digits;
+import particles.messages.Digits;
 
 /**
  * Says how far a long run has come: never more than a line a second, fewer when little happens, and none where the run

@@ -3,10 +3,10 @@ package particles.app.run;
 import java.util.ArrayList;
 import java.util.List;
 import particles.Simulation;
-import particles.app.cli.Digits;
 import particles.app.cli.Version;
 import particles.experiments.energy.EnergyHistory;
 import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.messages.Digits;
 import particles.output.files.RunSummary;
 import particles.scene.Scene;
 
@@ -20,16 +20,16 @@ final class Summary {
 
     /**
      * @param name    of the scene
+     * @param hash    of its file
      * @param scene   after its run
      * @param energy  what was seen of its energy
      * @param books   its ledger
      * @param seconds how long the run took (s)
      */
-    Summary(String name, Scene scene, EnergyHistory energy, EnergyLedgerRecorder books, double seconds) {
+    Summary(String name, String hash, Scene scene, EnergyHistory energy, EnergyLedgerRecorder books, double seconds) {
         this.scene = scene;
         Simulation simulation = scene.simulation();
-        record = new RunSummary(name, scene.description().sha256(), scene.description().solver(),
-                simulation.getDeltaT(),
+        record = new RunSummary(name, hash, scene.description().solver(), simulation.getDeltaT(),
                 simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
                 scene.system().getEvaluations(), seconds, energy.getStart(), energy.getEnd(), energy.getScale(),
                 energy.getLargestDrift(), books.getWork(), books.getNumericalError(), books.getLargestNumericalError());

@@ -37,7 +37,7 @@ public final class OutputFile extends OutputStream {
     private final OutputStream stream;
     private boolean open = true;
 
-    OutputFile(Path file, Opener opener, Runnable whenDone) {
+    public OutputFile(Path file, Opener opener, Runnable whenDone) {
         this.file = file;
         this.part = partOf(file);
         this.whenDone = whenDone;

@@ -49,7 +49,7 @@ public final class SceneChecks {
     }
 
     /** @return the description, if nothing at all is wrong */
-    public Optional<SceneDescription> describe(String source, String sha256) {
+    public Optional<SceneDescription> describe(String source) {
         checkParticles();
         checkShapes();
         RuleChecks.newIds(scene, this::take);
@@ -82,8 +82,7 @@ public final class SceneChecks {
             return Optional.empty();
         }
         Values noWords = Values.none(scene.place());
-        return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE),
-                scene.get(SceneFormat.TEACHES),
+        return Optional.of(new SceneDescription(source, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
                 scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
                         scene.get(SceneFormat.DURATION),
                 List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),

@@ -19,7 +19,6 @@ import particles.view.RenderOptions;
  * What a scene file says, checked as a whole.
  *
  * @param source       the file, as it was named
- * @param sha256       the hash of the file's bytes, in hexadecimal digits
  * @param title        what the scene shows
  * @param teaches      what one learns from it
  * @param solver       the name of the solver
@@ -40,7 +39,7 @@ import particles.view.RenderOptions;
  * @param threads      how many threads may evaluate forces, if it says so
  * @param places       where the solver, deltaT and duration stand
  */
-public record SceneDescription(String source, String sha256, String title, String teaches, String solver,
+public record SceneDescription(String source, String title, String teaches, String solver,
                                Optional<Tolerances> tolerances, double deltaT, double duration,
                                        List<ParticleDescription> particles, List<ShapeDescription> shapes,
                                List<SpringDescription> springs, ConstraintDescription constraints,
@@ -67,7 +66,7 @@ public record SceneDescription(String source, String sha256, String title, Strin
 
     SceneDescription with(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
             double otherDuration, Optional<Integer> otherThreads, Map<Key<?>, Place> otherPlaces) {
-        return new SceneDescription(source, sha256, title, teaches, otherSolver, otherTolerances,
+        return new SceneDescription(source, title, teaches, otherSolver, otherTolerances,
                 otherDeltaT, otherDuration, particles,
                 shapes,
                 springs, constraints, effects, rules, exactImpacts, camera, look,

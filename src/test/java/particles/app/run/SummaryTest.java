@@ -30,7 +30,7 @@ class SummaryTest {
         scene.simulation().addObserver(energy);
         scene.simulation().addObserver(books);
         scene.simulation().run();
-        return new Summary("02-one-spring", scene, energy, books, 0).lines();
+        return new Summary("02-one-spring", "ab12", scene, energy, books, 0).lines();
     }
 
     /**

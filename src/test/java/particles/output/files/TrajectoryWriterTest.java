@@ -19,7 +19,6 @@ import particles.ParticleSystem;
 import particles.Rule;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.law.Effect;
 import particles.law.Vector3;
 import particles.output.TestEffects;
 

@@ -47,6 +47,7 @@ class ThousandStudentsTest {
         assertTrue(answers.size() > students / 5, answers.size() + " different answers");
     }
 
+    @Tag("slow")
     @TestFactory
     Stream<DynamicTest> fiftyStudents() {
         return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.all().get(n - 1).title(), () -> hold(n, 50)));

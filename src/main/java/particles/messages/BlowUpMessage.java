@@ -1,25 +1,23 @@
-package particles.app.run;
+package particles.messages;
 
 import deSolvers.DESolverException;
 import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import java.util.function.UnaryOperator;
 import particles.BlowUpException;
-import particles.SimulationException;
-import particles.app.cli.Digits;
-import particles.app.cli.OptionStyle;
-import particles.effects.LinearDrag;
-import particles.experiments.stability.SpringRates;
 import particles.law.Effect;
 import particles.law.Particles;
+import particles.SimulationException;
+import particles.effects.LinearDrag;
+import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
 
 /**
- * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame,
- * how fast the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of
- * springs.
+ * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame, how fast
+ * the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of springs.
  */
-final class BlowUpMessage {
+public final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
     private static final double SAFETY = 0.9;
     /** Where damping is solved for by fixed point, as in verlet, a step times its rate that converges quickly. */
@@ -28,7 +26,7 @@ final class BlowUpMessage {
     private static final String STIFF = "backward-euler";
 
     private final Scene scene;
-    private final OptionStyle style;
+    private final UnaryOperator<String> options;
     private final SpringRates rates;
     private final double deltaT;
     private final double damping;
@@ -36,11 +34,11 @@ final class BlowUpMessage {
 
     /**
      * @param scene the scene that was run
-     * @param style how options are typed
+     * @param options how an option of this name is typed
      */
-    BlowUpMessage(Scene scene, OptionStyle style) {
+    public BlowUpMessage(Scene scene, UnaryOperator<String> options) {
         this.scene = scene;
-        this.style = style;
+        this.options = options;
         rates = SpringRates.of(scene.springs(), scene.system().getParticles());
         deltaT = scene.simulation().getDeltaT();
         double drag = dragRate();
@@ -52,12 +50,10 @@ final class BlowUpMessage {
      * @param e what ended the run
      * @return the line
      */
-    String of(SimulationException e) {
-        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
-                + ": ";
+    public String of(SimulationException e) {
+        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e) + ": ";
         if (e.getCause() instanceof DESolverException cause) {
-            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ",
-                    "") + stiffest() + advice();
+            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + stiffest() + advice();
         }
         return line + (e instanceof BlowUpException ? energy() + stiffest() + advice() : e.getMessage());
     }
@@ -104,8 +100,7 @@ final class BlowUpMessage {
                             : ", and where springs buckle it makes energy: try " + option("solver", STIFF));
         }
         String stated = "; the limit of " + name + " is " + Digits.few(limit) + ": try ";
-        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4))
-                + ", as springs are not the cause"
+        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4)) + ", as springs are not the cause"
                 : stated + option("deltaT", Digits.roundedDown(stableStep(solver)));
     }
 
@@ -117,8 +112,7 @@ final class BlowUpMessage {
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""
-                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver",
-                STIFF));
+                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver", STIFF));
     }
 
     /** A step below the solver's limit, whatever the springs do (s). */
@@ -129,16 +123,14 @@ final class BlowUpMessage {
         return SAFETY * limit(solver) / fastest;
     }
 
-    /**
-     * Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller.
-     */
+    /** Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller. */
     private double limit(SolverInfo solver) {
         boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
         return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
     }
 
     private String option(String name, String value) {
-        return style.option(name) + "=" + value;
+        return options.apply(name) + "=" + value;
     }
 
     /** The fastest decay by air drag, c/m (1/s). */

@@ -1,4 +1,4 @@
-package particles.app.cli;
+package particles.messages;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

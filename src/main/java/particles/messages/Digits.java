@@ -1,4 +1,4 @@
-package particles.app.cli;
+package particles.messages;
 
 import java.math.BigDecimal;
 import java.math.MathContext;

@@ -1,4 +1,4 @@
-package particles.app.run;
+package particles.messages;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -13,11 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.SimulationException;
-import particles.app.cli.OptionStyle;
+import particles.scene.format.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.scene.format.Overrides;
 
 /** Where friction is why a solver finds no step, the line says so, and what it advises runs. */
 class FrictionMessageTest {
@@ -35,7 +34,7 @@ class FrictionMessageTest {
     void frictionIsNamedAndTheAdviceWorks(String solver) {
         Scene stops = jelly(new Overrides().with("solver", solver, "--solver"));
         SimulationException e = assertThrows(SimulationException.class, stops.simulation()::run);
-        String line = FrictionMessage.of(stops, OptionStyle.SHELL, e).orElseThrow();
+        String line = FrictionMessage.of(stops, name -> "--" + name, e).orElseThrow();
         assertTrue(line.contains("Coulomb friction turns faster than " + solver + " can solve for"), line);
         assertFalse(line.contains("damping"), line);
         Overrides advised = new Overrides();
@@ -53,6 +52,6 @@ class FrictionMessageTest {
     void otherFailuresAreNotFrictions() {
         Scene scene = jelly(new Overrides());
         SimulationException e = new SimulationException(0, -1, "the clock does not move", null);
-        assertTrue(FrictionMessage.of(scene, OptionStyle.SHELL, e).isEmpty());
+        assertTrue(FrictionMessage.of(scene, name -> "--" + name, e).isEmpty());
     }
 }
