@@ -32,7 +32,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
-    public final ForceSum forces = new ForceSum(particles, effects, reactions);
+    private final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();
     private final ParticleJacobian jacobian = new ParticleJacobian(this, particles, forces, effects, reactions);
     private double[] state = {};
@@ -265,6 +265,11 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     @Override
     public double getInverseMass(int i) {
         return particles.inverseMasses()[i];
+    }
+
+    /** @return what adds up this system's forces, for those that evaluate it in another way, such as by threads */
+    public ForceSum getForceSum() {
+        return forces;
     }
 
     /**

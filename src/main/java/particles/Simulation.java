@@ -112,7 +112,8 @@ public final class Simulation {
         double left = endTime - system.getTime();
         step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
         if (endTime - system.getTime() >= left) {
-            throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at"
+            throw new SimulationException(system.getTime(), -1,
+                    "a step of " + deltaT + " s no longer moves the clock at"
                     + " t = " + system.getTime(), null);
         }
     }

@@ -50,17 +50,16 @@ class ArchitectureTest {
                                            particles.experiments.phase particles.experiments.race
                                            particles.experiments.runs particles.experiments.spectrum
                                            particles.experiments.stability particles.experiments.work particles.law
-                                           particles.output.animation particles.output.files particles.output.frames
-                                           particles.output.race particles.output.raster particles.output.report
-                                           particles.output.text particles.scene particles.scene.format particles.view
-                                           picocli
-            particles.app.run:             deSolvers deSolvers.adaptive deSolvers.catalog particles particles.app.cli
-                                           particles.app.student particles.effects particles.experiments.energy
-                                           particles.experiments.phase particles.experiments.runs
-                                           particles.experiments.stability particles.law particles.output.animation
-                                           particles.output.charts particles.output.files particles.output.frames
-                                           particles.output.raster particles.reactions particles.scene
+                                           particles.messages particles.output.animation particles.output.files
+                                           particles.output.frames particles.output.race particles.output.raster
+                                           particles.output.report particles.output.text particles.scene
                                            particles.scene.format particles.view picocli
+            particles.app.run:             deSolvers.catalog particles particles.app.cli particles.app.student
+                                           particles.experiments.energy particles.experiments.phase
+                                           particles.experiments.runs particles.law particles.messages
+                                           particles.output.animation particles.output.charts particles.output.files
+                                           particles.output.frames particles.output.raster particles.scene
+                                           particles.scene.format particles.threads particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles particles.app.cli particles.law
                                            particles.output.files particles.output.report particles.output.text
                                            particles.spec particles.teaching particles.teaching.effects
@@ -89,6 +88,9 @@ class ArchitectureTest {
                                            particles.reactions particles.reactions.contact particles.rules
                                            particles.view
             particles.law:
+            particles.messages:            deSolvers deSolvers.adaptive deSolvers.catalog particles particles.effects
+                                           particles.experiments.stability particles.law particles.reactions
+                                           particles.scene
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       particles.output.files particles.output.text particles.view java.awt
@@ -141,6 +143,7 @@ class ArchitectureTest {
             particles.teaching.marking:    particles.law
             particles.teaching.solvers:    deSolvers deSolvers.rungeKutta particles.teaching particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems
+            particles.threads:             particles particles.engine particles.law
             particles.view:                particles.law
             """);
 

@@ -46,17 +46,17 @@ public final class ForceSum {
     }
 
     /** The effects that act on each particle by itself. */
-    List<PerParticleEffect> perParticle() {
+    public List<PerParticleEffect> perParticle() {
         return perParticle;
     }
 
     /** All other effects, in the order in which they act. */
-    List<Effect> others() {
+    public List<Effect> others() {
         return others;
     }
 
     /** Lets something else evaluate the derivative where that pays; closes what did so before. */
-    void setParallel(Optional<ParallelDerivative> other) {
+    public void setParallel(Optional<ParallelDerivative> other) {
         parallel.ifPresent(ParallelDerivative::close);
         parallel = other;
     }
@@ -72,7 +72,7 @@ public final class ForceSum {
     }
 
     /** The forces of the effects on single particles, for the particles first ... end - 1. */
-    void begin(double[] state, double time, double[] dSdt, int first, int end) {
+    public void begin(double[] state, double time, double[] dSdt, int first, int end) {
         for (int from = first; from < end; from += STRETCH) {
             int to = Math.min(end, from + STRETCH);
             Arrays.fill(dSdt, STRIDE * from, STRIDE * to, 0.0);
@@ -83,7 +83,7 @@ public final class ForceSum {
     }
 
     /** From forces to the derivative: (0, F) becomes (v, F/m). */
-    void finish(double[] state, double[] dSdt, int from, int to) {
+    public void finish(double[] state, double[] dSdt, int from, int to) {
         double[] inverseMasses = particles.inverseMasses();
         for (int x = STRIDE * from, i = from; x < STRIDE * to; x += STRIDE, i++) {
             double inverseMass = inverseMasses[i];
@@ -116,7 +116,7 @@ public final class ForceSum {
         return depend;
     }
 
-    void addReactions(double[] state, double time, double[] force) {
+    public void addReactions(double[] state, double time, double[] force) {
         for (int r = 0; r < reactions.size(); r++) {
             Reaction reaction = reactions.get(r);
             if (reaction.isActive()) {

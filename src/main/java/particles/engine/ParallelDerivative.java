@@ -1,7 +1,7 @@
 package particles.engine;
 
 /** Another way to evaluate a system's derivative, with the same bits; handed to the system from outside. */
-interface ParallelDerivative extends AutoCloseable {
+public interface ParallelDerivative extends AutoCloseable {
     /** Whether there is enough to do for it to be worth while. */
     boolean pays();
 

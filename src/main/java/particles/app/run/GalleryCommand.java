@@ -42,7 +42,8 @@ public final class GalleryCommand extends ProgramCommand {
 
     @Override
     public void run(PrintWriter out) throws IOException {
-        String page = GalleryPage.of(folder);           // a scene that cannot be read stops this before anything is drawn
+        // a scene that cannot be read stops this before anything is drawn
+        String page = GalleryPage.of(folder);
         Path pictures = Files.createDirectories(folder.resolve(GalleryPage.PICTURES));
         for (Path file : SceneFiles.list(folder)) {
             String name = SceneName.of(file).whole();
@@ -59,7 +60,8 @@ public final class GalleryCommand extends ProgramCommand {
         Overrides whole = new Overrides();
         Camera camera = CameraFinder.find(SceneBuilder.build(described, whole), described, whole);
         double moment = MOMENT * described.duration();
-        Scene scene = SceneBuilder.build(described, new Overrides().with("duration", Double.toString(moment), "the gallery"));
+        Scene scene = SceneBuilder.build(described, new Overrides().with("duration", Double.toString(moment),
+                "the gallery"));
         FrameSetup stage = new FrameSetup(camera, withTrails(scene, moment), scene.scenery(), "", "");
         FrameRenderer renderer = new FrameRenderer(stage, WIDTH, HEIGHT, 2);
         double framesPerSecond = Math.max(scene.output().frameRate(), 20 / moment);
@@ -82,7 +84,8 @@ public final class GalleryCommand extends ProgramCommand {
         if (free > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS || style.trail() > 0) {
             return look;
         }
-        return new RenderOptions(look.particles(), look.springs(), look.particleRadius(), look.strainRange(), look.particleColour(),
+        return new RenderOptions(look.particles(), look.springs(), look.particleRadius(), look.strainRange(),
+                look.particleColour(),
                 look.fixedColour(), look.frontColour(), look.backColour(),
                 new ParticleStyle(style.kind(), style.ageColours(), duration, style.night()));
     }

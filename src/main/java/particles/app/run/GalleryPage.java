@@ -54,7 +54,8 @@ public final class GalleryPage {
 
     private static String row(SceneName name, SceneDescription scene) {
         String teaches = String.join(" ", List.of(scene.teaches().strip().split("\\s+"))).replace("|", "\\|");
-        return "| ![" + scene.title() + "](" + PICTURES + "/" + name.whole() + ".png) | [" + name.whole() + "](" + name.whole()
+        return "| ![" + scene.title() + "](" + PICTURES + "/" + name.whole() + ".png) | [" + name.whole() + "]("
+                + name.whole()
                 + ".yaml): **" + scene.title() + "**<br>" + teaches + "<br>Solver: " + scene.solver() + " |";
     }
 }

@@ -4,12 +4,10 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
 import particles.SimulationException;
-import particles.messages.Digits;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
-import particles.engine.ParallelForces;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
@@ -21,6 +19,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
+import particles.threads.ParallelForces;
 
 /** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
 final class RunJob {
@@ -81,7 +80,8 @@ final class RunJob {
                 observers.add(new StopObserver(stop));
                 early = simulate(scene);
             }
-            Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(), observers.books(),
+            Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
+                    observers.books(),
                     progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
             observers.drawCharts();
@@ -95,12 +95,14 @@ final class RunJob {
 
     /** @return why it ended early, if it did */
     private Optional<String> simulate(Scene scene) {
-        ParallelForces.use(scene.system(), scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
+        ParallelForces.use(scene.system(),
+                scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
-            return FrictionMessage.of(scene, style::option, e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
+            return FrictionMessage.of(scene, style::option,
+                    e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(scene.simulation().getDuration()) + " s");

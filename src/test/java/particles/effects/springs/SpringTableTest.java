@@ -185,7 +185,10 @@ class SpringTableTest {
         return parts;
     }
 
-    /** Ranges of particles as the springs divide them: each block is all that lies within one, each joint what else in its two. */
+    /**
+     * Ranges of particles as the springs divide them: each block is all that lies within one, each joint what else in
+     * its two.
+     */
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(ints = {8192, 20_000, 40_000})

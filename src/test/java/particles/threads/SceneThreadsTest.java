@@ -1,4 +1,4 @@
-package particles;
+package particles.threads;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -11,7 +11,6 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import particles.engine.ParallelForces;
 import particles.law.DifferentiableEffect;
 import particles.law.ForceDerivatives;
 import particles.law.PerParticleEffect;
@@ -21,6 +20,7 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
+import particles.threads.ParallelForces;
 
 /**
  * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that

@@ -1,4 +1,4 @@
-package particles.engine;
+package particles.threads;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

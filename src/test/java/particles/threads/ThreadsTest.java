@@ -1,4 +1,4 @@
-package particles;
+package particles.threads;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -22,9 +22,9 @@ import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
-import particles.engine.ParallelForces;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
+import particles.threads.ParallelForces;
 
 /** Any number of threads gives the same bits, as a hash of the state shows; none is left when the work is done. */
 class ThreadsTest {

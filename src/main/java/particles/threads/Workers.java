@@ -1,4 +1,4 @@
-package particles.engine;
+package particles.threads;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;

@@ -1,8 +1,10 @@
-package particles.engine;
+package particles.threads;
 
 import java.util.List;
 import java.util.Optional;
 import particles.ParticleSystem;
+import particles.engine.ForceSum;
+import particles.engine.ParallelDerivative;
 import particles.law.DivisibleEffect;
 import particles.law.Effect;
 import particles.law.Particles;
@@ -53,8 +55,8 @@ public final class ParallelForces implements ParallelDerivative {
         if (threads < 1) {
             throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
         }
-        system.forces.setParallel(threads == 1 ? Optional.empty()
-                : Optional.of(new ParallelForces(system.forces, system.getParticles(), threads, paysFrom)));
+        system.getForceSum().setParallel(threads == 1 ? Optional.empty()
+                : Optional.of(new ParallelForces(system.getForceSum(), system.getParticles(), threads, paysFrom)));
     }
 
     @Override
