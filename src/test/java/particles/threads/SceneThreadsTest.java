@@ -20,7 +20,6 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
-import particles.threads.ParallelForces;
 
 /**
  * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that

@@ -18,13 +18,15 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.Cloth;
+import particles.ParticleSystem;
+import particles.Systems;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
-import particles.threads.ParallelForces;
 
 /** Any number of threads gives the same bits, as a hash of the state shows; none is left when the work is done. */
 class ThreadsTest {
