@@ -56,7 +56,7 @@ class ArchitectureTest {
                                            particles.scene.format particles.view picocli
             particles.app.run:             deSolvers.catalog particles particles.app.cli particles.app.student
                                            particles.experiments.energy particles.experiments.phase
-                                           particles.experiments.runs particles.law particles.messages
+                                           particles.experiments.runs particles.lab particles.law particles.messages
                                            particles.output.animation particles.output.charts particles.output.files
                                            particles.output.frames particles.output.raster particles.scene
                                            particles.scene.format particles.threads particles.view picocli
@@ -87,6 +87,11 @@ class ArchitectureTest {
                                            particles.effects.springs particles.experiments.runs particles.law
                                            particles.reactions particles.reactions.contact particles.rules
                                            particles.view
+            particles.lab:                 deSolvers.catalog particles particles.experiments.stability particles.law
+                                           particles.messages particles.scene particles.scene.format particles.spec
+                                           particles.view
+            particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
+            particles.lab.compile:         particles.lab javax.tools org.teavm
             particles.law:
             particles.messages:            deSolvers deSolvers.adaptive deSolvers.catalog particles particles.effects
                                            particles.experiments.stability particles.law particles.reactions

@@ -17,6 +17,7 @@ import particles.app.experiments.StabilityCommand;
 import particles.app.experiments.StiffGalleryCommand;
 import particles.app.experiments.WorkPrecisionCommand;
 import particles.app.run.GalleryCommand;
+import particles.app.run.LabCommand;
 import particles.app.run.RunCommand;
 import particles.app.run.ScenesCommand;
 import particles.app.run.SolversCommand;
@@ -72,6 +73,7 @@ public final class Main {
                 new EffectCostCommand(style),
                 new RaceCommand(style),
                 new ReportCommand(style, experiments(style)),
+                new LabCommand(SCENES, exercises(), style),
                 new CheckSolverCommand(),
                 new NewClassCommand.NewSolver(exercises(), style),
                 new NewClassCommand.NewEffect(exercises(), style),

@@ -58,7 +58,7 @@
  * A scene names the class:
  * <pre>{@code
  * title: A puck on a turntable
- * teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table turns once.
+ * teaches: On a turntable shaped to cancel the centrifugal force, a puck goes round twice a turn.
  * solver: rk4
  * deltaT: 0.01
  * duration: 2

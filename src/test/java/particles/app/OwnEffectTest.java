@@ -80,8 +80,7 @@ class OwnEffectTest {
     /** A turn takes pi/w = 2 s. */
     private static final String SCENE = """
             title: A puck on a turntable
-            teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table
-                  turns once.
+            teaches: On a turntable shaped to cancel the centrifugal force, a puck goes round twice a turn.
             solver: rk4
             deltaT: 0.01
             duration: 2

@@ -144,7 +144,8 @@ class BlowUpMessageTest {
                 duration: 3
                 shapes:
                   - cloth: {id: c, corner: [0, 0, 0], across: [0.4, 0, 0], down: [0, 0, 0.4], columns: 5, rows: 5,
-                            mass: 0.01, fixed: [top], structural: {stiffness: 1e6}, shear: {stiffness: 1e6}, bend: {stiffness: 1e6}}
+                            mass: 0.01, fixed: [top], structural: {stiffness: 1e6}, shear: {stiffness: 1e6},
+                            bend: {stiffness: 1e6}}
                 effects: [gravity]
                 """.replace("SOLVER", solver);
         return SceneBuilder.build(SceneReader.read("cloth.yaml", text.getBytes(StandardCharsets.UTF_8)),
