@@ -3,8 +3,8 @@ package deSolvers.problems;
 import deSolvers.DEStateSource;
 
 /**
- * An initial value problem: its law, the state and the clock, and a count of the evaluations of its derivative. Where the
- * exact solution is known, it tells that too. Refuses arrays that are not exactly as long as the state.
+ * An initial value problem: its law, the state and the clock, and a count of the evaluations of its derivative. Where
+ * the exact solution is known, it tells that too. Refuses arrays that are not exactly as long as the state.
  */
 public abstract class ReferenceProblem implements DEStateSource {
     private final double[] start;

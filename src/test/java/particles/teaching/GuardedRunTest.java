@@ -112,7 +112,8 @@ class GuardedRunTest {
 
     @Test
     void whatTheJvmPutsBetweenIsNobodysPlace() {
-        StackTraceElement lambda = new StackTraceElement("particles.app.CheckCommand$$Lambda$22/0x00007f5e08027988",
+        StackTraceElement lambda =
+                new StackTraceElement("particles.app.student.CheckCommand$$Lambda$22/0x00007f5e08027988",
                 "call",
                 null, -1);
         StackTraceElement ours = new StackTraceElement("particles.ParticleSystem", "getState", "ParticleSystem.java",

@@ -3,11 +3,11 @@ package particles.teaching.effects;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import particles.DifferentiableEffect;
-import particles.Effect.Trait;
-import particles.Effect;
-import particles.ForceDerivatives;
 import particles.ParticleSystem;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect.Trait;
+import particles.law.Effect;
+import particles.law.ForceDerivatives;
 import particles.teaching.Formula;
 
 /**

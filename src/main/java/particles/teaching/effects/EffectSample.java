@@ -6,16 +6,16 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
 import java.util.TreeSet;
-import particles.Effect;
-import particles.Obstacle;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Effect;
+import particles.law.Obstacle;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.spec.ClassNames;
 
 /** A handful of particles for an effect to act on, and effects by name. */

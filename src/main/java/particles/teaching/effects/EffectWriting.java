@@ -3,9 +3,9 @@ package particles.teaching.effects;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.PerParticleEffect;
+import particles.law.Effect;
+import particles.law.PerParticleEffect;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 

@@ -8,16 +8,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.ChartData.Mark;
-import particles.ChartData.Series;
-import particles.ChartData;
-import particles.DataTable;
 import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
 import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.ChartData;
+import particles.view.DataTable;
 
 /**
  * What a solver does, measured on motions with known solutions.

@@ -9,15 +9,15 @@ import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
-import particles.ChartData.Mark;
-import particles.ChartData.Series;
-import particles.ChartData;
-import particles.DataTable;
-import particles.experiments.Amplification;
-import particles.experiments.StabilityLimit;
-import particles.experiments.StabilityMap;
-import particles.experiments.StepTrial;
+import particles.experiments.stability.Amplification;
+import particles.experiments.stability.StabilityLimit;
+import particles.experiments.stability.StabilityMap;
+import particles.experiments.stability.StepTrial;
 import particles.teaching.Formula;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.ChartData;
+import particles.view.DataTable;
 
 /**
  * How long a step of a solver may be before something grows that should not, measured on its steps.

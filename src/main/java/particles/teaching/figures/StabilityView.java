@@ -2,7 +2,7 @@ package particles.teaching.figures;
 
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.LongSupplier;
-import particles.experiments.StabilityRegion.Window;
+import particles.experiments.stability.StabilityRegion.Window;
 
 /**
  * Which part of the plane shows a solver's stability region, and how finely it can be looked at.

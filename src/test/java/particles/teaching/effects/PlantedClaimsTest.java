@@ -9,9 +9,9 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
-import particles.Effect.Trait;
-import particles.Effect;
 import particles.ParticleSystem;
+import particles.law.Effect.Trait;
+import particles.law.Effect;
 import particles.teaching.Finding;
 
 /** Force laws whose force is right and whose account of it is not, and the other way round. */

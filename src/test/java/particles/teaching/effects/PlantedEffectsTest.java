@@ -10,9 +10,9 @@ import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.Particles;
+import particles.law.Effect;
+import particles.law.Particles;
 import particles.spec.ClassNames;
 import particles.teaching.Finding;
 

@@ -10,7 +10,6 @@ import static particles.teaching.solvers.PlantedSolvers.state;
 import static particles.teaching.solvers.PlantedSolvers.with;
 
 import deSolvers.DESolver;
-import deSolvers.DEStateSource;
 import deSolvers.adaptive.DormandPrinceSolver;
 import java.util.List;
 import java.util.Random;
@@ -20,10 +19,10 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.ChartData.Series;
-import particles.ChartData;
-import particles.teaching.solvers.PlantedSolvers;
 import particles.teaching.solvers.PlantedSolvers.AdamsBashforth2;
+import particles.teaching.solvers.PlantedSolvers;
+import particles.view.ChartData.Series;
+import particles.view.ChartData;
 
 /** Stability of solvers that nobody told us about, from their steps, against closed forms. */
 class StabilityFiguresTest {
