@@ -6,16 +6,16 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.function.UnaryOperator;
 import particles.BlowUpException;
-import particles.Effect;
-import particles.Particles;
+import particles.law.Effect;
+import particles.law.Particles;
 import particles.SimulationException;
 import particles.effects.LinearDrag;
-import particles.experiments.SpringRates;
+import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
 
 /**
- * What is printed when a run cannot go on: what happened and where; if springs are to blame, by how much deltaT is too long
- * for them; and what to try. Each is a line or two.
+ * What is printed when a run cannot go on: what happened and where; if springs are to blame, by how much deltaT is
+ * too long for them; and what to try. Each is a line or two.
  */
 public final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
@@ -51,7 +51,8 @@ public final class BlowUpMessage {
      * @return up to four lines, separated by line feeds
      */
     public String of(SimulationException e) {
-        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e) + ": ";
+        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
+                + ": ";
         if (e.getCause() instanceof DESolverException cause) {
             return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + advice();
         }
@@ -72,7 +73,8 @@ public final class BlowUpMessage {
     private String advice() {
         String name = scene.description().solver();
         if (!SolverCatalog.names().contains(name)) {
-            return "\nthe stability limit of " + name + " is not known" + trying(option("deltaT", Digits.few(deltaT / 10)));
+            return "\nthe stability limit of " + name + " is not known"
+                    + trying(option("deltaT", Digits.few(deltaT / 10)));
         }
         SolverInfo solver = SolverCatalog.info(name);
         if (solver.adaptive()) {
@@ -127,7 +129,8 @@ public final class BlowUpMessage {
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""
-                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver", STIFF));
+                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or "
+                        + option("solver", STIFF));
     }
 
     /** A step below the solver's limit, whatever the springs do (s). */
@@ -138,7 +141,7 @@ public final class BlowUpMessage {
         return SAFETY * limit(solver) / fastest;
     }
 
-    /** Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller. */
+    /** Undamped springs lie on the imaginary axis; damping moves them to the real one, where the limit may differ. */
     private double limit(SolverInfo solver) {
         boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
         return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();

@@ -6,14 +6,15 @@ import deSolvers.catalog.SolverInfo;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import particles.SimulationException;
-import particles.experiments.SpringRates;
+import particles.experiments.stability.SpringRates;
 import particles.reactions.RestingContacts;
 import particles.scene.Scene;
 
 /**
  * What is printed when a solver finds no step because Coulomb friction changes its direction in it. Near a stop the
- * direction changes as fast as the velocity's, however slow that is, so a shorter step may not help, and springs and drag
- * are not the cause. An explicit solver steps across the change, and the rule after the step sees that it was a stop.
+ * direction changes as fast as the velocity's, however slow that is, so a shorter step may not help, and springs and
+ * drag are not the cause. An explicit solver steps across the change, and the rule after the step sees that it was a
+ * stop.
  */
 public final class FrictionMessage {
     private static final String EXPLICIT = "rk4";
@@ -34,7 +35,8 @@ public final class FrictionMessage {
             return Optional.empty();
         }
         String name = scene.description().solver();
-        String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "").replaceFirst("; .*", "");
+        String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "")
+                .replaceFirst("; .*", "");
         return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found + "\nsomething that"
                 + " slides is about to stop, and there Coulomb friction changes its direction too fast for " + name
                 + "\ntry " + options.apply("solver") + "=" + EXPLICIT + step(scene, options)

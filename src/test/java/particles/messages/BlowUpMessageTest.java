@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.SimulationException;
-import particles.scene.Overrides;
+import particles.scene.format.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
@@ -81,7 +81,7 @@ class BlowUpMessageTest {
         advised.simulation().run();
         assertEquals(60, advised.system().getTime(), 1e-9);
         double energy = advised.system().getKineticEnergy(advised.system().getOwnState());
-        assertTrue(energy < 0.1, energy + " J after " + line);          // 0.005 J and what the springs hold at the start
+        assertTrue(energy < 0.1, energy + " J after " + line);  // 0.005 J and what the springs hold at the start
     }
 
     @Test
@@ -132,8 +132,8 @@ class BlowUpMessageTest {
         String line = blowUp(SceneBuilder.build(SceneReader.read("torn.yaml", text.getBytes(StandardCharsets.UTF_8)),
                 new Overrides()));
         assertTrue(line.matches("rk4 stopped at t = [\\d.e-]+ s at particle 'wall': the rods and wires"
-                + " connected to particle 'wall' contradict each other at t = [\\d.E-]+ s: no forces can keep"
-                + " them all"), line);
+                + " connected to particle 'wall' contradict each other at t = [\\d.E-]+ s: no forces can"
+                + " satisfy them all"), line);
     }
 
     private static Scene stiffCloth(String solver) {
@@ -145,13 +145,15 @@ class BlowUpMessageTest {
                 duration: 3
                 shapes:
                   - cloth: {id: c, corner: [0, 0, 0], across: [0.4, 0, 0], down: [0, 0, 0.4], columns: 5, rows: 5,
-                            mass: 0.01, fixed: [top], structural: {stiffness: 1e6}, shear: {stiffness: 1e6}, bend: {stiffness: 1e6}}
+                            mass: 0.01, fixed: [top], structural: {stiffness: 1e6},
+                            shear: {stiffness: 1e6}, bend: {stiffness: 1e6}}
                 effects: [gravity]
                 """.replace("SOLVER", solver);
-        return SceneBuilder.build(SceneReader.read("cloth.yaml", text.getBytes(StandardCharsets.UTF_8)), new Overrides());
+        return SceneBuilder.build(SceneReader.read("cloth.yaml", text.getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
     }
 
-    /** Implicit midpoint damps nothing and makes energy where springs buckle, at shorter steps as well: another damps it. */
+    /** Implicit midpoint damps nothing and adds energy where springs buckle, at shorter steps too. */
     @Test
     void whatBucklesWantsDamping() {
         String line = blowUp(stiffCloth("implicit-midpoint"));
