@@ -4,15 +4,11 @@ import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Supplier;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
-import particles.teaching.GuardedRun;
-import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.StudentFailure;
-import particles.teaching.sources.Probe;
 import particles.teaching.sources.WindyOscillators;
 
 /**
@@ -27,9 +23,6 @@ final class SolverContract {
     private static final int STEPS = 6;
     private static final int SOME = 40;
     private static final int MANY = 200;
-    private static final int MOST = 2000;
-    private static final double TINY = 1e-12;
-    private static final double NAN_SECONDS = 0.5;
 
     private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, "
             + "state and deltaT are what the"
@@ -59,8 +52,7 @@ final class SolverContract {
         }
         contract.checkZero();
         contract.checkNegative();
-        contract.checkPlain();
-        contract.advise();
+        contract.findings.addAll(SolverNotes.of(maker));
         return contract.findings;
     }
 
@@ -157,17 +149,6 @@ final class SolverContract {
         }
     }
 
-    /** Whether sources without positions and velocities will do. */
-    private void checkPlain() {
-        try {
-            maker.get().stepState(new Probe(new double[6], 0, (evaluation, dSdt) -> dSdt[0] = TINY, MOST), H);
-        } catch (Probe.TooManyEvaluations e) {
-            return;                                     // it works on it, for long
-        } catch (RuntimeException e) {
-            note("it steps sources of positions and velocities only, and refuses others (" + e.getMessage() + ")");
-        }
-    }
-
     private void checkSizes() {
         DESolver solver = maker.get();
         int last = 3;
@@ -247,44 +228,7 @@ final class SolverContract {
         }
     }
 
-    private void advise() {
-        WindyOscillators source = new WindyOscillators(1);
-        double[] before = source.state();
-        source.failAtEvaluation(1);
-        try {
-            maker.get().stepState(source, H);
-        } catch (RuntimeException expected) {
-            if (distance(before, source.state()) != 0 || source.getTime() != 0) {
-                note("when the source fails within a step, state and time stay where they were then;"
-                        + " deSolvers.FixedStepSolver puts them back");
-            }
-        }
-        checkNaN();
-    }
-
-    /** The check puts a NaN in, and says so. */
-    private void checkNaN() {
-        WindyOscillators source = new WindyOscillators(1);
-        source.spoilDerivative();
-        String from = "this check made the derivative NaN on purpose, and ";
-        Outcome<Optional<String>> outcome = new GuardedRun(NAN_SECONDS).run(() -> {
-            try {
-                maker.get().stepState(source, H);
-                return Optional.empty();
-            } catch (RuntimeException e) {
-                return Optional.of(String.valueOf(e.getMessage()));
-            }
-        });
-        if (outcome.value().isEmpty()) {
-            note(from + "the step did not come back: end a loop that waits for a small error when the error is NaN");
-        } else if (outcome.value().get().isEmpty()) {
-            note(from + "the NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it");
-        } else if (outcome.value().get().get().matches("\\s*|null")) {
-            note(from + "the exception that the solver throws says nothing");
-        }
-    }
-
-    private static double distance(double[] x, double[] y) {
+    static double distance(double[] x, double[] y) {
         double distance = 0;
         for (int k = 0; k < x.length; k++) {
             double d = Math.abs(x[k] - y[k]);
