@@ -14,13 +14,13 @@ import org.teavm.model.instructions.InvokeInstruction;
 /** Lets calls that a page has no counterpart for call the method of the same name in {@code particles.lab.browser.Missing}. */
 public final class Substitutions implements ClassHolderTransformer {
     private static final String MISSING = "particles.lab.browser.Missing";
-    private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Runtime.maxMemory",
+    private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Runtime.maxMemory", "java.lang.String.format",
             "deSolvers.catalog.SolverCatalog.ofClass");
 
     @Override
     public void transformClass(ClassHolder owner, ClassHolderTransformerContext context) {
         for (MethodHolder method : owner.getMethods()) {
-            if (method.getProgram() == null) {
+            if (method.getProgram() == null || owner.getName().equals(MISSING)) {
                 continue;
             }
             for (BasicBlock block : method.getProgram().getBasicBlocks()) {
