@@ -6,16 +6,17 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.function.UnaryOperator;
 import particles.BlowUpException;
-import particles.Effect;
-import particles.Particles;
+import particles.law.Effect;
+import particles.law.Particles;
 import particles.SimulationException;
 import particles.effects.LinearDrag;
-import particles.experiments.SpringRates;
+import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
 
 /**
- * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame, how fast
- * the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of springs.
+ * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame,
+ * how fast the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of
+ * springs.
  */
 public final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
@@ -51,9 +52,11 @@ public final class BlowUpMessage {
      * @return the line
      */
     public String of(SimulationException e) {
-        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e) + ": ";
+        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
+                + ": ";
         if (e.getCause() instanceof DESolverException cause) {
-            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + stiffest() + advice();
+            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ",
+                    "") + stiffest() + advice();
         }
         return line + (e instanceof BlowUpException ? energy() + stiffest() + advice() : e.getMessage());
     }
@@ -100,7 +103,8 @@ public final class BlowUpMessage {
                             : ", and where springs buckle it makes energy: try " + option("solver", STIFF));
         }
         String stated = "; the limit of " + name + " is " + Digits.few(limit) + ": try ";
-        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4)) + ", as springs are not the cause"
+        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4))
+                + ", as springs are not the cause"
                 : stated + option("deltaT", Digits.roundedDown(stableStep(solver)));
     }
 
@@ -112,7 +116,8 @@ public final class BlowUpMessage {
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""
-                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver", STIFF));
+                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver",
+                STIFF));
     }
 
     /** A step below the solver's limit, whatever the springs do (s). */
@@ -123,7 +128,9 @@ public final class BlowUpMessage {
         return SAFETY * limit(solver) / fastest;
     }
 
-    /** Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller. */
+    /**
+     * Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller.
+     */
     private double limit(SolverInfo solver) {
         boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
         return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
