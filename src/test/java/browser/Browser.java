@@ -13,6 +13,7 @@ import java.util.logging.Logger;
 import java.util.stream.Stream;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Dimension;
+import org.openqa.selenium.OutputType;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
@@ -64,8 +65,8 @@ final class Browser implements AutoCloseable {
                 LabBuilder builder = Class.forName("particles.lab.compile.PageBuilder").asSubclass(LabBuilder.class)
                         .getConstructor().newInstance();
                 Path scenes = Path.of("scenes");
-                String page = builder.build(new LabBuilder.Contents(SceneFiles.list(scenes), SceneFiles.find(scenes, "2"),
-                        Optional.empty(), List.of(SOLVER), List.of(), exercises));
+                String page = builder.build(new LabBuilder.Contents(SceneFiles.list(scenes),
+                        SceneFiles.find(scenes, "2"), Optional.empty(), List.of(SOLVER), List.of(), exercises));
                 return Files.writeString(folder.resolve("index.html"), page);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
@@ -91,7 +92,8 @@ final class Browser implements AutoCloseable {
         LOG.setLevel(Level.SEVERE);                     // it warns that it does not know the newest Chromium
         ChromeOptions options = new ChromeOptions();
         options.setBinary(program("chromium"));
-        options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--enable-unsafe-swiftshader");
+        options.addArguments("--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
+                "--enable-unsafe-swiftshader");
         ChromeDriverService service = new ChromeDriverService.Builder().usingDriverExecutable(program("chromedriver"))
                 .usingAnyFreePort().build();
         Browser browser = new Browser(new ChromeDriver(service, options));
@@ -174,7 +176,7 @@ final class Browser implements AutoCloseable {
     /** Saves what is seen. */
     void screenshot(String name) {
         try {
-            Files.write(page().resolveSibling(name + ".png"), driver.getScreenshotAs(org.openqa.selenium.OutputType.BYTES));
+            Files.write(page().resolveSibling(name + ".png"), driver.getScreenshotAs(OutputType.BYTES));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

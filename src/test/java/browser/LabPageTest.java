@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.logging.Level;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -208,10 +209,11 @@ class LabPageTest {
     @ParameterizedTest
     @ValueSource(ints = {390, 768, 1280, 1920})
     void nothingIsWiderThanTheWindow(int width) {
-        page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride", java.util.Map.of("width", width, "height", 900,
-                "deviceScaleFactor", 1, "mobile", false));
+        page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride",
+                Map.of("width", width, "height", 900, "deviceScaleFactor", 1, "mobile", false));
         Browser.sleep(300);
-        assertEquals(0L, page.script("const all = document.documentElement; return all.scrollWidth - all.clientWidth;"));
+        assertEquals(0L, page.script("const all = document.documentElement;"
+                + " return all.scrollWidth - all.clientWidth;"));
         page.screenshot("width-" + width);
     }
 
@@ -231,8 +233,8 @@ class LabPageTest {
         Path file = Browser.page();
         assertTrue(Files.size(file) < 3_000_000, Files.size(file) + " bytes");
         String text = Files.readString(file);
-        for (String word : List.of("three.js", "uPlot", "CodeMirror", "snakeyaml-engine", "EJML", "TeaVM", "Apache License",
-                "Version 2.0, January 2004", "MIT")) {
+        for (String word : List.of("three.js", "uPlot", "CodeMirror", "snakeyaml-engine", "EJML", "TeaVM",
+                "Apache License", "Version 2.0, January 2004", "MIT")) {
             assertTrue(text.contains(word), word);
         }
         assertFalse(text.contains("src=\"http") || text.contains("import(\"http"), "it loads something from elsewhere");

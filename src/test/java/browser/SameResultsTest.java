@@ -25,10 +25,11 @@ import particles.spec.ClassNames;
 class SameResultsTest {
     private static final double SECONDS = 2;
     /** Scenes that need only + - * / and square roots, and others that happen to have the same bits. */
-    private static final Set<String> SAME_BITS = Set.of("01", "02", "03", "06", "07", "11", "22", "24", "25", "26", "40", "41");
+    private static final Set<String> SAME_BITS = Set.of("01", "02", "03", "06", "07", "11", "22", "24", "25", "26",
+            "40", "41");
     /**
-     * Of the largest number of the state. Springs use Java's fused multiply-add, which rounds once where a page rounds twice,
-     * and sines differ in the last bit. Measured at most 1.6e-11, in the torn cloth, which is the most sensitive.
+     * Of the largest number of the state. Springs use Java's fused multiply-add, which rounds once where a page rounds
+     * twice, and sines differ in the last bit. Measured at most 1.6e-11, in the torn cloth, the most sensitive one.
      */
     private static final double BOUND = 1e-10;
     private static Browser browser;
@@ -44,7 +45,8 @@ class SameResultsTest {
                 done(data.facts.errors.join('\\n'));
               } else if (data.type === 'state') {
                 worker.terminate();
-                done(data.failure + '|' + [...new BigUint64Array(data.state.buffer)].map(bits => bits.toString(16)).join(' '));
+                const bits = [...new BigUint64Array(data.state.buffer)].map(number => number.toString(16));
+                done(data.failure + '|' + bits.join(' '));
               }
             };
             worker.postMessage({type: 'open', run: 0, file: arguments[0], text: arguments[1], solver: '', deltaT: 0,

@@ -6,7 +6,7 @@ import java.math.RoundingMode;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Java's {@code %g}, which the page's {@code String.format} does not know: so many digits, plain or with an exponent. */
+/** Java's {@code %g}, which the page's {@code String.format} does not know: plain or with an exponent. */
 final class GeneralFormat {
     private static final Pattern SPECIFIER = Pattern.compile("%([^a-zA-Z%]*)([a-zA-Z%])");
     private static final int DIGITS = 6;
@@ -49,7 +49,8 @@ final class GeneralFormat {
         if (!Double.isFinite(value)) {
             return Double.toString(value);
         }
-        BigDecimal rounded = new BigDecimal(Double.toString(value)).round(new MathContext(digits, RoundingMode.HALF_UP));
+        MathContext context = new MathContext(digits, RoundingMode.HALF_UP);
+        BigDecimal rounded = new BigDecimal(Double.toString(value)).round(context);
         int exponent = rounded.signum() == 0 ? 0 : rounded.precision() - rounded.scale() - 1;
         if (exponent >= -4 && exponent < digits) {
             return rounded.setScale(digits - 1 - exponent, RoundingMode.HALF_UP).toPlainString();

@@ -10,7 +10,8 @@ const REFERENCE_PARTICLES = 40, REFERENCE_MILLISECONDS = 4000;
 const engine = URL.createObjectURL(new Blob([$('engine').textContent], {type: 'text/javascript'}));
 const worker = new Worker(engine);
 let reference = null;
-let solvers = [], facts = null, structure = null, frame = null, playing = false, looking = false, run = 0, autoplay = false;
+let solvers = [], facts = null, structure = null, frame = null;
+let playing = false, looking = false, run = 0, autoplay = false;
 
 const view = new View($('view'), pick);
 const energy = new EnergyPlot($('energy'));
@@ -259,8 +260,11 @@ $('open').onchange = async () => {
     openText(await file.text());
   }
 };
-addEventListener('resize', () => { view.resize(); energy.resize(); phase.resize(); });
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { view.resize(); energy.resize(); phase.resize(); });
+function resize() {
+  [view, energy, phase].forEach(part => part.resize());
+}
+addEventListener('resize', resize);
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
 
 function draw() {
   view.draw();
