@@ -18,14 +18,15 @@ import org.junit.jupiter.api.Test;
 import particles.lab.Session;
 
 /**
- * What the page of the lab compiles has no threads, files, reflection or anything else that a browser lacks: from the class
- * that it calls on to all that these classes name. Read from the compiled classes by the JDK's own jdeps.
+ * What the page of the lab compiles has no threads, files, reflection or anything else that a browser lacks: from the
+ * class that it calls on to all that these classes name. Read from the compiled classes by the JDK's own jdeps.
  */
 class LabReachTest {
     private static final Pattern EDGE = Pattern.compile("(?m)^ +((?:deSolvers|particles)\\.\\S+) +-> (\\S+)");
     private static final Pattern MISSING = Pattern.compile(
-            "java\\.lang\\.(Thread|Process|ClassLoader|reflect\\.).*|java\\.util\\.concurrent\\..*|java\\.nio\\.(file|channels)\\..*|java\\.io\\.(File|RandomAccess).*"
-            + "|java\\.security\\..*|java\\.net\\..*|java\\.util\\.HexFormat|javax\\..*|java\\.awt\\..*");
+            "java\\.lang\\.(Thread|Process|ClassLoader|reflect\\.).*|java\\.util\\.concurrent\\..*"
+            + "|java\\.nio\\.(file|channels)\\..*|java\\.io\\.(File|RandomAccess).*|java\\.security\\..*"
+            + "|java\\.net\\..*|java\\.util\\.HexFormat|javax\\..*|java\\.awt\\..*");
 
     /** Classes compiled without the method that uses these: the page replaces it, or never calls it. */
     private static final Map<String, Set<String>> NOT_CALLED = Map.of(
