@@ -14,18 +14,18 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle effectCost}: what each effect and rule adds to the time of a step. */
 @Command(name = EffectCostCommand.NAME,
-        description = "What each effect costs: the time of a step without it and with it.")
+        description = "Measures what each effect adds to the time of a step.")
 public final class EffectCostCommand extends ExperimentCommand {
     static final String NAME = "effectCost";
     private static final int MOST_COLUMNS = 500;
     private static final int STEPS = 20;
 
     @Option(names = "--columns", paramLabel = "NUMBER", defaultValue = "40",
-            description = "The cloth has as many columns and rows of particles (default: ${DEFAULT-VALUE}).")
+            description = "The number of columns and of rows of the cloth (default: ${DEFAULT-VALUE}).")
     private int columns;
 
     @Option(names = "--rounds", paramLabel = "NUMBER", defaultValue = "40",
-            description = "How often all take their turn, each with 20 steps (default: ${DEFAULT-VALUE}).")
+            description = "The number of rounds, each with 20 steps of every variant (default: ${DEFAULT-VALUE}).")
     private int rounds;
 
     public EffectCostCommand(OptionStyle style) {
@@ -54,8 +54,8 @@ public final class EffectCostCommand extends ExperimentCommand {
                         + " system, for comparison.",
                         "Each bar is the fastest of " + rounds + " rounds of " + STEPS
                         + " steps; all variants take turns."),
-                List.of(Picture.chart("effect-cost", "The time for a step over that with springs alone, on a logarithmic axis, sorted.",
-                        chart)),
+                List.of(Picture.chart("effect-cost",
+                        "Time of a step, relative to springs alone, on a logarithmic axis.", chart)),
                 List.of(EffectCost.table(costs)));
     }
 }
