@@ -51,7 +51,9 @@ public final class NumberType extends Type<Double> {
     Optional<Double> read(Node node, String what, Reading in) {
         Optional<Double> number = parse(node);
         if (number.isEmpty()) {
-            return wrong(node, what, in);
+            Optional<String> mistake = NumberMistake.of(node, unit);
+            mistake.ifPresent(hint -> in.problem(node, what + " is " + Wording.describe(node) + "; " + hint));
+            return mistake.isPresent() ? Optional.empty() : wrong(node, what, in);
         }
         double value = number.get();
         if (value <= most && value >= smallest()) {

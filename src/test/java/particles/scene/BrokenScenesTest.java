@@ -90,16 +90,15 @@ class BrokenScenesTest {
                         "x.yaml:8:45: 'mass' is 0; it has to be a number over 0 (kg)"),
                 added("  - {id: 7, postion: [1, 2, 3]}\n",
                         "x.yaml:8:5: a particle needs 'position': three numbers [x, y, z] (m)",
-                        "x.yaml:8:10: 'id' is 7; it has to be a name without spaces, brackets, commas and"
-                                + " quotes: put "
+                        "x.yaml:8:10: 'id' is 7; it has to be a name of at most 60 characters without"
+                                + " spaces, brackets, commas, quotes and invisible characters: put "
                                 + "quotes around it, '7'",
                         "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id,"
                                 + " position, "
                                 + "velocity, mass, fixed"),
                 added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
-                        "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name without spaces, brackets,"
-                                + " commas and "
-                                + "quotes",
+                        "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name of at most 60 characters"
+                                + " without spaces, brackets, commas, quotes and invisible characters",
                         "x.yaml:8:43: 'fixed' is the text 'yes'; it has to be true or false"),
                 added("  - {id: tom, position: [1, 2, 3], fixed: true, velocity: [0, 1, 0]}\n",
                         "x.yaml:8:59: 'tom' is fixed and has a velocity; remove one of the two"),
