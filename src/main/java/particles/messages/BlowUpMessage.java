@@ -12,6 +12,7 @@ import particles.SimulationException;
 import particles.effects.LinearDrag;
 import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
+import particles.spec.NumberType;
 
 /**
  * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame,
@@ -86,7 +87,7 @@ public final class BlowUpMessage {
     private String advice() {
         String name = scene.description().solver();
         if (!SolverCatalog.names().contains(name)) {
-            return "; the limit of " + name + " is not known: try " + option("deltaT", Digits.few(deltaT / 10));
+            return "; the limit of " + name + " is not known: try " + step(Digits.few(deltaT / 10));
         }
         SolverInfo solver = SolverCatalog.info(name);
         if (solver.adaptive()) {
@@ -99,13 +100,13 @@ public final class BlowUpMessage {
         }
         if (limit == Double.POSITIVE_INFINITY) {
             return "; " + name + " has no limit, but equations to solve"
-                    + (name.equals(STIFF) ? ": try " + option("deltaT", Digits.few(deltaT / 2))
+                    + (name.equals(STIFF) ? ": try " + step(Digits.few(deltaT / 2))
                             : ", and where springs buckle it makes energy: try " + option("solver", STIFF));
         }
         String stated = "; the limit of " + name + " is " + Digits.few(limit) + ": try ";
-        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4))
+        return deltaT <= stableStep(solver) ? stated + step(Digits.few(deltaT / 4))
                 + ", as springs are not the cause"
-                : stated + option("deltaT", Digits.roundedDown(stableStep(solver)));
+                : stated + step(Digits.roundedDown(stableStep(solver)));
     }
 
     private String tighter() {
@@ -116,7 +117,7 @@ public final class BlowUpMessage {
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""
-                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver",
+                : " with " + step(Digits.roundedDown(stableStep(solver))) + ", or " + option("solver",
                 STIFF));
     }
 
@@ -134,6 +135,12 @@ public final class BlowUpMessage {
     private double limit(SolverInfo solver) {
         boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
         return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
+    }
+
+    /** An option that is not refused. */
+    private String step(String seconds) {
+        return Double.parseDouble(seconds) >= NumberType.TINY ? option("deltaT", seconds)
+                : "softer springs or larger masses, as no deltaT may be below " + Digits.few(NumberType.TINY) + " s";
     }
 
     private String option(String name, String value) {

@@ -48,7 +48,7 @@ public final class SceneBuilder {
         SceneDescription scene = overrides.applyTo(described, problems);
         Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene,
                 problems);
-        RunLimits.check(scene.deltaT(), scene.duration(), scene.output().frameRate(), scene.places(), problems);
+        RunLimits.check(scene.deltaT(), scene.duration(), scene.places(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
         if (problems.count() > 0) {
             throw new SceneException(problems.lines());

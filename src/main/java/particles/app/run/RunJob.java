@@ -15,10 +15,13 @@ import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
+import particles.scene.SceneException;
 import particles.scene.SceneReader;
+import particles.scene.checks.RunLimits;
 import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
+import particles.spec.messages.Problems;
 import particles.threads.ParallelForces;
 
 /** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
@@ -60,11 +63,14 @@ final class RunJob {
     void run(PrintWriter out) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
         String hash = FileHash.of(file);
+        Scene scene = SceneBuilder.build(described, overrides);
+        if (frames) {
+            checkPictures(scene.description());
+        }
         TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
             out.println(line);
             out.flush();
         });
-        Scene scene = SceneBuilder.build(described, overrides);
         Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
         RunFiles files = new RunFiles(scene.output(), frames, video);
         try (OutputFolder folder = OutputFolder.open(results, files.names())) {
@@ -78,7 +84,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
-                early = simulate(scene);
+                early = simulateOrDiscard(scene, folder);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
                     observers.books(),
@@ -90,6 +96,24 @@ final class RunJob {
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });
+        }
+    }
+
+    private void checkPictures(SceneDescription scene) {
+        Problems problems = new Problems();
+        RunLimits.checkPictures(scene, style.option("frames"), problems);
+        if (problems.count() > 0) {
+            throw new SceneException(problems.lines());
+        }
+    }
+
+    /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
+    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder) {
+        try {
+            return simulate(scene);
+        } catch (RuntimeException | Error e) {
+            folder.discard();
+            throw e;
         }
     }
 

@@ -1,6 +1,8 @@
 package particles.spec.messages;
 
 import deSolvers.catalog.DidYouMean;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
 import java.util.regex.Pattern;
@@ -81,6 +83,11 @@ public final class Wording {
             return Long.toString((long) value);
         }
         return Double.toString(value).replace(".0E", "e").replace('E', 'e');
+    }
+
+    /** @return the number with the three digits that a message needs */
+    public static String rounded(double value) {
+        return number(new BigDecimal(value).round(new MathContext(3)).doubleValue());
     }
 
     /** In one line, with characters that cannot be seen, or that turn the text around them, as U+200B. */
