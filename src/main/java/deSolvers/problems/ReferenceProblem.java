@@ -91,7 +91,7 @@ public abstract class ReferenceProblem implements DEStateSource {
     }
 
     @Override
-    public final void getState(double[] copy) {
+    public void getState(double[] copy) {
         System.arraycopy(state, 0, copy, 0, checkLength(copy));
     }
 

@@ -31,7 +31,8 @@ public final class EffectSample {
         ParticleSystem system = new ParticleSystem();
         Random random = new Random(715);
         for (int i = 0; i < 6; i++) {
-            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO, i == 4);
+            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO,
+                    i == 4);
         }
         return system;
     }
