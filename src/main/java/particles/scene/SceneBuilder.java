@@ -56,6 +56,21 @@ public final class SceneBuilder {
         return build(scene, solver.orElseThrow());
     }
 
+    /**
+     * For runs that draw pictures.
+     *
+     * @param scene  the scene that is about to run
+     * @param option how the option is typed that says whether pictures are drawn
+     * @throws SceneException if there would be too many
+     */
+    public static void checkPictures(SceneDescription scene, String option) {
+        Problems problems = new Problems();
+        RunLimits.checkPictures(scene, option, problems);
+        if (problems.count() > 0) {
+            throw new SceneException(problems.lines());
+        }
+    }
+
     /** A law that is named by its class is somebody's own, and may fail in any way. */
     private static void build(Chosen<EffectKind> effect, SceneAssembly assembly) {
         try {

@@ -15,13 +15,10 @@ import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneException;
 import particles.scene.SceneReader;
-import particles.scene.checks.RunLimits;
 import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
-import particles.spec.messages.Problems;
 import particles.threads.ParallelForces;
 
 /** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
@@ -65,7 +62,7 @@ final class RunJob {
         String hash = FileHash.of(file);
         Scene scene = SceneBuilder.build(described, overrides);
         if (frames) {
-            checkPictures(scene.description());
+            SceneBuilder.checkPictures(scene.description(), style.option("frames"));
         }
         TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
             out.println(line);
@@ -96,14 +93,6 @@ final class RunJob {
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });
-        }
-    }
-
-    private void checkPictures(SceneDescription scene) {
-        Problems problems = new Problems();
-        RunLimits.checkPictures(scene, style.option("frames"), problems);
-        if (problems.count() > 0) {
-            throw new SceneException(problems.lines());
         }
     }
 
