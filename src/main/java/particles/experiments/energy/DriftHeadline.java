@@ -26,7 +26,8 @@ final class DriftHeadline {
         boolean exchanges = drifts.stream().anyMatch(drift -> drift.kind() == Kind.EXCHANGING);
         int named = drifts.size() <= NAMED + 1 ? drifts.size() : NAMED;
         Stream<String> others = named == drifts.size() ? Stream.empty()
-                : Stream.of("the other " + (drifts.size() - named) + " are off by at most " + part(size(drifts.get(named))));
+                : Stream.of("the other " + (drifts.size() - named) + " are off by at most "
+                + part(size(drifts.get(named))));
         String parts = Stream.concat(drifts.stream().limit(named).map(drift -> label(drift) + " " + verdict(drift)),
                 others).collect(Collectors.joining("; "));
         return comparison.scene() + (exchanges ? ", numerical energy error: " : ": ") + parts
