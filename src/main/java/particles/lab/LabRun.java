@@ -105,7 +105,9 @@ public final class LabRun {
         }
         if (system.getTime() <= time) {
             show();
-        } else if (latest != null && latest.getStartTime() <= time) {
+        } else if (latestStructure != structure) {
+            show();                                     // particles have come or gone since the motion
+        } else if (latest.getStartTime() <= time) {
             showBetween();
         }
     }

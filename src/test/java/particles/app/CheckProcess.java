@@ -25,7 +25,7 @@ public final class CheckProcess {
      * @param option  that names the class
      * @param planted the class
      * @param folder  for the report
-     * @return the screen's first line
+     * @return the screen's line on the failure
      */
     public static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException,
             InterruptedException {
@@ -38,7 +38,10 @@ public final class CheckProcess {
         assertEquals(ExitCode.BAD_INPUT.code(), process.exitValue(), screen);
         String report = Files.readString(folder.resolve(command + ".md"));
         assertTrue(report.startsWith("# " + planted.getName() + ": the check did not come to its end."), report);
-        String first = screen.lines().findFirst().orElseThrow();
+        assertEquals(planted.getSimpleName(), screen.lines().findFirst().orElseThrow()
+                .replaceFirst("(.*[.$])?(\\w+): wrong.*",
+                "$2"), "the verdict comes first: " + screen);
+        String first = screen.lines().filter(line -> line.startsWith("failure: ")).findFirst().orElseThrow();
         assertTrue(report.contains("- **failure**: " + first.replaceFirst("failure: ", "")), report);
         assertTrue(screen.contains("report: " + folder.resolve(command + ".md")), screen);
         return first;

@@ -9,7 +9,6 @@ import particles.SimulationException;
 import particles.messages.Digits;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.checks.MemoryEstimate;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
@@ -47,17 +46,18 @@ final class TimeEstimate {
         double steps = Math.ceil(copy.simulation().getDuration() / copy.simulation().getDeltaT());
         SceneDescription scene = copy.description();
         double particles = Math.max(copy.system().getParticles().count(),
-                MemoryEstimate.particlesAfter(scene, scene.duration()));
+                scene.particlesAfter(scene.duration()));
         if (steps * Math.max(1, particles) < LITTLE) {
             return Optional.empty();
         }
         double pictures = frames ? copy.simulation().getDuration() * copy.output().frameRate() : 0;
         double drawing = pictures * PER_PIXEL * copy.output().width() * copy.output().height();
         double stepping = seconds(copy, steps, System::nanoTime, PATIENCE);
-        double mean = MemoryEstimate.particlesAfter(scene, scene.duration() / 2);
+        double mean = scene.particlesAfter(scene.duration() / 2);
         double growth = (mean + OVERHEAD) / (copy.system().getParticles().count() + OVERHEAD);
         double seconds = Math.max(drawing, stepping * Math.max(1, growth));
-        return seconds < LONG ? Optional.empty() : Optional.of(line(seconds, steps, (growth > 1 ? "up to " : "") + counted(particles), pictures));
+        return seconds < LONG ? Optional.empty() : Optional.of(line(seconds, steps,
+                (growth > 1 ? "up to " : "") + counted(particles), pictures));
     }
 
     static String line(double seconds, double steps, String particles, double pictures) {
@@ -91,7 +91,7 @@ final class TimeEstimate {
     static double seconds(Scene copy, double steps, LongSupplier nanoTime, long patience) {
         Stopwatch watch = new Stopwatch(steps, nanoTime);
         copy.simulation().addObserver(watch);
-        Thread trial = new Thread(() -> run(copy), "time estimate");
+        Thread trial = new Thread(() -> run(copy, watch), "time estimate");
         trial.setDaemon(true);
         trial.start();
         try {
@@ -106,11 +106,11 @@ final class TimeEstimate {
         return watch.seconds;
     }
 
-    private static void run(Scene copy) {
+    private static void run(Scene copy, Stopwatch watch) {
         try {
             copy.simulation().run();
         } catch (SimulationException | StoppedException e) {
-            // What ends the run itself, it says for itself.
+            watch.enough = true;                            // what ends the run itself, it says for itself
         }
     }
 

@@ -1,6 +1,9 @@
 package particles.app.student;
 
+import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
@@ -8,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
@@ -15,7 +19,6 @@ import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
-import particles.output.text.TableText;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
@@ -35,8 +38,19 @@ abstract class CheckCommand extends ProgramCommand {
     @Option(names = "--inThisProcess", hidden = true, description = "Checks here, as the process that was made for it.")
     private boolean inThisProcess;
 
-    /** What a check makes known. */
-    record Checked(String title, List<Finding> findings, ResultPage page) {
+    @Option(names = StudentProcess.NUMBERED, hidden = true,
+            description = "Checks here, and begins each line with the number that it reads from its input.")
+    private boolean numbered;
+
+    /**
+     * What a check makes known.
+     *
+     * @param subject  what was checked, by its short name
+     * @param identity what it is, in a sentence
+     * @param findings mistakes and notes
+     * @param page     the report
+     */
+    record Checked(String subject, String identity, List<Finding> findings, ResultPage page) {
     }
 
     /** @return the command's name, which is its task's */
@@ -50,64 +64,88 @@ abstract class CheckCommand extends ProgramCommand {
 
     @Override
     public final void run(PrintWriter lines) throws Exception {
-        if (inThisProcess) {
-            checkHere(lines);
+        if (inThisProcess || numbered) {
+            checkHere(new Screen(lines, numbered ? readNumber() + " " : ""));
             return;
         }
-        List<String> args = new ArrayList<>(List.of(name(), subject(), "--inThisProcess"));
+        List<String> args = new ArrayList<>(List.of(name(), subject()));
         if (out != null) {                              // picocli leaves an option null that was not given
             args.add("--out=" + out);
         }
-        int code;
+        StudentProcess.Outcome outcome;
         try {
-            code = StudentProcess.run(args);
+            outcome = StudentProcess.run(args, Optional.empty());
         } catch (Failure stopped) {
             writeReport(failed(stopped.getMessage()));
             throw stopped;
         }
-        if (code != ExitCode.DONE.code()) {
-            throw new Failure(code == ExitCode.TROUBLE.code() ? ExitCode.TROUBLE : ExitCode.BAD_INPUT, List.of());
+        outcome.lines().forEach(lines::println);
+        if (outcome.code() != ExitCode.DONE) {
+            throw new Failure(outcome.code(), List.of());
         }
     }
 
-    private void checkHere(PrintWriter lines) {
+    /** Before the class is loaded, so that it finds nothing to read. */
+    private static String readNumber() throws IOException {
+        return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)).readLine();
+    }
+
+    /** Where the check's own lines go, each with the run's number before it; the last one is the verdict. */
+    private record Screen(PrintWriter lines, String number) {
+        void print(List<String> report) {
+            report.forEach(line -> lines.println(number + line));
+        }
+
+        void end(ExitCode code) {
+            if (!number.isEmpty()) {
+                lines.println(number + code.name());
+            }
+            lines.flush();
+        }
+    }
+
+    private void checkHere(Screen screen) {
         GuardedRun guard = new GuardedRun(SECONDS);
-        Thread hook = new Thread(() -> guard.runningAt().ifPresent(place -> {
-            giveUp(lines, new Finding(Kind.FAILURE, "the class ends the whole program (System.exit)" + place));
-        }));
+        Thread hook = new Thread(() -> guard.runningAt().ifPresent(place -> giveUp(screen, new Finding(Kind.FAILURE,
+                "the class ends the whole program (System.exit)" + place), "")));
         Runtime.getRuntime().addShutdownHook(hook);
-        PrintStream screen = System.out;
+        PrintStream before = System.out;
         Printed printed = new Printed();
         System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
         Outcome<Checked> outcome;
         try {
             outcome = guard.run(this::check);
         } finally {
-            System.setOut(screen);
-        }
-        if (!printed.text().isEmpty()) {
-            lines.println("the class printed:" + System.lineSeparator() + printed.text());
+            System.setOut(before);
         }
         if (outcome.failure().isPresent()) {
-            giveUp(lines, outcome.failure().get());
+            giveUp(screen, outcome.failure().get(), printed.text());
         }
-        report(lines, outcome.value().orElseThrow());
+        Checked checked = outcome.value().orElseThrow();
+        Path report = writeReport(checked.page());
+        screen.print(CheckReport.lines(checked, printed.text(), report));
+        boolean right = checked.findings().stream().noneMatch(Finding::isWrong);
+        screen.end(right ? ExitCode.DONE : ExitCode.BAD_INPUT);
+        if (!right) {
+            throw new Failure(ExitCode.BAD_INPUT, List.of());
+        }
     }
 
     /**
      * Writes the report of a check that did not come back, and ends the process: the class's thread may still be
      * running.
      */
-    private void giveUp(PrintWriter lines, Finding failure) {
+    private void giveUp(Screen screen, Finding failure, String printed) {
         ExitCode code = ExitCode.BAD_INPUT;
-        lines.println(failure);
         try {
-            lines.println("report: " + writeReport(failed(failure.text())));
+            Path report = writeReport(failed(failure.text()));
+            screen.print(CheckReport.lines(new Checked(subject().replaceFirst(".*=", ""),
+                    "The check did not come to its end.", List.of(failure), failed(failure.text())), printed, report));
         } catch (OutputException e) {
-            lines.println(e.getMessage());
+            screen.print(List.of(failure.toString(), String.valueOf(e.getMessage())));
             code = ExitCode.TROUBLE;
         }
-        lines.flush();
+        screen.end(code);
         Runtime.getRuntime().halt(code.code());
     }
 
@@ -124,30 +162,6 @@ abstract class CheckCommand extends ProgramCommand {
             ResultPageWriter.write(files, page);
         }
         return folder.resolve(name() + ".md");
-    }
-
-    private void report(PrintWriter lines, Checked checked) {
-        Path report = writeReport(checked.page());
-        lines.println(checked.title());
-        List<Finding> wrong = checked.findings().stream().filter(Finding::isWrong).toList();
-        lines.println();
-        lines.println(wrong.isEmpty() ? "Nothing is wrong." : "Wrong:");
-        wrong.forEach(finding -> lines.println("  " + finding));
-        List<Finding> advice = checked.findings().stream().filter(finding -> !finding.isWrong()).toList();
-        if (!advice.isEmpty()) {
-            lines.println("Advice:");
-            advice.forEach(finding -> lines.println("  " + finding.text()));
-        }
-        if (!checked.page().tables().isEmpty()) {
-            lines.println();
-            TableText.plain(checked.page().tables().get(0)).forEach(lines::println);
-        }
-        lines.println();
-        lines.println("report: " + report);
-        if (!wrong.isEmpty()) {
-            throw new Failure(ExitCode.BAD_INPUT, wrong.size() == 1 ? "one thing is wrong"
-                    : wrong.size() + " things are wrong");
-        }
     }
 
     /** @return the findings as paragraphs of a report */

@@ -36,17 +36,20 @@ public final class CheckEffectCommand extends CheckCommand {
     @Override
     Checked check() {
         ParticleSystem system = EffectSample.system();
-        String title;
+        String subject = effect;
+        String identity;
         List<Finding> findings;
         try {
             Effect made = EffectSample.create(effect, system.getParticles(), new StudentClasses());
             findings = EffectCheck.check(system, made);
-            title = made.getClass().getSimpleName() + ": the effect '" + made.getName() + "' claims "
+            subject = made.getClass().getSimpleName();
+            identity = "The effect '" + made.getName() + "' claims "
                     + new TreeSet<>(made.getTraits());
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            title = effect + " cannot be checked.";
+            identity = "It cannot be checked.";
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));
         }
-        return new Checked(title, findings, new ResultPage(NAME, title, paragraphs(findings), List.of(), List.of()));
+        return new Checked(subject, identity, findings, new ResultPage(NAME, subject + ": " + identity,
+                paragraphs(findings), List.of(), List.of()));
     }
 }

@@ -45,7 +45,7 @@ public final class CheckSolverCommand extends CheckCommand {
         try {
             name = maker.get().getClass().getSimpleName();
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            return new Checked(solver + " cannot be checked.", List.of(new Finding(Kind.FAILURE,
+            return new Checked(solver, "It cannot be checked.", List.of(new Finding(Kind.FAILURE,
                     e.getMessage())), new ResultPage(NAME, solver + " cannot be checked",
                             List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
         }
@@ -53,7 +53,8 @@ public final class CheckSolverCommand extends CheckCommand {
         String title = name + ": " + verdict.identity();
         List<String> text = paragraphs(verdict.findings());
         if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE)) {
-            return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, List.of(), List.of()));
+            return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text,
+                    List.of(), List.of()));
         }
         SolverFigures figures;
         try {
@@ -63,7 +64,8 @@ public final class CheckSolverCommand extends CheckCommand {
             if (verdict.wrong().isEmpty()) {            // else it is a consequence of what is said already
                 all.add(SolverFigures.failure(e));
             }
-            return new Checked(title, all, new ResultPage(NAME, title, paragraphs(all), List.of(), List.of()));
+            return new Checked(name, verdict.identity(), all, new ResultPage(NAME, title, paragraphs(all), List.of(),
+                    List.of()));
         }
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.chart("order",
@@ -78,7 +80,7 @@ public final class CheckSolverCommand extends CheckCommand {
         pictures.add(Picture.chart("work-precision",
                 "The error after eight seconds against the work: lower left is better.",
                 figures.workPrecision()));
-        return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures,
+        return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text, pictures,
                 Stream.concat(Stream.of(figures.facts()), figures.growth().stream()).toList()));
     }
 }

@@ -33,7 +33,6 @@ import picocli.CommandLine.Option;
 @Command(name = GradeCommand.NAME, description = "Marks all answers and solvers of a student.")
 public final class GradeCommand extends ProgramCommand {
     static final String NAME = "grade";
-    private static final int MOST_LINES = 12;
     private static final String SOLVER = "Solver.java";
 
     @Option(names = "--student", paramLabel = "ID", required = true, description = "The student's id.")
@@ -136,12 +135,14 @@ public final class GradeCommand extends ProgramCommand {
         if (!Files.isRegularFile(folder.resolve(name + ".java"))) {
             return new Mark(false, List.of("there is no file " + name + ".java"));
         }
-        StudentProcess.Outcome outcome = StudentProcess.runQuietly(List.of(CheckSolverCommand.NAME,
-                "--solver=exercises." + name,
-                "--inThisProcess", "--out=" + results.resolve(name)), folder);
-        List<String> lines = outcome.lines().stream().takeWhile(line -> !line.startsWith("property"))
-                .filter(line -> !line.isBlank()).limit(MOST_LINES).toList();
-        return new Mark(outcome.code() == ExitCode.DONE.code(), lines);
+        StudentProcess.Outcome outcome;
+        try {
+            outcome = StudentProcess.run(List.of(CheckSolverCommand.NAME, "--solver=exercises." + name,
+                    "--out=" + results.resolve(name)), Optional.of(folder));
+        } catch (Failure stopped) {
+            return new Mark(false, stopped.lines());
+        }
+        return new Mark(outcome.code() == ExitCode.DONE, outcome.lines());
     }
 
     /** In a table's cell: lines that are sentences, or announce what follows, stand by themselves. */

@@ -1,11 +1,15 @@
 package particles.app.student;
 
 import java.io.IOException;
+import java.io.OutputStream;
+import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
@@ -16,54 +20,60 @@ final class StudentProcess {
     private static final String PROGRAM = "particles.app.Main";      // by name: it imports the commands
     private static final int MEGABYTES = 256;
     private static final int SECONDS = 90;
+    private static final int DIGITS = 128;
+    /** The option of a check that reads a number from its input, and begins every line with it. */
+    static final String NUMBERED = "--numbered";
 
     private StudentProcess() {
     }
 
     /**
-     * Runs a command of this program in a process with little memory, which writes to the same screen.
-     *
-     * @param args the command and its options
-     * @return its exit code
-     * @throws IOException if no process can be made
-     */
-    public static int run(List<String> args) throws IOException {
-        String folder = System.getProperty(StudentLoader.FOLDER);
-        // null where it was not set
-        return await(builder(args, folder == null ? List.of() : List.of(property(folder))).inheritIO());
-    }
-
-    /**
      * How a process ended.
      *
-     * @param code  its exit code
-     * @param lines what it printed
+     * @param code  what its own code says of the class; BAD_INPUT where it did not come to say it
+     * @param lines what its own code printed, without what the class printed
      */
-    record Outcome(int code, List<String> lines) {
+    record Outcome(ExitCode code, List<String> lines) {
     }
 
     /**
-     * Runs a command in such a process, and keeps what it prints.
+     * Runs a check in a process with little memory. Only lines that begin with a number drawn for this run count as the
+     * check's own, and only the last of them says whether the class is right: the process may be ended by the class
+     * at any time, with any exit code, after it printed whatever it likes. The number reaches the check by its input,
+     * which it reads before the class is loaded.
      *
-     * @param args    the command and its options
-     * @param folder where the student's classes are
+     * @param args   the command and its options
+     * @param folder where the student's classes are; empty for where the program has them
      * @return how it ended
      * @throws IOException if no process can be made
      */
-    static Outcome runQuietly(List<String> args, Path folder) throws IOException {
+    static Outcome run(List<String> args, Optional<Path> folder) throws IOException {
+        String number = new BigInteger(DIGITS, new SecureRandom()).toString();
         Path screen = Files.createTempFile("desolver-check", ".txt");
         try {
-            ProcessBuilder process = builder(args, List.of(property(folder.toString()))).redirectErrorStream(true)
-                    .redirectOutput(screen.toFile());
-            try {
-                int code = await(process);
-                return new Outcome(code, lines(screen));
-            } catch (Failure e) {
-                return new Outcome(e.exitCode().code(), e.lines());
-            }
+            List<String> properties = folder.map(Path::toString)
+                    .or(() -> Optional.ofNullable(System.getProperty(StudentLoader.FOLDER))).stream()
+                    .map(StudentProcess::property).toList();
+            List<String> numbered = new ArrayList<>(args);
+            numbered.add(NUMBERED);
+            await(builder(numbered, properties).redirectErrorStream(true).redirectOutput(screen.toFile()), number);
+            return outcome(lines(screen), number);
         } finally {
             Files.delete(screen);
         }
+    }
+
+    /** Takes what begins with the number, and the verdict that has to be the last of it. */
+    static Outcome outcome(List<String> printed, String number) {
+        List<String> own = printed.stream().filter(line -> line.startsWith(number + " "))
+                .map(line -> line.substring(number.length() + 1)).toList();
+        for (ExitCode code : ExitCode.values()) {
+            if (!own.isEmpty() && own.get(own.size() - 1).equals(code.name())) {
+                return new Outcome(code, own.subList(0, own.size() - 1));
+            }
+        }
+        return new Outcome(ExitCode.BAD_INPUT, List.of("wrong: the check did not come to its end; the class ended the"
+                + " program"));
     }
 
     private static String property(String folder) {
@@ -88,11 +98,13 @@ final class StudentProcess {
         return new ProcessBuilder(line);
     }
 
-    private static int await(ProcessBuilder builder) throws IOException {
+    private static void await(ProcessBuilder builder, String number) throws IOException {
         Process process = builder.start();
-        try {
+        try (OutputStream input = process.getOutputStream()) {
+            input.write((number + System.lineSeparator()).getBytes(StandardCharsets.UTF_8));
+            input.flush();
             if (process.waitFor(SECONDS, TimeUnit.SECONDS)) {
-                return process.exitValue();
+                return;
             }
             throw new Failure(ExitCode.BAD_INPUT, "the check did not end within " + SECONDS + " s and was stopped");
         } catch (InterruptedException e) {

@@ -41,22 +41,6 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double MOST_SAMPLES = 240;
     private static final double MEGABYTE = 1 << 20;
 
-    /**
-     * How many particles there are a while after the start, if no rule takes any away.
-     *
-     * @param scene what the scene's file says
-     * @param time  how long after the start (s)
-     * @return those that the scene names, and those that its emitters have made and that still live
-     */
-    public static double particlesAfter(SceneDescription scene, double time) {
-        double particles = scene.particles().size();
-        for (ShapeDescription shape : scene.shapes()) {
-            particles += shape.lattice().size();
-        }
-        return particles + scene.rules().stream().mapToDouble(rule -> rule.kind().alive(rule.values(), scene.deltaT(),
-                time)).sum();
-    }
-
     static MemoryEstimate of(SceneDescription scene) {
         double springs = scene.springs().size();
         for (ShapeDescription shape : scene.shapes()) {
@@ -64,7 +48,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
         }
         boolean removed = scene.rules().stream().anyMatch(rule -> rule.kind().removes());
         // how many are left, where some are taken away, nobody knows before: those of one step at least
-        double particles = particlesAfter(scene, removed ? scene.deltaT() : scene.duration());
+        double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
         double trail = scene.look().style().trail();
         double samples = trail == 0 ? 0
                 : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * trail);

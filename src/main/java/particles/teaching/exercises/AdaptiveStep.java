@@ -13,7 +13,8 @@ final class AdaptiveStep extends NumericExercise {
     private static final int RICHARDSON = 15;
 
     AdaptiveStep() {
-        super("Adaptive steps: the next deltaT");
+        super("Adaptive steps: the next deltaT", 0.02, 0.3,
+                "Calculate the difference first; then ask how it changes when deltaT becomes half as long.");
     }
 
     @Override

@@ -22,7 +22,8 @@ final class BouncingBall extends NumericExercise {
     private static final double EARTH = 9.81;
 
     BouncingBall() {
-        super("Collisions: the n-th bounce");
+        super("Collisions: the n-th bounce", 0.5, 15,
+                "Draw the height over time, and write down how long each flight takes.");
     }
 
     @Override

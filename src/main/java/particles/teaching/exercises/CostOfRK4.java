@@ -2,6 +2,8 @@ package particles.teaching.exercises;
 
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import particles.teaching.marking.CommonMistake;
 import particles.teaching.marking.Draw.Picks;
@@ -14,20 +16,22 @@ import particles.teaching.marking.Question;
  * own.
  */
 final class CostOfRK4 extends NumericExercise {
-    /** Whoever finds the numbers of steps to 1 % is right; so is who uses the leading term of the error. */
-    private static final double THREE_PERCENT = 0.03;
+    /** The fewest steps are found by trying; the leading terms of the errors alone may miss it by a percent. */
+    private static final double HALF_A_PERCENT = 0.005;
     private static final int FEWEST_STEPS = 16;
     private static final double HUNDRED = 100;
 
     CostOfRK4() {
-        super("UDOO: what midpoint costs against RK4");
+        super("UDOO: what midpoint costs against RK4", 6, 45,
+                "For each method, write down how the error at the end goes with the number of steps; the frequency and "
+                        + "the duration count too.");
     }
 
     @Override
     protected Question ask(Picks picks) {
         double duration = picks.whole(30, 60);
         double omega = picks.decimal(100, 150, 2);
-        double error = picks.decimal(5, 50, 4);
+        double error = twoDigits(StrictMath.pow(10, -2 - picks.decimal(0, 300, 2)));
         double midpoint = steps("midpoint", omega, duration, error);
         double rk4 = steps("rk4", omega, duration, error);
         double ratio = 2 * midpoint / (4 * rk4);
@@ -37,7 +41,7 @@ final class CostOfRK4 extends NumericExercise {
                         + Draw.text(error)
                 + " m.\nHow many times as many evaluations of the derivative does the midpoint method need as RK4, "
                 + "each with the"
-                + " longest deltaT that is good enough?", "", THREE_PERCENT, ratio, 0, List.of(
+                + " longest deltaT that is good enough?", "", HALF_A_PERCENT, ratio, 0, List.of(
                 new CommonMistake(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations "
                         + "and one of RK4 four."),
                 new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a "
@@ -49,6 +53,10 @@ final class CostOfRK4 extends NumericExercise {
                         "This is about the ratio for a hundredth of the error: check the power of ten."),
                 new CommonMistake(StrictMath.pow(error, -0.25),
                         "The orders alone do not do it: the errors' constants and the duration count too.")));
+    }
+
+    private static double twoDigits(double x) {
+        return new BigDecimal(x).round(new MathContext(2)).doubleValue();
     }
 
     /** The fewest steps that are accurate enough. */

@@ -11,7 +11,9 @@ import particles.teaching.marking.Question;
 final class EulerSpiral extends NumericExercise {
 
     EulerSpiral() {
-        super("Why Euler spirals: the energy that steps add");
+        super("Why Euler spirals: the energy that steps add", 1.1, 400000,
+                "What does one step make of x^2 + (v/omega)^2? Draw the step in state space, and then think of all "
+                        + "steps.");
     }
 
     @Override

@@ -12,7 +12,8 @@ final class EulerSteps extends NumericExercise {
     private static final int STEPS = 3;
 
     EulerSteps() {
-        super("Three steps of the Euler method");
+        super("Three steps of the Euler method", -4, 2,
+                "Write down x, v and a for the start, make one step, and go on from there; a is new in every step.");
     }
 
     @Override

@@ -24,7 +24,8 @@ final class LargestStep extends NumericExercise {
     private static final double LEAPFROG = 2;
 
     LargestStep() {
-        super("The largest stable step of a chain");
+        super("The largest stable step of a chain", 0.005, 0.3,
+                "Which way of swinging is the fastest of this chain, and which number belongs to RK4 without damping?");
     }
 
     @Override
@@ -50,13 +51,13 @@ final class LargestStep extends NumericExercise {
                         "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against "
                                 + "it."),
                 new CommonMistake(IMAGINARY / (2 * omega),
-                        "2 sqrt(k/m) is the limit for a very long chain; this one is short: its highest omega is"
-                        + " 2 sqrt(k/m) sin(n pi/(2(n + 1)))."),
+                        "This is the limit for a very long chain; this one is short, and its fastest swinging is "
+                                + "slower."),
                 new CommonMistake(IMAGINARY / lowest,
                         "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets "
                                 + "the limit."),
                 new CommonMistake(2 * Math.PI / highest,
-                        "This is the shortest period; the limit is 2.828 over omega, not 2 pi over omega."),
+                        "This is the shortest period; RK4 has a number of its own in the place of 2 pi."),
                 new CommonMistake(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),
                 new CommonMistake(IMAGINARY / (highest * m / k),
                         "Mass and stiffness are the wrong way round: omega is the root of k/m.")));

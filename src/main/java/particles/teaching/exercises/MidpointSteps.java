@@ -10,9 +10,12 @@ import particles.teaching.marking.Question;
 /** Two steps of the midpoint method, with a derivative that depends on time. */
 final class MidpointSteps extends NumericExercise {
     private static final int STEPS = 2;
+    /** Of deltaT c/m, to stay well inside of the stable part, which ends at 2. */
+    private static final double LONGEST = 1.5;
 
     MidpointSteps() {
-        super("Two steps of the midpoint method");
+        super("Two steps of the midpoint method", 0.5, 20,
+                "Write down dSdt, the state half way and gMid of the first step, each with its time.");
     }
 
     @Override
@@ -29,7 +32,8 @@ final class MidpointSteps extends NumericExercise {
                         + " N s/m, so that v' = -(c/m)(v - b t). At t = 0 the leaf has v = "
                 + Draw.text(v) + " m/s.\nWhat is v after two steps of the midpoint method with deltaT = " + Draw.text(h)
                         + " s?", "m/s", FOUR_DIGITS,
-                new Leaf(a, b, v).after("midpoint", STEPS, h), 0.05 * v, List.of(
+                new Leaf(a, b, v).after("midpoint", STEPS, h), a * h > LONGEST ? Double.POSITIVE_INFINITY : 0.05 * v,
+                        List.of(
                 new CommonMistake(new Leaf(a, b, v).after("euler", STEPS, h),
                         "This is the Euler method: take the step with gMid, the derivative half way."),
                 new CommonMistake(slip(a, b, v, h, 0, 0.5, 1),

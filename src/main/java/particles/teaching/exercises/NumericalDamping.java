@@ -12,7 +12,9 @@ final class NumericalDamping extends NumericExercise {
     private static final int STEPS = 40;
 
     NumericalDamping() {
-        super("Damping that is not physical");
+        super("Damping that is not physical", 0.1, 3,
+                "By which factor does one step of backward Euler multiply the energy? Compare that with what a damper "
+                        + "does in deltaT.");
     }
 
     @Override
@@ -33,14 +35,14 @@ final class NumericalDamping extends NumericExercise {
                 "N s/m", FOUR_DIGITS, c, 0, List.of(
                 new CommonMistake(c / 2, "This lets the energy decay as fast as the amplitude does; energy goes with "
                         + "the amplitude's square."),
-                new CommonMistake(2 * c, "This is twice as much: 1 + (deltaT omega)^2 divides the energy in each step, "
-                        + "its root the amplitude."),
+                new CommonMistake(2 * c, "This is twice as much: the factor of a step is that of the energy already, "
+                        + "and its root that of the amplitude."),
                 new CommonMistake(rate, "This is c/m: multiply by the mass."),
                 new CommonMistake(c * h, "This is the loss of one step; divide by deltaT for that of a second."),
-                new CommonMistake(h * k, "This holds for very short steps only: a step divides the energy by 1 + "
-                + "(deltaT omega)^2, so take the logarithm."),
+                new CommonMistake(h * k, "This holds for very short steps only: the steps multiply, and what decays "
+                + "like e^(-(c/m) t) has a logarithm."),
                 new CommonMistake(m * StrictMath.log(1 + h * Math.sqrt(k / m)) / h,
-                        "The square is missing: the factor is 1 + (deltaT omega)^2."),
+                        "A square is missing in the factor of one step."),
                 new CommonMistake(StrictMath.log(1 + h * h * k) / h * m, "The mass is missing in omega^2 = k/m."),
                 new CommonMistake(0, "There is no damper, and yet the energy is lost: that is the solver's doing, and "
                 + "asked for here.")));

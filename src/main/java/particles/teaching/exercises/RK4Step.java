@@ -9,12 +9,15 @@ import particles.teaching.marking.Question;
 
 /** One long step of RK4, with a derivative that depends on time. */
 final class RK4Step extends NumericExercise {
+    /** Of deltaT c/m, to stay well inside of the stable part, which ends at 2.785. */
+    private static final double LONGEST = 2;
     private static final double[] TIMES = {0, 0.5, 0.5, 1};
     private static final double[][] STAGES = {{}, {0.5}, {0, 0.5}, {0, 0, 1}};
     private static final double[] WEIGHTS = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
 
     RK4Step() {
-        super("One step of RK4");
+        super("One step of RK4", 0.5, 30,
+                "Write down k1 to k4, each with the state and the time at which it is evaluated.");
     }
 
     @Override
@@ -29,7 +32,8 @@ final class RK4Step extends NumericExercise {
                 + " N s/m, the air moves with b t, b = " + Draw.text(b)
                 + " m/s^2, so that v' = -(c/m)(v - b t); at t = 0 it has v = " + Draw.text(v)
                         + " m/s.\nWhat is v after one step of RK4 with deltaT = "
-                + Draw.text(h) + " s?", "m/s", FOUR_DIGITS, new Leaf(a, b, v).after("rk4", 1, h), 0.05 * v, List.of(
+                + Draw.text(h) + " s?", "m/s", FOUR_DIGITS, new Leaf(a, b, v).after("rk4", 1, h), a * h > LONGEST
+                ? Double.POSITIVE_INFINITY : 0.05 * v, List.of(
                 new CommonMistake(slip(a, b, v, h, TIMES, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}, WEIGHTS),
                         "k2 belongs at s + k1/2, not at s + k1."),
                 new CommonMistake(slip(a, b, v, h, TIMES, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}, WEIGHTS),

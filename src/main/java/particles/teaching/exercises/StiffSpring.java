@@ -11,7 +11,9 @@ import particles.teaching.marking.Question;
 final class StiffSpring extends NumericExercise {
 
     StiffSpring() {
-        super("A stiff spring and backward Euler");
+        super("A stiff spring and backward Euler", -30, 6,
+                "Write down both equations with x and v at the end of the step as unknowns, and put one into the "
+                        + "other.");
     }
 
     @Override

@@ -15,7 +15,8 @@ final class SymplecticEnergy extends NumericExercise {
     private static final double RESONANCE = 0.01;
 
     SymplecticEnergy() {
-        super("Symplectic Euler: how far the energy swings");
+        super("Symplectic Euler: how far the energy swings", 1.02, 12,
+                "Follow a few steps by a program of your own, and note the energy after each.");
     }
 
     @Override
@@ -40,11 +41,11 @@ final class SymplecticEnergy extends NumericExercise {
                         + "square."),
                 new CommonMistake(answer - 1, "This is what comes on top; asked is the multiple of the energy at the "
                         + "start, 1 plus that."),
-                new CommonMistake(1 + half, "1 + deltaT omega/2 is right for short steps only: what is kept exactly is "
-                        + "k x^2 + m v^2 - deltaT k x v."),
+                new CommonMistake(1 + half, "This is right for short steps only: the higher powers of deltaT omega "
+                        + "count too."),
                 new CommonMistake(1, "Verlet would never have more than at the start; symplectic Euler's energy swings "
                         + "to both sides."),
-                new CommonMistake(1 / (1 - 2 * half), "The half is missing: it is deltaT omega/2 that counts."),
+                new CommonMistake(1 / (1 - 2 * half), "A half is missing beside deltaT omega."),
                 new CommonMistake(1 / (1 - h * Math.sqrt(k) / 2), "The mass is missing: omega^2 = k/m.")));
     }
 

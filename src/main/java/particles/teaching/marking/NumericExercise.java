@@ -15,9 +15,21 @@ public abstract class NumericExercise implements Exercise {
     private static final double CLOSE = 0.02;
 
     private final String title;
+    private final double lowest;
+    private final double highest;
+    private final String hint;
 
-    public NumericExercise(String title) {
+    /**
+     * @param title   what it is about
+     * @param lowest  the lowest right answer that anybody gets, which the text promises
+     * @param highest the highest one
+     * @param hint    for a wrong answer that no typical mistake explains: where to begin, without the formula
+     */
+    protected NumericExercise(String title, double lowest, double highest, String hint) {
         this.title = title;
+        this.lowest = lowest;
+        this.highest = highest;
+        this.hint = hint;
     }
 
     /** @return the question with the next numbers */
@@ -35,7 +47,7 @@ public abstract class NumericExercise implements Exercise {
         Picks picks = draw.picks();
         for (int attempt = 0; attempt < MOST_DRAWS; attempt++) {
             Question question = ask(picks);
-            if (question.isClear()) {
+            if (question.isClear() && question.answer() >= lowest && question.answer() <= highest) {
                 return question;
             }
         }
@@ -46,27 +58,34 @@ public abstract class NumericExercise implements Exercise {
     public final String text(Draw draw) {
         Question question = question(draw);
         return question.text() + "\n" + (question.tolerance() <= FOUR_DIGITS ? "Give four significant digits"
-                : "Give two or three significant digits") + ": right is what is off by no more than "
+                : "Give three significant digits") + ": right is what is off by no more than "
                 + Draw.text(100 * question.tolerance()) + " %. "
-                + (question.unit().isEmpty() ? "The answer is a pure number." : "The unit is " + question.unit() + ".");
+                + (question.unit().isEmpty() ? "The answer is a pure number." : "The unit is " + question.unit() + ".")
+                + " It lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
     }
 
     @Override
     public final Mark mark(Draw draw, String answer) {
-        return mark(question(draw), answer);
+        return mark(question(draw), answer, hint);
     }
 
-    public static Mark mark(Question question, String answer) {
+    /**
+     * @param question one student's question
+     * @param answer   what the student typed
+     * @param hint     for an answer that is not understood
+     * @return the mark
+     */
+    public static Mark mark(Question question, String answer, String hint) {
         AnswerText typed = AnswerText.read(answer, question.unit());
         if (typed.value().isEmpty()) {
             return Mark.wrong(typed.problem());
         }
         double value = typed.value().get();
         return question.isNear(value, question.answer()) ? new Mark(true, List.of("This is right."))
-                : Mark.wrong(reason(question, value));
+                : Mark.wrong(reason(question, value, hint));
     }
 
-    private static String reason(Question question, double value) {
+    private static String reason(Question question, double value, String hint) {
         Optional<CommonMistake> slip = question.mistakes().stream().filter(s -> question.isNear(value, s.value()))
                 .findFirst();
         if (slip.isPresent()) {
@@ -85,6 +104,6 @@ public abstract class NumericExercise implements Exercise {
             return "This is close, but off by more than " + Draw.text(100 * question.tolerance())
                     + " %: calculate with all digits and round at the very end.";
         }
-        return "This is not right, and no typical mistake leads to it: go through the first step by hand and compare.";
+        return "This is not right yet. " + hint;
     }
 }

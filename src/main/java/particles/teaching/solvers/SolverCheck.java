@@ -79,7 +79,7 @@ public final class SolverCheck {
         }
         boolean remembers = remembers();
         boolean multistep = remembers && evaluations(SHORT) == evaluations(8);
-        String identity;
+        String identity = "It makes a step, and fails in others.";
         try {
             Diagnosis diagnosis = remembers ? remembering(multistep)
                     : tableau(1).or(this::kicks).or(() -> ImplicitFormula.of(maker, promise)).orElseGet(this::measured);
@@ -93,7 +93,6 @@ public final class SolverCheck {
                 afterContract(multistep).ifPresent(findings::add);
             }
         } catch (RuntimeException e) {
-            identity = "It makes a step, and fails in others.";
             findings.add(new Finding(Kind.FAILURE, "stepState ends in an exception: " + StudentFailure.describe(e)));
         }
         return new SolverVerdict(identity, firstMistake(), multistep);

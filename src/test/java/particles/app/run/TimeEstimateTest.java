@@ -101,10 +101,12 @@ class TimeEstimateTest {
 
     @Test
     void linesAreInTheUnitThatSuits() {
-        assertEquals("this takes about 43 s: 10000 steps of 1 particle", TimeEstimate.line(42.1, 10_000, TimeEstimate.counted(1), 0));
+        assertEquals("this takes about 43 s: 10000 steps of 1 particle",
+                TimeEstimate.line(42.1, 10_000, TimeEstimate.counted(1), 0));
         assertEquals("this takes about 6 min: 10000 steps of 7 particles and 251 pictures",
                 TimeEstimate.line(343, 10_000, TimeEstimate.counted(7), 250.5));
-        assertEquals("this takes about 3 h: 1e8 steps of 7 particles", TimeEstimate.line(10_000, 1e8, TimeEstimate.counted(7), 0));
+        assertEquals("this takes about 3 h: 1e8 steps of 7 particles",
+                TimeEstimate.line(10_000, 1e8, TimeEstimate.counted(7), 0));
         assertEquals("12 days", TimeEstimate.time(1e6));
     }
 

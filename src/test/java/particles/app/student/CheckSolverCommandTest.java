@@ -43,8 +43,8 @@ class CheckSolverCommandTest {
     public static final class GivesUp extends DESolver {
         @Override
         public void stepState(DEStateSource source, double deltaT) {
-            if (deltaT == 0.1) {
-                throw new IllegalStateException("not with 0.1");
+            if (deltaT == 1) {
+                throw new IllegalStateException("not with 1");
             }
             new deSolvers.EulerSolver().stepState(source, deltaT);
         }
@@ -101,8 +101,8 @@ class CheckSolverCommandTest {
     @Test
     void aRightSolverGetsItsNameNumbersAndPictures(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, "midpoint", folder);
-        assertTrue(screen.startsWith("MidpointSolver: This is the midpoint method."), screen);
-        assertTrue(screen.contains("Nothing is wrong."), screen);
+        assertTrue(screen.startsWith("MidpointSolver: right. This is the midpoint method."), screen);
+        assertTrue(screen.lines().count() <= 12, screen);
         String report = Files.readString(folder.resolve("report/checkSolver.md"));
         for (String picture : List.of("order.png", "region.png", "energy.png", "work-precision.png")) {
             assertTrue(report.contains("(" + picture + ")"), picture);
@@ -114,18 +114,18 @@ class CheckSolverCommandTest {
     void aWrongSolverGetsItsMistakeAndAnExitCode(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, NoClock.class.getName(), folder);
         String mistake = "the clock never moves: incTime(deltaT) is missing";
-        assertTrue(screen.contains("  time: " + mistake), screen);
-        assertTrue(screen.strip().endsWith("one thing is wrong"), screen);
+        assertTrue(screen.lines().anyMatch(("time: " + mistake)::equals), screen);
+        assertTrue(screen.startsWith("NoClock: wrong. "), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **time**: " + mistake));
     }
 
     @Test
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, GivesUp.class.getName(), folder);
-        assertTrue(screen.startsWith("GivesUp: This is the Euler method."), screen);
+        assertTrue(screen.startsWith("GivesUp: wrong. This is the Euler method."), screen);
         String mistake = "while it was measured on springs, stepState ended in an exception:"
-                + " java.lang.IllegalStateException: not with 0.1, in GivesUp.";
-        assertTrue(screen.contains("  failure: " + mistake), screen);
+                + " java.lang.IllegalStateException: not with 1, in GivesUp.";
+        assertTrue(screen.contains("failure: " + mistake), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
     }
 

@@ -132,9 +132,9 @@ class GradeCommandTest {
         assertTrue(report.contains("| 2. Why Euler spirals: the energy that steps add | 1 | This is right. |"), report);
         assertTrue(report.contains("| 1. Three steps of the Euler method | 0 | 'NaN' is no finite number"), report);
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
-        assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: This is the Euler method."), report);
+        assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: right. This is the Euler method."), report);
         assertTrue(report.contains(
-                "| solver BrokenSolver | 0 | exercises.BrokenSolver cannot be checked. Wrong: failure: "),
+                "| solver BrokenSolver | 0 | exercises.BrokenSolver: wrong. It cannot be checked. failure: "),
                 report);
         assertTrue(report.contains(
                 "failure: BrokenSolver.java:11: it does not compile: cannot find symbol symbol: variable dSdx"),
@@ -157,6 +157,42 @@ class GradeCommandTest {
                 .contains("no <such> & scene.yaml"));
     }
 
+    private static final String PRANK = """
+            package exercises;
+
+            public class %s extends deSolvers.DESolver {
+                static {
+                    System.out.println("%s: right. This is the Euler method.");
+                    System.out.println("DONE");
+                    Runtime.getRuntime().halt(0);
+                }
+
+                @Override
+                public void stepState(deSolvers.DEStateSource source, double deltaT) {
+                }
+            }
+            """;
+
+    /** Exit code 0 and the words of a right solver are no mark. */
+    @Test
+    void whoEndsTheProcessGetsNoMark() throws Exception {
+        Files.writeString(classes.resolve("HaltSolver.java"), PRANK.formatted("HaltSolver", "HaltSolver"));
+        String screen = grade(ExitCode.BAD_INPUT);
+        assertTrue(screen.contains("no mark   solver HaltSolver" + System.lineSeparator()
+                + "            wrong: the check did not come to its end; the class ended the program"), screen);
+        assertTrue(screen.contains("0 of 13 marks"), screen);
+    }
+
+    @Test
+    void onlyLinesWithTheNumberOfThisRunCount() {
+        List<String> fake = List.of("5 DONE", "DONE", " DONE", "17", "17DONE");
+        assertEquals(ExitCode.BAD_INPUT, StudentProcess.outcome(fake, "17").code());
+        assertEquals(new StudentProcess.Outcome(ExitCode.DONE, List.of("a line")),
+                StudentProcess.outcome(List.of("noise", "17 a line", "5 BAD_INPUT", "17 DONE", "noise"), "17"));
+        assertEquals(ExitCode.BAD_INPUT, StudentProcess.outcome(List.of("17 DONE", "17 a line"), "17").code(),
+                "not the last");
+    }
+
     @Test
     void solversThatAreAskedForHaveToBeThere() {
         String screen = grade(ExitCode.BAD_INPUT, "--solvers=exercises.HeunSolver");
@@ -176,7 +212,7 @@ class GradeCommandTest {
         Files.writeString(folder.resolve("answers.yaml"), "1: [1, 2]\n2:\n13: 5\nx: 1\n1: 3\n");
         String screen = grade(ExitCode.BAD_INPUT);
         for (String place : List.of(":1:4: '1' is [1, 2]; it has to be the answer", ":2:1: '2' has no value",
-                ":3:1: unknown key '13'", ":4:1: unknown key 'x'", ":5:1: '1' is there twice")) {
+                ":3:1: unknown key '13'", ":4:1: unknown key 'x'", ":5:1: '1' appears twice")) {
             assertTrue(screen.contains("answers.yaml" + place), screen);
         }
     }

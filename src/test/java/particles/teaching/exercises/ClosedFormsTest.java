@@ -113,7 +113,7 @@ class ClosedFormsTest {
             so that who uses them is. Measured 1.6 %. */
     @Test
     void costFollowsTheErrorsLeadingTerms() {
-        hold(5, 0.03, text -> {
+        hold(5, 0.02, text -> {
             double t = after(text, "followed for ") * after(text, "omega = ");
             double error = after(text, "may be ");
             double midpoint = Math.sqrt(t * t * t / (6 * error));

@@ -1,0 +1,58 @@
+package particles.app.student;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import particles.app.student.CheckCommand.Checked;
+import particles.output.text.TableText;
+import particles.teaching.Finding;
+import particles.view.DataTable;
+
+/** What a check says on the screen: the verdict first, then mistakes, notes and numbers, in at most twelve lines. */
+final class CheckReport {
+    static final int MOST_LINES = 12;
+    private static final int MOST_MISTAKES = 4;
+    private static final int MOST_NOTES = 2;
+    private static final int LONGEST = 100;
+
+    private CheckReport() {
+    }
+
+    /**
+     * @param checked what the check found
+     * @param printed what the class printed
+     * @param report  where the whole report is
+     * @return the lines
+     */
+    static List<String> lines(Checked checked, String printed, Path report) {
+        List<String> wrong = checked.findings().stream().filter(Finding::isWrong).map(Finding::toString).toList();
+        List<String> notes = checked.findings().stream().filter(finding -> !finding.isWrong())
+                .map(finding -> "note: " + finding.text()).toList();
+        List<String> lines = new ArrayList<>();
+        lines.add(checked.subject() + ": " + (wrong.isEmpty() ? "right. " : "wrong. ") + checked.identity());
+        add(lines, wrong, MOST_MISTAKES);
+        add(lines, notes, MOST_NOTES);
+        List<String> last = new ArrayList<>();
+        if (!printed.isBlank()) {
+            List<String> text = printed.strip().lines().toList();
+            String first = text.get(0).length() > LONGEST ? text.get(0).substring(0, LONGEST) + "..." : text.get(0);
+            last.add("the class printed: " + first + (text.size() > 1 ? " (and more lines)" : ""));
+        }
+        last.add("report: " + report);
+        List<DataTable> tables = checked.page().tables();
+        int room = MOST_LINES - lines.size() - last.size();
+        if (!tables.isEmpty() && room > 1) {
+            lines.addAll(TableText.plain(tables.get(0)).stream().limit(room).toList());
+        }
+        lines.addAll(last);
+        return lines;
+    }
+
+    private static void add(List<String> lines, List<String> more, int most) {
+        lines.addAll(more.stream().limit(most).toList());
+        if (more.size() > most) {
+            lines.set(lines.size() - 1, lines.get(lines.size() - 1) + " (" + (more.size() - most)
+                    + " more in the report)");
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package particles.lab;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The memory of moments seen stays within its limit, from the first moment to the latest. */
+class HistoryTest {
+    private static final int PARTICLES = 100;
+    private static final long LIMIT = 1_000_000;
+    private static final Structure STRUCTURE = new Structure(new String[PARTICLES], new int[PARTICLES],
+            new float[PARTICLES], new float[PARTICLES], new int[0], new float[0], new int[0]);
+
+    private static Frame frame(double time) {
+        return new Frame(time, new float[6 * PARTICLES], new float[4], STRUCTURE);
+    }
+
+    private static History filled(int moments, double step) {
+        History history = new History(LIMIT);
+        for (int i = 0; i < moments; i++) {
+            if (history.wants(i * step)) {
+                history.add(frame(i * step));
+            }
+            assertTrue(history.bytes() <= LIMIT, history.bytes() + " bytes");
+        }
+        return history;
+    }
+
+    @Test
+    void everyMomentIsKeptWhileThereIsRoom() {
+        assertEquals(100, filled(100, 0.1).frames().size());
+    }
+
+    @Test
+    void aLongRunIsThinnedEvenly() {
+        List<Frame> frames = filled(100_000, 0.01).frames();
+        assertEquals(0, frames.get(0).time());
+        double latest = frames.get(frames.size() - 1).time();
+        assertTrue(latest > 990, "the latest is at " + latest);
+        double shortest = Double.POSITIVE_INFINITY;
+        double longest = 0;
+        for (int i = 1; i < frames.size(); i++) {
+            double gap = frames.get(i).time() - frames.get(i - 1).time();
+            shortest = Math.min(shortest, gap);
+            longest = Math.max(longest, gap);
+        }
+        assertTrue(longest <= 2 * shortest + 1e-9, shortest + " s to " + longest + " s");
+        assertTrue(frames.size() > 180, frames.size() + " moments");       // 376 fill the memory, and half of them stay
+    }
+
+    @Test
+    void theLatestMomentBeforeATimeIsFound() {
+        History history = filled(100, 0.5);
+        assertEquals(0, history.at(-1).time());
+        assertEquals(10, history.at(10).time());
+        assertEquals(10, history.at(10.4).time());
+        assertEquals(49.5, history.at(1e9).time());
+    }
+}

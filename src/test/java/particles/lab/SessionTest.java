@@ -1,0 +1,83 @@
+package particles.lab;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import particles.spec.ClassNames;
+
+/** What a page asks for, it gets as text that scripts understand. */
+class SessionTest {
+    private static final String SCENE = """
+            title: "A \\"spring\\""
+            teaches: tests
+            solver: rk4
+            deltaT: 0.01
+            duration: 1
+            particles:
+              - {id: wall, position: [0, 0, 0], fixed: true}
+              - {id: bob, position: [2, 0, 0]}
+            springs:
+              - {from: wall, to: bob, stiffness: 100, restLength: 1}
+            """;
+
+    private final Session session = new Session(ClassNames.none());
+
+    @Test
+    void aSceneIsOpenedWithItsFacts() {
+        String facts = session.open("x.yaml", SCENE, "", 0, 0);
+        assertTrue(facts.contains("\"title\":\"A \\\"spring\\\"\""), facts);
+        // omega = 10 rad/s and RK4's limit on the imaginary axis is 2.8284
+        assertTrue(facts.contains("\"rk4\":0.2828"), facts);
+        assertTrue(facts.contains("\"euler\":0.0"), facts);
+        assertTrue(session.structure().contains("\"ids\":[\"wall\",\"bob\"],\"fixed\":[1,0]"), session.structure());
+    }
+
+    @Test
+    void mistakesAreTheReadersOwnLines() {
+        assertEquals("{\"errors\":[\"x.yaml:3:9: unknown solver 'rk5'; did you mean 'rk4'?",
+                session.open("x.yaml", SCENE.replace("rk4", "rk5"), "", 0, 0).replaceFirst("'rk4'\\?.*", "'rk4'?"));
+    }
+
+    @Test
+    void anotherSolverAndStepTakeTheSceneSPlace() {
+        session.open("x.yaml", SCENE, "euler", 0.5, 0);
+        session.advance(10, 1e4);
+        assertTrue(session.status().contains("\"steps\":2,\"evaluations\":2,"), session.status());
+        assertTrue(session.status().contains("\"over\":true"), session.status());
+    }
+
+    @Test
+    void aBlowUpIsTold() {
+        session.open("x.yaml", SCENE.replace("duration: 1", "duration: 100"), "euler", 0.5, 0);
+        session.advance(100, 1e4);
+        assertTrue(session.status().contains("\"failure\":\"euler stopped at t = "), session.status());
+    }
+
+    @Test
+    void thePastIsSeenAgain() {
+        session.open("x.yaml", SCENE, "", 0, 0);
+        float[] start = session.state();
+        session.advance(1, 1e4);
+        session.look(0);
+        assertArrayEqualsExactly(start, session.state());
+        float[] points = session.phase("bob", 0);
+        assertEquals(3 * 101, points.length);
+        assertEquals(2f, points[1]);
+        // x = 1 + cos(10 t): a quarter of a period on, the velocity is -10 sin(1.57)
+        assertEquals(-10 * Math.sin(1.6), points[3 * 16 + 2], 1e-4);
+    }
+
+    private static void assertArrayEqualsExactly(float[] expected, float[] found) {
+        assertTrue(Arrays.equals(expected, found), Arrays.toString(found));
+    }
+
+    @Test
+    void textsAndNumbersAreWrittenAsJson() {
+        assertEquals("{\"a\":[1,0.5,null,true,\"x\\\\\\u000a\\\"\"]}",
+                Json.of(Map.of("a", List.of(1, 0.5, Double.NaN, true, "x\\\n\""))));
+    }
+}
