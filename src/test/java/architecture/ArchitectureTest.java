@@ -16,12 +16,14 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Who may use whom: the solvers know nothing of particles, the physics nothing of files or pictures, and only the
  * command line prints. Read from the sources themselves, imports and fully-qualified names alike.
  */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)         // the sources are read once
 class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
     private static final Path TESTS = Path.of("src/test/java");

@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle checkEffect -Peffect=exercises.MyGravity}: whether a force law keeps what it claims. */
 @Command(name = CheckEffectCommand.NAME,
-        description = "Checks a force law: whether it keeps what it claims, and what is wrong with it.")
+        description = "Checks a force law: whether it keeps what it claims, or what is wrong.")
 public final class CheckEffectCommand extends CheckCommand {
     static final String NAME = "checkEffect";
 
