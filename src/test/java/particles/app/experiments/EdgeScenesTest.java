@@ -52,8 +52,8 @@ class EdgeScenesTest {
         ExitCode code = new Program(Main.commands(OptionStyle.SHELL, new StopRequest()), OptionStyle.SHELL,
                 new PrintWriter(new StringWriter()), new PrintWriter(errors)).execute(args.toArray(String[]::new));
         boolean noPath = task.equals("phasePlots") && what.equals("all are fixed");
-        assertEquals(noPath ? "option --scene: no particle of this scene can move when it begins, so there is no path"
-                + " to draw" : "", errors.toString().strip());
+        assertEquals(noPath ? "option --scene: at its start this scene has no free particle, so there is no"
+                + " path to draw" : "", errors.toString().strip());
         assertEquals(noPath ? ExitCode.BAD_INPUT : ExitCode.DONE, code);
     }
 }
