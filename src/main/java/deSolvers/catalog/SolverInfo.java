@@ -13,8 +13,11 @@ package deSolvers.catalog;
  * @param realLimit      the largest stable h |lambda| on the negative real axis; infinite where there is none,
  *                       NaN where it does not apply
  * @param imaginaryLimit the largest stable h omega on the imaginary axis, for undamped springs; 0 if it always grows
+ * @param dampedLimit    the largest stable h omega for a critically damped spring, of methods that step positions and
+ *                       velocities apart; NaN for others, whose limit there is realLimit
  * @param sentence       what to know of it, in one sentence
  */
 public record SolverInfo(String name, String className, int order, String family, String evaluations, boolean adaptive,
-                         boolean secondOrder, double realLimit, double imaginaryLimit, String sentence) {
+                         boolean secondOrder, double realLimit, double imaginaryLimit, double dampedLimit,
+                         String sentence) {
 }

@@ -17,7 +17,7 @@ import deSolvers.FixedStepSolver;
  *
  * <p><b>Order</b> 4.<br>
  * <b>Evaluations</b> 2 a step; 4 in each of the first three.<br>
- * <b>Stability</b> h |lambda| &le; 1.28 on the negative real axis; unstable on the imaginary axis, though there
+ * <b>Stability</b> h |lambda| &le; 1.2848 on the negative real axis; unstable on the imaginary axis, though there
  * the growth is only 1.6e-7 a step at h omega = 0.1 and 1.5e-3 at 0.5.<br>
  * <b>When to use</b> costly derivatives and smooth motion at a fixed deltaT: half the evaluations of {@code rk4} for a
  * step of the same length, at less than half the stable length; not where bounces and contacts restart it again and

@@ -63,16 +63,6 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
         return discriminant < 0 ? Math.sqrt(determinant()) : Math.abs(half) + Math.sqrt(discriminant);
     }
 
-    /**
-     * @param earlier the matrix of the first of these steps
-     * @return the matrix of the steps after them: earlier, multiplied by it from the left, is this
-     */
-    public StepMatrix over(StepMatrix earlier) {
-        double d = earlier.determinant();
-        return new StepMatrix((xx * earlier.vv - xv * earlier.vx) / d, (xv * earlier.xx - xx * earlier.xv) / d,
-                (vx * earlier.vv - vv * earlier.vx) / d, (vv * earlier.xx - vx * earlier.xv) / d, nonlinearity);
-    }
-
     /** @return whether the steps leave every state as it was */
     public boolean isIdentity() {
         return xx == 1 && xv == 0 && vx == 0 && vv == 1;

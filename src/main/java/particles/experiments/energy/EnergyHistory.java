@@ -2,6 +2,7 @@ package particles.experiments.energy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -98,14 +99,33 @@ public final class EnergyHistory implements Observer {
         largestOfMotionAndSprings = Math.max(largestOfMotionAndSprings, internal);
     }
 
-    /** @return the total energy at the start (J) */
+    /** @return the total energy at the start, with the chart's zero (J) */
     public double getStart() {
-        return total.first();
+        return total.first() - zero();
     }
 
-    /** @return the total energy at the end (J) */
+    /** @return the total energy at the end, with the chart's zero (J) */
     public double getEnd() {
-        return total.last();
+        return total.last() - zero();
+    }
+
+    /** The sum of all that {@link #lowest} takes off. */
+    private double zero() {
+        double sum = 0;
+        for (int e = 0; e < effects.size(); e++) {
+            sum += lowest(e);
+        }
+        return sum;
+    }
+
+    /**
+     * Where the origin lies must not matter, so that a uniform field such as gravity has its zero at its lowest value
+     * in the run. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
+     */
+    private double lowest(int effect) {
+        Set<Effect.Trait> traits = effects.get(effect).getTraits();
+        return traits.contains(Effect.Trait.TRANSLATION_INVARIANT) && !traits.contains(Effect.Trait.INTERNAL)
+                ? stored.get(effect).smallest() : 0;
     }
 
     /** @return the largest |E(t) - E(0)| of the run (J) */
@@ -122,8 +142,8 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * The energies. The total is the first series. A potential that no inner force has, such as gravity's, has its zero
-     * at the lowest value of the run, since a chart must not depend on where the origin lies; its name says so.
+     * The energies. The total is the first series. Gravity's potential has its zero at the lowest value of the run,
+     * and its name says so.
      *
      * @param title of the chart, such as the scene and its solver
      * @return the chart
@@ -134,16 +154,14 @@ public final class EnergyHistory implements Observer {
             throw new IllegalStateException("no run was observed");
         }
         List<Series> series = new ArrayList<>();
-        double zero = 0;
+        double zero = zero();
         List<Series> parts = new ArrayList<>();
         for (int e = 0; e < effects.size(); e++) {
             MinMaxThinning energy = stored.get(e);
             if (energy.smallest() == 0 && energy.largest() == 0) {
                 continue;
             }
-            boolean internal = effects.get(e).getTraits().contains(Effect.Trait.INTERNAL);
-            double lowest = internal ? 0 : energy.smallest();
-            zero += lowest;
+            double lowest = lowest(e);
             parts.add(line("potential: " + effects.get(e).getName() + (lowest == 0 ? "" : ", from its lowest"), energy,
                     lowest));
         }

@@ -28,6 +28,8 @@ public final class Amplification {
     static final double ROUNDING = 1e-8;
     /** Steps of a multistep method before its growth is measured, and as many again while it is. */
     private static final int STEPS = 300;
+    /** What oscillates from step to step is measured by the largest value in so many steps. */
+    private static final int WINDOW = 60;
     private static final double RELATIVE = 1e-6;
     private static final double EVERYTHING = 1e30;
     private static final double OVERFLOW = 1e100;
@@ -110,17 +112,20 @@ public final class Amplification {
     private double rate(LinearPair source) {
         DESolver solver = maker.get();
         source.start(1);
-        StepMatrix middle = null;
+        double middle = 0;
+        double end = 0;
         for (int i = 0; i < 2 * STEPS; i++) {
-            if (i == STEPS) {
-                middle = StepMatrix.of(source);
-            }
             solver.stepState(source, 1);
+            if (i >= STEPS - WINDOW && i < STEPS) {
+                middle = Math.max(middle, StepMatrix.of(source).radius());
+            } else if (i >= 2 * STEPS - WINDOW) {
+                end = Math.max(end, StepMatrix.of(source).radius());
+            }
             double size = source.size();
             if (!(size <= OVERFLOW && size >= 1 / OVERFLOW)) {
                 return StrictMath.pow(size, 1.0 / (i + 1));
             }
         }
-        return StrictMath.pow(StepMatrix.of(source).over(middle).radius(), 1.0 / STEPS);
+        return StrictMath.pow(end / middle, 1.0 / STEPS);
     }
 }

@@ -14,6 +14,8 @@ public record StabilityLimit(double value, double growth) {
     static final double SMALL = 0.1;
     /** Growth there is known to a few roundings; bulirsch-stoer's is 9e-14, and still it grows. */
     private static final double LEAST_GROWTH = 1e-14;
+    /** Smaller growth shows that there is no limit, but its digits are round-off. */
+    private static final double ROUND_OFF = 1e-12;
     private static final double LARGEST = 1e6;
     private static final double FACTOR = 1.02;
     private static final double ACCURACY = 1e-9;
@@ -68,7 +70,9 @@ public record StabilityLimit(double value, double growth) {
             return "-";
         }
         if (value == 0) {
-            return Double.isNaN(growth) ? "none" : String.format(Locale.ROOT, "none: grows by %.2e a step", growth);
+            return Double.isNaN(growth) ? "none"
+                    : growth < ROUND_OFF ? "none: growth below round-off at 0.1"
+                    : String.format(Locale.ROOT, "none: grows by %.2e a step", growth);
         }
         return value == Double.POSITIVE_INFINITY ? "unbounded" : String.format(Locale.ROOT, "%.4f", value);
     }

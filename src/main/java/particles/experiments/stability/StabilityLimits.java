@@ -12,6 +12,8 @@ public final class StabilityLimits {
     /** Of the method in PECE form at 0.1 i, from its characteristic polynomial. */
     private static final double ADAMS_GROWTH = 1.6e-7;
 
+    private static final String NOTHING = "-";
+
     private StabilityLimits() {
     }
 
@@ -30,18 +32,22 @@ public final class StabilityLimits {
                 List.of(DataTable.column("solver"),
                 DataTable.column("real axis: theory"), DataTable.column("measured"),
                 DataTable.column("imaginary axis: theory"),
-                DataTable.column("measured "), DataTable.column("measured on")), rows);
+                DataTable.column("measured "), DataTable.column("critically damped spring: stated"),
+                DataTable.column("measured  "), DataTable.column("measured on")), rows);
     }
 
     private static List<Object> row(SolverInfo info) {
-        StabilityLimit real = real(info);
-        StabilityLimit imaginary = imaginary(info);
-        String what = info.secondOrder() ? "springs: critically damped, undamped" : info.adaptive() ? "one sub-step"
+        boolean springs = info.secondOrder();
+        String real = real(info).text();
+        String what = springs ? "springs" : info.adaptive() ? "one sub-step"
                 : "a step";
-        return List.of(info.name(), StabilityLimit.text(info.realLimit(), Double.NaN), real.text(),
-                StabilityLimit.text(info.imaginaryLimit(), theoreticalGrowth(info.name())), imaginary.text(), what);
+        return List.of(info.name(), StabilityLimit.text(info.realLimit(), Double.NaN), springs ? NOTHING : real,
+                StabilityLimit.text(info.imaginaryLimit(), theoreticalGrowth(info.name())), imaginary(info).text(),
+                springs ? StabilityLimit.text(info.dampedLimit(), Double.NaN) : NOTHING,
+                springs ? real : NOTHING, what);
     }
 
+    /** Of a symplectic method on a critically damped spring, whose two eigenvalues are real and equal. */
     static StabilityLimit real(SolverInfo info) {
         Amplification amplification = Amplification.of(info);
         return StabilityLimit.measure(h -> amplification.at(-h, 0));

@@ -3,7 +3,9 @@ package particles.experiments.work;
 import deSolvers.RK4Solver;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.BiConsumer;
 import java.util.function.LongSupplier;
 import particles.ParticleSystem;
@@ -47,6 +49,7 @@ import particles.view.DataTable;
 public final class EffectCost {
     private static final double DELTA_T = 1e-3;
     private static final double SPACING = 0.05;
+    private static final double TWO_DECIMALS = 10;
     private static final Vector3 FAR_BELOW = new Vector3(0, -100, 0);
 
     private EffectCost() {
@@ -208,20 +211,28 @@ public final class EffectCost {
 
     /**
      * @param costs as measured
-     * @return a bar for each, in a row with its name
+     * @return a bar for each, in a row with its name and value, the cheapest above; 1 is springs alone
      */
     public static ChartData chart(List<Cost> costs) {
-        double[] x = new double[3 * costs.size()];
-        double[] y = new double[3 * costs.size()];
-        for (int k = 0; k < costs.size(); k++) {
-            x[3 * k + 1] = costs.get(k).overBase();
+        List<Cost> sorted = costs.stream().sorted(Comparator.comparingDouble(Cost::overBase)).toList();
+        double[] x = new double[3 * sorted.size()];
+        double[] y = new double[3 * sorted.size()];
+        for (int k = 0; k < sorted.size(); k++) {
+            x[3 * k] = 1;
+            x[3 * k + 1] = sorted.get(k).overBase();
+            x[3 * k + 2] = Double.NaN;                  // the pen is lifted between bars
             y[3 * k] = k;
             y[3 * k + 1] = k;
-            y[3 * k + 2] = Double.NaN;                  // the pen is lifted between bars
+            y[3 * k + 2] = Double.NaN;
         }
-        return new ChartData("What is named is paid for, and nothing else",
-                "time for a step over that of springs alone",
-                "what the scene names", false, false, costs.stream().map(Cost::name).toList(),
-                List.of(new Series("time for a step", Mark.BAND, x, y)));
+        Cost dearest = sorted.get(sorted.size() - 1);
+        List<String> rows = sorted.stream().map(cost -> cost.name() + ": " + times(cost)).toList();
+        return new ChartData("The dearest is '" + dearest.name() + "': a step takes " + times(dearest)
+                + " times as long as with springs alone", "time for a step / time with springs alone",
+                "what the scene names", true, false, rows, List.of(new Series("time for a step", Mark.BAND, x, y)));
+    }
+
+    private static String times(Cost cost) {
+        return String.format(Locale.ROOT, cost.overBase() < TWO_DECIMALS ? "%.2f" : "%.0f", cost.overBase());
     }
 }

@@ -53,6 +53,7 @@ public final class EffectCheck {
         EffectCheck check = new EffectCheck(system, effect);
         new EffectWriting(system, effect, check.state).finding().ifPresent(check.findings::add);
         if (check.findings.isEmpty()) {
+            check.contradictions();
             check.partners();
             check.potential();
             check.power();
@@ -78,12 +79,23 @@ public final class EffectCheck {
         return EffectWriting.entry(system, k);
     }
 
+    /** What stores all of its energy neither takes any out nor puts any in. */
+    private void contradictions() {
+        Set<Trait> claims = effect.getTraits();
+        if (claims.contains(Trait.CONSERVATIVE) && (claims.contains(Trait.DISSIPATIVE)
+                || claims.contains(Trait.DRIVING))) {
+            wrong(Kind.METHOD, "it claims CONSERVATIVE and " + (claims.contains(Trait.DISSIPATIVE) ? "DISSIPATIVE"
+                    : "DRIVING")
+                    + ", which contradict each other: a conservative force keeps the energy that it stores");
+        }
+    }
+
     /**
      * Newton's third law: the forces add up to 0. Where they do not, it looks for a pair of particles that breaks the
      * law.
      */
     private void partners() {
-        if (!effect.getTraits().contains(Trait.INTERNAL)) {
+        if (!effect.getTraits().contains(Trait.INTERNAL) || !findings.isEmpty()) {
             return;
         }
         double[] force = force(state);
@@ -113,6 +125,11 @@ public final class EffectCheck {
                 change[j][k] -= force[k];
             }
         }
+        if (pushesNoPartner(change)) {
+            return Optional.of("it claims INTERNAL, which is wrong: no particle's force changes with the place of "
+                    + "another,"
+                    + " so that there are no pairs that push each other");
+        }
         for (int i = 0; i < change.length; i++) {
             for (int j = 0; j < change.length; j++) {
                 double onI = change[j][6 * i + 3];
@@ -127,6 +144,17 @@ public final class EffectCheck {
             }
         }
         return Optional.empty();
+    }
+
+    private static boolean pushesNoPartner(double[][] change) {
+        for (int j = 0; j < change.length; j++) {
+            for (int k = 0; k < change[j].length; k++) {
+                if (k / 6 != j && change[j][k] != 0) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     private String name(int i) {

@@ -15,6 +15,7 @@ import particles.ParticleSystem;
 import particles.Rule;
 import particles.Simulation;
 import particles.effects.Gravity;
+import particles.effects.PointAttraction;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 import particles.view.ChartData;
@@ -124,7 +125,22 @@ class EnergyHistoryTest {
         Series gravity = series(here.chart(""), "potential: gravity, from its lowest");
         assertEquals(0, java.util.Arrays.stream(gravity.y()).min().orElse(1));
         assertEquals(here.getScale(), there.getScale());
-        assertTrue(Math.abs(here.getStart() - there.getStart()) > 600);     // the energies themselves do differ
+        assertEquals(here.getStart(), there.getStart(), 1e-12, "nor the energies that a console or a file gives");
+        assertEquals(a.get(0).y()[0], here.getStart(), "they have the chart's zero");
+        assertEquals(a.get(0).y()[a.get(0).y().length - 1], here.getEnd());
+    }
+
+    /** On a circle of radius 1 about a centre with mu = 1: kinetic 1/2, potential -1, total -1/2. */
+    @Test
+    void boundOrbitKeepsItsNegativeEnergy() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("planet", 1, new Vector3(1, 0, 0), new Vector3(0, 1, 0), false);
+        system.addEffect(new PointAttraction(system.getParticles(), Vector3.ZERO, 1, 0));
+        EnergyHistory energy = observe(new Simulation(system, new RK4Solver(), 0.01, 1, Double.POSITIVE_INFINITY), 1);
+        assertEquals(-0.5, energy.getStart(), 1e-15);
+        Series total = series(energy.chart(""), "total");
+        assertEquals(-0.5, total.y()[total.y().length - 1], 1e-8);
+        assertEquals(total.y()[total.y().length - 1], energy.getEnd());
     }
 
     /** Nothing moves: the scale is weight times height, 2 kg on 9.81 m/s^2 over the 3 m between the two particles. */

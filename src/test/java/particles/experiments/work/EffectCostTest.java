@@ -35,11 +35,23 @@ class EffectCostTest {
             assertEquals(costs.get(k).name(), told.get(k));
         }
         ChartData chart = EffectCost.chart(costs);
-        assertEquals(costs.stream().map(EffectCost.Cost::name).toList(), chart.rows());
-        // springs alone
-        assertArrayEquals(new double[] {0, 1, 0}, Arrays.copyOfRange(chart.series().get(0).x(), 3, 6));
+        assertEquals(16, chart.rows().size());
         assertEquals(16, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
+    }
+
+    /** Sorted whatever the order of measurement, on a logarithmic axis, from 1, with the value in the row's name. */
+    @Test
+    void barsAreSortedAndCarryTheirValues() {
+        ChartData chart = EffectCost.chart(List.of(new Cost("hand-written", 9e-7, 0.9), new Cost("springs", 1e-6, 1),
+                new Cost("+ cohesion", 2.8e-5, 28), new Cost("+ gravity", 1.06e-6, 1.06)));
+        assertEquals(List.of("hand-written: 0.90", "springs: 1.00", "+ gravity: 1.06", "+ cohesion: 28"),
+                chart.rows());
+        assertTrue(chart.xLog());
+        assertArrayEquals(new double[] {1, 1.06}, Arrays.copyOfRange(chart.series().get(0).x(), 6, 8));
+        assertArrayEquals(new double[] {2, 2}, Arrays.copyOfRange(chart.series().get(0).y(), 6, 8));
+        assertEquals("The dearest is '+ cohesion': a step takes 28 times as long as with springs alone",
+                chart.title());
     }
 
     /** In 50 steps; measured: 5e-19 m where the way is 4e-5 m, the rounding of another order of operations. */

@@ -156,6 +156,20 @@ class PlantedClaimsTest {
     }
 
     @Test
+    void claimsThatContradictEachOther() {
+        assertFound(law(EnumSet.of(Trait.CONSERVATIVE, Trait.DISSIPATIVE), true, DRAG, NONE,
+                state -> 0.3 * squares(state, 3)), "it claims CONSERVATIVE and DISSIPATIVE, which contradict each "
+                        + "other");
+    }
+
+    @Test
+    void internalIsAWrongClaimWithoutPairs() {
+        assertFound(law(EnumSet.of(Trait.CONSERVATIVE, Trait.INTERNAL), false, SPRING, state -> 2 * squares(state, 0),
+                NONE),
+                "it claims INTERNAL, which is wrong: no particle's force changes with the place of another");
+    }
+
+    @Test
     void energyThatIsNotTold() {
         assertFound(law(EnumSet.of(Trait.CONSERVATIVE), false, SPRING, NONE, NONE), "getPotentialEnergy is missing");
     }
