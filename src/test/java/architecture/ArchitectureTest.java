@@ -97,7 +97,7 @@ class ArchitectureTest {
             particles.law:
             particles.messages:            deSolvers deSolvers.adaptive deSolvers.catalog particles particles.effects
                                            particles.experiments.stability particles.law particles.reactions
-                                           particles.scene
+                                           particles.scene particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       particles.output.files particles.output.text particles.view java.awt

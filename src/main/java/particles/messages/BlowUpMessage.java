@@ -12,6 +12,7 @@ import particles.SimulationException;
 import particles.effects.LinearDrag;
 import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
+import particles.spec.NumberType;
 
 /**
  * What is printed when a run cannot go on: what happened and where; if springs are to blame, by how much deltaT is
@@ -74,7 +75,7 @@ public final class BlowUpMessage {
         String name = scene.description().solver();
         if (!SolverCatalog.names().contains(name)) {
             return "\nthe stability limit of " + name + " is not known"
-                    + trying(option("deltaT", Digits.few(deltaT / 10)));
+                    + trying(step(Digits.few(deltaT / 10)));
         }
         SolverInfo solver = SolverCatalog.info(name);
         if (solver.adaptive()) {
@@ -88,13 +89,13 @@ public final class BlowUpMessage {
         }
         if (limit == Double.POSITIVE_INFINITY) {
             return "\n" + name + " has no stability limit, but " + (name.equals(STIFF)
-                    ? "equations that it could not solve" + trying(option("deltaT", Digits.few(deltaT / 2)))
+                    ? "equations that it could not solve" + trying(step(Digits.few(deltaT / 2)))
                     : "it adds energy where springs buckle" + trying(option("solver", STIFF)));
         }
         return deltaT <= stableStep(solver)
                 ? "\nsprings are not the cause: deltaT is within the limit of " + name
-                        + trying(option("deltaT", Digits.few(deltaT / 4)))
-                : "\n" + tooLong(solver, limit) + trying(option("deltaT", Digits.roundedDown(stableStep(solver))));
+                        + trying(step(Digits.few(deltaT / 4)))
+                : "\n" + tooLong(solver, limit) + trying(step(Digits.roundedDown(stableStep(solver))));
     }
 
     private static String trying(String what) {
@@ -129,7 +130,7 @@ public final class BlowUpMessage {
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""
-                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or "
+                : " with " + step(Digits.roundedDown(stableStep(solver))) + ", or "
                         + option("solver", STIFF));
     }
 
@@ -145,6 +146,12 @@ public final class BlowUpMessage {
     private double limit(SolverInfo solver) {
         boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
         return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
+    }
+
+    /** An option that is not refused. */
+    private String step(String seconds) {
+        return Double.parseDouble(seconds) >= NumberType.TINY ? option("deltaT", seconds)
+                : "softer springs or larger masses, as no deltaT may be below " + Digits.few(NumberType.TINY) + " s";
     }
 
     private String option(String name, String value) {

@@ -48,12 +48,27 @@ public final class SceneBuilder {
         SceneDescription scene = overrides.applyTo(described, problems);
         Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene,
                 problems);
-        RunLimits.check(scene.deltaT(), scene.duration(), scene.output().frameRate(), scene.places(), problems);
+        RunLimits.check(scene.deltaT(), scene.duration(), scene.places(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
         if (problems.count() > 0) {
             throw new SceneException(problems.lines());
         }
         return build(scene, solver.orElseThrow());
+    }
+
+    /**
+     * For runs that draw pictures.
+     *
+     * @param scene  the scene that is about to run
+     * @param option how the option is typed that says whether pictures are drawn
+     * @throws SceneException if there would be too many
+     */
+    public static void checkPictures(SceneDescription scene, String option) {
+        Problems problems = new Problems();
+        RunLimits.checkPictures(scene, option, problems);
+        if (problems.count() > 0) {
+            throw new SceneException(problems.lines());
+        }
     }
 
     /** A law that is named by its class is somebody's own, and may fail in any way. */

@@ -50,8 +50,8 @@ public final class SceneFiles {
         if (typed.isPresent() && Files.isRegularFile(typed.get())) {
             return typed.get();
         }
-        if (typed.isEmpty() || typed.get().getNameCount() > 1 || typed.get().isAbsolute()) {
-            throw new SceneException(List.of("there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
+        if (typed.isPresent() && isPath(typed.get())) {
+            throw new SceneException(List.of(noFile(folder, typed.get())));
         }
         List<Path> found = new ArrayList<>();
         for (Path file : list(folder)) {
@@ -65,10 +65,36 @@ public final class SceneFiles {
                     + " scene: " + String.join(", ",
                     found.stream().map(Path::toString).toList()) + "; give the whole name"));
         }
+        if (found.isEmpty() && typed.isPresent() && Files.exists(typed.get())) {
+            throw new SceneException(List.of(noFile(folder, typed.get())));
+        }
         if (found.isEmpty()) {
             throw new SceneException(List.of("there is no scene " + Wording.quote(wanted) + nearest(folder, wanted)));
         }
         return found.get(0);
+    }
+
+    /** Whether it can only be a path, as scenes' names have no folders in them. */
+    private static boolean isPath(Path typed) {
+        return typed.getNameCount() > 1 || typed.isAbsolute();
+    }
+
+    /** Why a path is no scene. */
+    private static String noFile(Path folder, Path typed) {
+        String quoted = Wording.quote(typed.toString());
+        if (Files.isDirectory(typed)) {
+            return quoted + " is a folder; a scene is a file";
+        }
+        if (Files.exists(typed)) {
+            return quoted + " is a device, a pipe or a socket; a scene is an ordinary file";
+        }
+        Path parent = typed.getParent();
+        if (parent != null && !Files.isDirectory(parent)) {
+            return "there is no file " + quoted + ", as there is no folder " + Wording.quote(parent.toString());
+        }
+        List<String> names = list(folder).stream().map(file -> file.getFileName().toString()).toList();
+        return "there is no file " + quoted + DidYouMean.nearest(typed.getFileName().toString(), names)
+                .map(name -> "; did you mean '" + name + "'?").orElse("");
     }
 
     private static Optional<Path> pathOf(String wanted) {

@@ -22,6 +22,11 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     private final String what;
     private final List<K> kinds;
     private final Optional<ByClass<K>> byClass;
+    private final Optional<Elsewhere> elsewhere;
+
+    /** Kinds of another sort, by which a mistake is recognised: an effect where a rule should be. */
+    private record Elsewhere(String what, String key, List<? extends Kind> kinds) {
+    }
 
     private record ByClass<K extends Kind>(Class<K> type, TextType form) {
     }
@@ -31,10 +36,11 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
      * @param kinds the kinds, with different names
      */
     public KindType(String what, List<K> kinds) {
-        this(what, kinds, Optional.empty());
+        this(what, kinds, Optional.empty(), Optional.empty());
     }
 
-    private KindType(String what, List<K> kinds, Optional<ByClass<K>> byClass) {
+    private KindType(String what, List<K> kinds, Optional<ByClass<K>> byClass, Optional<Elsewhere> elsewhere) {
+        this.elsewhere = elsewhere;
         this.what = what;
         this.kinds = List.copyOf(kinds);
         this.byClass = byClass;
@@ -46,7 +52,17 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
      * @return these kinds, and besides them all that {@link ClassNames} finds by the name of a class
      */
     public KindType<K> orByClass(Class<K> type, String example) {
-        return new KindType<>(what, kinds, Optional.of(new ByClass<>(type, ClassNames.form(example))));
+        return new KindType<>(what, kinds, Optional.of(new ByClass<>(type, ClassNames.form(example))), elsewhere);
+    }
+
+    /**
+     * @param otherWhat what other kinds are kinds of, such as {@code effect}
+     * @param key       the key under which they stand, such as {@code effects}
+     * @param others    the other kinds, with other names
+     * @return these kinds; a name of another kind is told where it belongs
+     */
+    public KindType<K> notToConfuseWith(String otherWhat, String key, List<? extends Kind> others) {
+        return new KindType<>(what, kinds, byClass, Optional.of(new Elsewhere(otherWhat, key, others)));
     }
 
     @Override
@@ -98,9 +114,17 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         }
         Optional<K> found = kinds.stream().filter(kind -> kind.name().equals(name)).findFirst();
         if (found.isEmpty()) {
-            in.problem(nameNode, Wording.unknown(what, name, kinds.stream().map(Kind::name).toList()));
+            in.problem(nameNode, elsewhere
+                    .filter(other -> other.kinds().stream().anyMatch(kind -> kind.name().equals(name)))
+                    .map(other -> "'" + name + "' is " + article(other.what()) + ", not " + article(what)
+                            + "; move it to '" + other.key() + "'")
+                    .orElseGet(() -> Wording.unknown(what, name, kinds.stream().map(Kind::name).toList())));
         }
         return found;
+    }
+
+    private static String article(String what) {
+        return ("aeiou".indexOf(what.charAt(0)) < 0 ? "a " : "an ") + what;
     }
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {

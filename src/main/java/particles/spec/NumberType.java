@@ -13,7 +13,7 @@ public final class NumberType extends Type<Double> {
     /** Nothing in a scene is larger, and products of a few such numbers still are finite. */
     private static final double HUGE = 1e30;
     /** No number that has to be positive is smaller: its inverse is finite, and that of a part of it. */
-    private static final double TINY = 1e-30;
+    public static final double TINY = 1e-30;
 
     private final double least;
     private final boolean leastAllowed;
@@ -51,7 +51,9 @@ public final class NumberType extends Type<Double> {
     Optional<Double> read(Node node, String what, Reading in) {
         Optional<Double> number = parse(node);
         if (number.isEmpty()) {
-            return wrong(node, what, in);
+            Optional<String> mistake = NumberMistake.of(node, unit);
+            mistake.ifPresent(hint -> in.problem(node, what + " is " + Wording.describe(node) + "; " + hint));
+            return mistake.isPresent() ? Optional.empty() : wrong(node, what, in);
         }
         double value = number.get();
         if (value <= most && value >= smallest()) {

@@ -28,6 +28,12 @@ public final class YamlText {
     /** What the parser reads as a number without looking: nothing at the end of the text, or more than an int holds. */
     private static final Pattern NO_CHARACTER = Pattern.compile("\\\\(?:[xuU]\\z|U[89A-Fa-f][0-9A-Fa-f]{7})");
 
+    /** A line in which the version of YAML is named. */
+    private static final Pattern VERSION = Pattern.compile("(?m)^%YAML");
+    /** {@code deltaT:0.01}, and the same after spaces of which one is not an ordinary space. */
+    private static final Pattern NO_SPACE = Pattern.compile("^(\\s*(?:-\\s+)?)([A-Za-z]\\w*):(?=[^\\s/:])");
+    private static final Pattern NO_BREAK_SPACE = Pattern.compile("[\u00a0\u2007\u202f]");
+
     private YamlText() {
     }
 
@@ -56,9 +62,13 @@ public final class YamlText {
             }
             return root;
         } catch (MarkedYamlEngineException e) {
-            in.problems().add(Place.of(in.source(), e.getProblemMark()), "not valid YAML: " + reason(e, text));
+            if (!typingMistake(text, e.getProblemMark().map(mark -> mark.getLine()).orElse(0), in)) {
+                in.problems().add(Place.of(in.source(), e.getProblemMark()), "not valid YAML: " + reason(e, text));
+            }
         } catch (YamlEngineException e) {
-            in.problems().add(Place.of(in.source()), "not valid YAML: " + e.getMessage());
+            Matcher directive = VERSION.matcher(text);
+            in.problems().add(directive.find() ? SourceText.end(text.substring(0, directive.start()), in)
+                    : Place.of(in.source()), "not valid YAML: " + e.getMessage());
         } catch (NumberFormatException e) {
             Matcher escape = NO_CHARACTER.matcher(text);
             in.problems().add(escape.find() ? SourceText.end(text.substring(0, escape.start()), in)
@@ -67,6 +77,36 @@ public final class YamlText {
                     + " \\u00e9 or \\U000000e9");
         }
         return Optional.empty();
+    }
+
+    /**
+     * The parser says what is wrong where it notices, which can be a line too late.
+     *
+     * @param noticed the line in which the parser noticed something, from 0
+     * @return whether a mistake was found, and said, in that line or the one before it that is not empty
+     */
+    static boolean typingMistake(String text, int noticed, Reading in) {
+        String[] lines = text.split("\r\n|\r|\n", -1);
+        int looked = 0;
+        for (int n = Math.min(noticed, lines.length - 1); n >= 0 && looked < 2; n--) {
+            String line = lines[n];
+            looked += line.isBlank() ? 0 : 1;
+            Matcher space = NO_BREAK_SPACE.matcher(line);
+            if (space.find()) {
+                in.problems().add(new Place(in.source(), n + 1, line.codePointCount(0, space.start()) + 1),
+                        "a no-break space is here, which YAML does not take for a space; type an ordinary space"
+                                + " instead");
+                return true;
+            }
+            Matcher key = NO_SPACE.matcher(line);
+            if (key.find()) {
+                in.problems().add(new Place(in.source(), n + 1, line.codePointCount(0, key.end()) + 1),
+                        "a space is missing after '" + key.group(2) + ":'; write '" + key.group(2) + ": "
+                                + line.substring(key.end()).strip() + "'");
+                return true;
+            }
+        }
+        return false;
     }
 
     private static void lookThrough(Iterable<Event> events, Reading in) {

@@ -126,6 +126,8 @@ class FaultsTest {
         ChildProgram.End end = child().startedBy(inside).run("run", "--scene=" + scene, "--out=" + disk.resolve("out"));
         assertEquals(1, end.code(), end.lines());
         assertTrue(end.lines().matches("(?s).*cannot write \\S+: the disk is full\n.*"), end.lines());
+        assertFalse(end.lines().matches("(?s).*\n(trajectory.csv|animation.gif|run.json)\n.*"),
+                "what broke off looks whole: " + end.lines());
         assertFalse(end.lines().contains("Exception"), end.lines());
     }
 

@@ -84,6 +84,16 @@ class BlowUpMessageTest {
         assertTrue(energy < 0.1, energy + " J after " + line);  // 0.005 J and what the springs hold at the start
     }
 
+    /** Damping of 1e30 N s/m on masses of 1e-30 kg decays at 1e60 /s and more; no option takes a step so short. */
+    @Test
+    void noStepIsAdvisedThatTheOptionRefuses() {
+        String text = CHAIN.replace("SOLVER", "rk4").replace("DAMPING", ", damping: 1e30")
+                .replaceAll("(\\{id: [abc],)", "$1 mass: 1e-30,");
+        String line = blowUp(SceneBuilder.build(SceneReader.read("chain.yaml", text.getBytes(StandardCharsets.UTF_8)),
+                new Overrides()));
+        assertTrue(line.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-30 s"), line);
+    }
+
     @Test
     void aSolverWithLimit0IsReplaced() {
         String line = blowUp(chain("euler", 0, new Overrides()));

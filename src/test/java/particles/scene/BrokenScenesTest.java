@@ -89,16 +89,15 @@ class BrokenScenesTest {
                         "x.yaml:8:45: 'mass' is 0; it has to be a number over 0 (kg)"),
                 added("  - {id: 7, postion: [1, 2, 3]}\n",
                         "x.yaml:8:5: a particle needs 'position': three numbers [x, y, z] (m)",
-                        "x.yaml:8:10: 'id' is 7; it has to be a name without spaces, brackets, commas and"
-                                + " quotes: put "
+                        "x.yaml:8:10: 'id' is 7; it has to be a name of at most 60 characters without"
+                                + " spaces, brackets, commas, quotes and invisible characters: put "
                                 + "quotes around it, '7'",
                         "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id,"
                                 + " position, "
                                 + "velocity, mass, fixed"),
                 added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
-                        "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name without spaces, brackets,"
-                                + " commas and "
-                                + "quotes",
+                        "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name of at most 60 characters"
+                                + " without spaces, brackets, commas, quotes and invisible characters",
                         "x.yaml:8:43: 'fixed' is the text 'yes'; it has to be true or false"),
                 added("  - {id: tom, position: [1, 2, 3], fixed: true, velocity: [0, 1, 0]}\n",
                         "x.yaml:8:59: 'tom' is fixed and has a velocity; remove one of the two"),
@@ -120,7 +119,7 @@ class BrokenScenesTest {
                         "x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; their"
                                 + " relative velocity must be across the rod"),
                 added("wires:\n  - circle: {bead: bob, centre: [0, 3, 0], radius: 1}\n",
-                        "x.yaml:9:20: 'bob' begins about 1.5 m off its wire; place it on the wire"),
+                        "x.yaml:9:20: 'bob' begins about 1 m off its wire; place it on the wire"),
                 added("wires:\n  - line: {bead: bob, direction: [1, 0, 0]}\nconstraints: {feedback: 100}\n",
                         "x.yaml:10:14: the feedback of rods and wires, 100 /s, is too strong for a deltaT of"
                                 + " 0.01 s; feedback times deltaT must be 0.5 at most"),
@@ -248,8 +247,18 @@ class BrokenScenesTest {
                         "x.yaml:1:1: the scene has no particle; add some under 'particles' or 'shapes'"),
                 whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 1e-9\nduration: 1e7\n"
                         + "particles: [{id: a, position: [0, 0, 0]}]\n",
-                        "x.yaml:5:11: a duration of 1e7 s needs more than 1e10 steps of deltaT = 1e-9 s",
-                        "x.yaml:5:11: a duration of 1e7 s needs more than a million pictures at frameRate = 25"));
+                        "x.yaml:5:11: a duration of 1e7 s needs more than 1e10 steps of deltaT = 1e-9 s"),
+                added("wires:\n  - circle: {bead: bob, centre: [0, 1, 0], radius: 1}\n",
+                        "x.yaml:9:20: 'bob' begins far off its wire; place it on the wire"),
+                added("wires:\n  - circle: {bead: bob, centre: [3, -3, 0], radius: 1}\n",
+                        "x.yaml:9:20: 'bob' begins about 4 m off its wire; place it on the wire"),
+                added("rules:\n  - sphere: {centre: [0, 0, 0], radius: 0.75, hollow: true}\n",
+                        "x.yaml:7:5: 'bob' begins 0.25 m outside the hollow 'sphere' of line 9; it has to begin"
+                                + " inside"),
+                whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n"
+                        + "rules: [emitter: {id: jet, position: [0, 0, 0], speed: 1, rate: 9}]\n",
+                        "x.yaml:1:1: the scene has no particle at the start, and emitters add theirs only later; add"
+                                + " one under 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"));
     }
 
     @ParameterizedTest

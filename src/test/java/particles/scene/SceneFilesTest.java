@@ -3,6 +3,7 @@ package particles.scene;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -51,8 +52,29 @@ class SceneFilesTest {
         assertEquals("there is no scene 'one-sprong'; did you mean 'one-spring'?" + known, refusal("one-sprong"));
         assertEquals("there is no scene '99';" + known, refusal("99"));
         assertEquals("there is no scene '';" + known, refusal(""));
-        assertEquals("there is no scene 'scenes/12-clth.yaml'; did you mean 'cloth'?" + known,
-                refusal("scenes/12-clth.yaml"));
+    }
+
+    @Test
+    void aPathThatIsNoSceneIsToldWhy() throws IOException {
+        Path misspelt = folder.resolve("12-clth.yaml");
+        assertEquals("there is no file '" + misspelt + "'; did you mean '12-cloth.yaml'?", quotedInFull(misspelt));
+        Path nowhere = folder.resolve("no/a.yaml");
+        assertEquals("there is no file '" + nowhere + "', as there is no folder '" + nowhere.getParent() + "'",
+                quotedInFull(nowhere));
+        assertEquals("'" + folder + "' is a folder; a scene is a file", quotedInFull(folder));
+        assumeTrue(Files.exists(Path.of("/dev/null")));
+        assertEquals("'/dev/null' is a device, a pipe or a socket; a scene is an ordinary file",
+                refusal("/dev/null"));
+    }
+
+    /** Quotes are cut after 37 characters, and folders of tests have longer names. */
+    private String quotedInFull(Path path) {
+        String line = refusal(path.toString());
+        for (Path cut : List.of(path, path.getParent())) {
+            String whole = cut.toString();
+            line = whole.length() > 40 ? line.replace(whole.substring(0, 37) + "...'", whole + "'") : line;
+        }
+        return line;
     }
 
     @Test

@@ -33,14 +33,21 @@ public final class Program {
      * @return how the program ends
      */
     public ExitCode execute(String... args) {
+        ExitCode code = attempt(args);
+        if (out.checkError()) {
+            err.println("not all that was to be printed could be written: the output is full or closed");
+            code = code == ExitCode.DONE ? ExitCode.TROUBLE : code;
+        }
+        err.flush();
+        return code;
+    }
+
+    private ExitCode attempt(String... args) {
         try {
             run(args);
             return ExitCode.DONE;
         } catch (Throwable thrown) {
             return new Failures(err).print(thrown);
-        } finally {
-            out.flush();
-            err.flush();
         }
     }
 

@@ -62,7 +62,8 @@ final class RacePictures implements Race.Audience, AutoCloseable {
 
     private void begin(Extent extent) {
         Vector3 size = extent.high().minus(extent.low());
-        double room = ROOM * Math.max(size.x(), Math.max(size.y(), size.z()));
+        double largest = Math.max(size.x(), Math.max(size.y(), size.z()));
+        double room = ROOM * (largest > 0 ? largest : 1);               // where nothing moves, 1 m around it
         Vector3 around = new Vector3(room, room, size.z() > 0 ? room : 0);
         Vector3 low = extent.low().minus(around);
         Vector3 high = extent.high().plus(around);

@@ -60,11 +60,14 @@ final class RunJob {
     void run(PrintWriter out) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
         String hash = FileHash.of(file);
+        Scene scene = SceneBuilder.build(described, overrides);
+        if (frames) {
+            SceneBuilder.checkPictures(scene.description(), style.option("frames"));
+        }
         TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
             out.println(line);
             out.flush();
         });
-        Scene scene = SceneBuilder.build(described, overrides);
         Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
         RunFiles files = new RunFiles(scene.output(), frames, video);
         try (OutputFolder folder = OutputFolder.open(results, files.names())) {
@@ -78,7 +81,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
-                early = simulate(scene);
+                early = simulateOrDiscard(scene, folder);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
                     observers.books(),
@@ -90,6 +93,16 @@ final class RunJob {
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });
+        }
+    }
+
+    /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
+    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder) {
+        try {
+            return simulate(scene);
+        } catch (RuntimeException | Error e) {
+            folder.discard();
+            throw e;
         }
     }
 

@@ -56,10 +56,9 @@ final class RunObservers implements AutoCloseable {
         this.folder = folder;
         OutputDescription output = scene.output();
         double steps = Math.ceil(scene.simulation().getDuration() / scene.simulation().getDeltaT());
-        int particles = scene.system().getParticles().count();
-        long stride = output.trajectoryStride().map(Integer::longValue)
-                .orElseGet(() -> TrajectoryWriter.strideFor(steps, particles, MOST_LINES));
-        trajectory = new TrajectoryWriter(folder, stride);
+        trajectory = output.trajectoryStride().isPresent()
+                ? new TrajectoryWriter(folder, output.trajectoryStride().get())
+                : new TrajectoryWriter(folder, count -> TrajectoryWriter.strideFor(steps, count, MOST_LINES));
         long energies = TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES);
         energy = new EnergyHistory(energies);
         books = new EnergyLedgerRecorder(energies);

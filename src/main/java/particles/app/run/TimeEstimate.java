@@ -1,11 +1,11 @@
 package particles.app.run;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
 import particles.SimulationException;
-import particles.messages.Digits;
 import particles.messages.Digits;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -25,6 +25,10 @@ final class TimeEstimate {
     /** How long the copy's first steps are measured (s), and the last ones, when Java has warmed up. */
     private static final double FIRST_SPAN = 0.1;
     private static final double LAST_SPAN = 0.8;
+    /** No longer than this is waited for the first steps (ms); each may take minutes. */
+    private static final long PATIENCE = 2000;
+    /** What a step takes beside the work on its particles, as so many particles. */
+    private static final double OVERHEAD = 100;
     /** A picture's share of the time, beside the simulation on another core (s for a pixel). */
     private static final double PER_PIXEL = 2e-8;
 
@@ -40,20 +44,29 @@ final class TimeEstimate {
     static Optional<String> of(SceneDescription described, Overrides overrides, boolean frames) {
         Scene copy = SceneBuilder.build(described, overrides);
         double steps = Math.ceil(copy.simulation().getDuration() / copy.simulation().getDeltaT());
-        int particles = copy.system().getParticles().count();
+        SceneDescription scene = copy.description();
+        double particles = Math.max(copy.system().getParticles().count(),
+                scene.particlesAfter(scene.duration()));
         if (steps * Math.max(1, particles) < LITTLE) {
             return Optional.empty();
         }
         double pictures = frames ? copy.simulation().getDuration() * copy.output().frameRate() : 0;
         double drawing = pictures * PER_PIXEL * copy.output().width() * copy.output().height();
-        double seconds = Math.max(drawing, seconds(copy, steps, System::nanoTime));
-        return seconds < LONG ? Optional.empty() : Optional.of(line(seconds, steps, particles, pictures));
+        double stepping = seconds(copy, steps, System::nanoTime, PATIENCE);
+        double mean = scene.particlesAfter(scene.duration() / 2);
+        double growth = (mean + OVERHEAD) / (copy.system().getParticles().count() + OVERHEAD);
+        double seconds = Math.max(drawing, stepping * Math.max(1, growth));
+        return seconds < LONG ? Optional.empty() : Optional.of(line(seconds, steps,
+                (growth > 1 ? "up to " : "") + counted(particles), pictures));
     }
 
-    static String line(double seconds, double steps, int particles, double pictures) {
+    static String line(double seconds, double steps, String particles, double pictures) {
         return "this takes about " + time(seconds) + ": " + Digits.few(steps) + " steps of " + particles
-                + (particles == 1 ? " particle" : " particles")
                 + (pictures > 0 ? " and " + Digits.few(Math.ceil(pictures)) + " pictures" : "");
+    }
+
+    static String counted(double particles) {
+        return String.format(Locale.ROOT, "%.0f particle%s", Math.ceil(particles), particles == 1 ? "" : "s");
     }
 
     /** In the largest unit that makes it more than one. */
@@ -68,16 +81,37 @@ final class TimeEstimate {
                 : Digits.few(Math.ceil(seconds / 86_400)) + " days";
     }
 
-    /** Runs a scene for a short while. @param nanoTime a clock, such as {@link System#nanoTime} */
-    static double seconds(Scene copy, double steps, LongSupplier nanoTime) {
+    /**
+     * Runs a scene for a short while, in a thread of its own, as one step may take longer than anybody waits.
+     *
+     * @param nanoTime a clock, such as {@link System#nanoTime}
+     * @param patience how long is waited for it (ms)
+     * @return how long the whole run takes (s); if no step was over in time, what it takes if they are just over
+     */
+    static double seconds(Scene copy, double steps, LongSupplier nanoTime, long patience) {
         Stopwatch watch = new Stopwatch(steps, nanoTime);
         copy.simulation().addObserver(watch);
+        Thread trial = new Thread(() -> run(copy, watch), "time estimate");
+        trial.setDaemon(true);
+        trial.start();
+        try {
+            trial.join(patience);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        if (trial.isAlive()) {
+            watch.enough = true;
+            return watch.seconds > 0 ? watch.seconds : steps / (watch.made + 1) * patience / 1000;
+        }
+        return watch.seconds;
+    }
+
+    private static void run(Scene copy, Stopwatch watch) {
         try {
             copy.simulation().run();
         } catch (SimulationException | StoppedException e) {
-            return watch.seconds;                           // what ends the run itself, it says for itself
+            watch.enough = true;                            // what ends the run itself, it says for itself
         }
-        return watch.seconds;
     }
 
     /**
@@ -86,10 +120,11 @@ final class TimeEstimate {
     private static final class Stopwatch implements Observer {
         private final double steps;
         private final LongSupplier nanoTime;
-        private double seconds;
+        private volatile boolean enough;
+        private volatile double seconds;
         private double span = FIRST_SPAN;
         private double begin;
-        private long made;
+        private volatile int made;
 
         Stopwatch(double steps, LongSupplier nanoTime) {
             this.steps = steps;
@@ -99,8 +134,11 @@ final class TimeEstimate {
 
         @Override
         public void moved(Motion motion) {
-            made++;
+            made += 1;
             double time = nanoTime.getAsLong() * NANO - begin;
+            if (enough) {
+                throw new StoppedException();
+            }
             if (time < span) {
                 return;
             }

@@ -21,11 +21,13 @@ public final class OutputFolder implements AutoCloseable {
     private final Path path;
     private final OutputFile.Opener opener;
     private final OutputManifest made;
+    private final FolderLock lock;
     private final Set<OutputFile> unfinished = new LinkedHashSet<>();
     private boolean closed;
 
     private OutputFolder(Path path, OutputFile.Opener opener) {
         this.path = path;
+        this.lock = FolderLock.of(path);
         this.opener = opener;
         this.made = new OutputManifest(path, opener);
     }
@@ -37,7 +39,8 @@ public final class OutputFolder implements AutoCloseable {
      * @param names the files that are going to be written, to learn before a long run that they cannot be;
      *              {@link #FRAMES} for frames. Others may follow.
      * @return the folder, ready to be written to
-     * @throws OutputException if it cannot be created or written, or holds a file of these names that no run made
+     * @throws OutputException if it cannot be created or written, another run is writing there, or it holds a file
+     *                         of these names that no run made
      */
     public static OutputFolder open(Path path, String... names) {
         return open(path, OutputFile.ON_DISK, names);
@@ -46,15 +49,20 @@ public final class OutputFolder implements AutoCloseable {
     public static OutputFolder open(Path path, OutputFile.Opener opener, String... names) {
         createFolder(path);
         OutputFolder folder = new OutputFolder(path, opener);
-        folder.made.removeOldRun();
-        for (String name : names) {
-            folder.made.claim(name);
+        try {
+            folder.made.removeOldRun();
+            for (String name : names) {
+                folder.made.claim(name);
+            }
+            folder.made.write();
+            if (folder.made.contains(FRAMES)) {
+                createFolder(path.resolve(FRAMES));
+            }
+            return folder;
+        } catch (RuntimeException e) {
+            folder.close();
+            throw e;
         }
-        folder.made.write();
-        if (folder.made.contains(FRAMES)) {
-            createFolder(path.resolve(FRAMES));
-        }
-        return folder;
     }
 
     private static void createFolder(Path path) {
@@ -102,6 +110,15 @@ public final class OutputFolder implements AutoCloseable {
      */
     @Override
     public void close() {
+        try {
+            discard();
+        } finally {
+            lock.close();
+        }
+    }
+
+    /** As {@link #close}, but other runs are still kept out. */
+    public void discard() {
         List<OutputFile> parts;
         synchronized (this) {
             closed = true;

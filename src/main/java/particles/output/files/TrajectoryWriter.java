@@ -5,6 +5,7 @@ import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.util.function.IntToLongFunction;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -25,10 +26,11 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     public static final String FILE = "trajectory.csv";
     private static final String HEADER = "time,particle,x,y,z,vx,vy,vz\n";
 
-    private final long stride;
+    private final IntToLongFunction stride;
     private final OutputFile file;
     private final Writer out;
     private long step;
+    private long written = -1;              // the last step of which the beginning was written; -1 before the first
     private boolean open = true;
     private ParticleSystem unwritten;       // whose present state is not in the file yet
 
@@ -38,9 +40,24 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
      * @throws OutputException if the file cannot be written
      */
     public TrajectoryWriter(OutputFolder folder, long stride) {
+        this(folder, always(stride));
+    }
+
+    private static IntToLongFunction always(long stride) {
         if (stride < 1) {
             throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
         }
+        return particles -> stride;
+    }
+
+    /**
+     * For runs in which particles come and go: the stride follows how many there are.
+     *
+     * @param folder where the file goes
+     * @param stride every how many steps this many particles are written, 1 or more
+     * @throws OutputException if the file cannot be written
+     */
+    public TrajectoryWriter(OutputFolder folder, IntToLongFunction stride) {
         this.stride = stride;
         file = folder.create(FILE);
         out = new OutputStreamWriter(file, StandardCharsets.UTF_8);
@@ -49,9 +66,11 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
 
     /**
      * Keeps every stride fine enough and every file small enough: the stride with which about this many lines come out.
+     * It also holds where the number of particles changes, as each record of n lines comes at least n steps / lines
+     * steps after the one before it.
      *
      * @param steps     the steps of the run
-     * @param particles its particles
+     * @param particles how many there are now
      * @param lines     how many lines are wanted at most
      * @return 1 or more; depends on nothing but the arguments
      */
@@ -67,7 +86,8 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     /** The beginning of a step is the end of the one before it, with all that rules did there. */
     @Override
     public void moved(Motion motion) {
-        if (step % stride == 0) {
+        if (written < 0 || step - written >= stride.applyAsLong(motion.getSystem().getParticles().count())) {
+            written = step;
             write(motion.getSystem(), motion.getStartState(), motion.getStartTime());
         }
         step++;

@@ -25,6 +25,8 @@ final class ConstraintChecks {
     /** Speeds along a rod, or off a wire, that are rounding (m/s). */
     private static final double STILL = 1e-9;
     private static final double MOST_FEEDBACK = 0.5;
+    /** Newton's method doubles the right digits, after it has halved a large distance many times. */
+    private static final int MOST_STEPS = 100;
 
     private final Values scene;
     private final Problems problems;
@@ -102,8 +104,7 @@ final class ConstraintChecks {
                 double leaving = gradients[3 * r] * v.x() + gradients[3 * r + 1] * v.y() + gradients[3 * r + 2] * v.z();
                 if (Math.abs(off[r]) > ON_WIRE || Math.abs(leaving) > STILL) {
                     problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (Math.abs(off[r]) > ON_WIRE
-                            ? " begins about " + Wording.number(Math.abs(off[r])) + " m off its wire; place it"
-                                    + " on the wire"
+                            ? " begins " + distance(curve, x) + " off its wire; place it on the wire"
                             : " leaves its wire at " + Wording.number(Math.abs(leaving)) + " m/s; its velocity"
                                     + " must be along the wire"));
                     break;
@@ -111,6 +112,23 @@ final class ConstraintChecks {
             }
         }
         wires.add(wire);
+    }
+
+    /** How far a place is from a wire, in words: found by walking there, across to the wire in every step. */
+    private static String distance(Curve curve, Vector3 from) {
+        double[] off = new double[Curve.ROWS];
+        double[] g = new double[3 * Curve.ROWS];
+        Vector3 at = from;
+        for (int n = 0; n < MOST_STEPS; n++) {
+            curve.evaluate(new double[] {at.x(), at.y(), at.z(), 0, 0, 0}, 0, off, g, new double[Curve.ROWS]);
+            Vector3 a = new Vector3(g[0], g[1], g[2]);
+            Vector3 b = new Vector3(g[3], g[4], g[5]);
+            double determinant = a.dot(a) * b.dot(b) - a.dot(b) * a.dot(b);
+            at = at.minus(a.times((b.dot(b) * off[0] - a.dot(b) * off[1]) / determinant))
+                    .minus(b.times((a.dot(a) * off[1] - a.dot(b) * off[0]) / determinant));
+        }
+        double distance = at.minus(from).length();
+        return Double.isFinite(distance) ? "about " + Wording.rounded(distance) + " m" : "far";
     }
 
     /** Beyond, the feedback makes larger errors than it removes, and is not stable for some solvers. */

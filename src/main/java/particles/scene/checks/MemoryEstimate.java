@@ -42,17 +42,13 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double MEGABYTE = 1 << 20;
 
     static MemoryEstimate of(SceneDescription scene) {
-        double particles = scene.particles().size();
         double springs = scene.springs().size();
         for (ShapeDescription shape : scene.shapes()) {
-            particles += shape.lattice().size();
             springs += shape.springCount();
         }
         boolean removed = scene.rules().stream().anyMatch(rule -> rule.kind().removes());
         // how many are left, where some are taken away, nobody knows before: those of one step at least
-        double duration = removed ? scene.deltaT() : scene.duration();
-        particles += scene.rules().stream().mapToDouble(rule -> rule.kind().alive(rule.values(), scene.deltaT(),
-                duration)).sum();
+        double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
         double trail = scene.look().style().trail();
         double samples = trail == 0 ? 0
                 : SAMPLES_WAITING + Math.min(MOST_SAMPLES, SAMPLES_PER_FRAME * scene.output().frameRate() * trail);

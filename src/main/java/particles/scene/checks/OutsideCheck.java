@@ -3,6 +3,7 @@ package particles.scene.checks;
 import java.util.List;
 import java.util.Optional;
 import particles.law.Obstacle;
+import particles.law.Sphere;
 import particles.law.Vector3;
 import particles.scene.parts.Lattice;
 import particles.scene.parts.ParticleDescription;
@@ -35,7 +36,7 @@ final class OutsideCheck {
                 for (ParticleDescription particle : particles) {
                     double distance = distance(plane.get(), particle.position());
                     if (distance < 0 && !particle.fixed()) {
-                        problems.add(particle.place(), below(particle.id(), rule, distance));
+                        problems.add(particle.place(), inside(particle.id(), rule, plane.get(), distance));
                     }
                 }
                 shapes.forEach(shape -> check(shape, plane.get(), rule, problems));
@@ -59,14 +60,15 @@ final class OutsideCheck {
             }
         }
         if (lowest >= 0) {
-            problems.add(shape.place(), below(lattice.idOf(lowest), rule, least));
+            problems.add(shape.place(), inside(lattice.idOf(lowest), rule, plane, least));
         }
     }
 
-    private static String below(String id, Chosen<RuleKind> rule, double distance) {
-        return Wording.quote(id) + " begins " + Wording.number(-distance) + " m inside the '" + rule.kind().name()
-                + "' of line "
-                + rule.place().line() + "; it has to begin outside";
+    private static String inside(String id, Chosen<RuleKind> rule, Obstacle solid, double distance) {
+        boolean hollow = solid instanceof Sphere sphere && sphere.hollow();
+        return Wording.quote(id) + " begins " + Wording.number(-distance) + " m "
+                + (hollow ? "outside the hollow '" : "inside the '") + rule.kind().name() + "' of line "
+                + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
     }
 
     /** Places that are on the plane but for rounding are on it. */

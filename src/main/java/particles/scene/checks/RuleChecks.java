@@ -45,6 +45,11 @@ final class RuleChecks {
         }
     }
 
+    /** @return whether particles come into being by a rule, where there may be none before */
+    static boolean giveBirth(Values scene) {
+        return rulesOf(scene).stream().anyMatch(rule -> rule.kind().alive(rule.values(), 1, 1) > 0);
+    }
+
     void check(List<ParticleDescription> particles, List<ShapeDescription> shapes, List<SpringDescription> springs) {
         for (Chosen<RuleKind> rule : rules) {
             rule.kind().anchor().filter(key -> isKnown.test(rule.values(), key))

@@ -1,6 +1,7 @@
 package particles.scene.checks;
 
 import java.util.Map;
+import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 import particles.spec.Key;
 import particles.spec.messages.Place;
@@ -15,16 +16,28 @@ public final class RunLimits {
     private RunLimits() {
     }
 
-    public static void check(double deltaT, double duration, double frameRate, Map<Key<?>, Place> places,
+    public static void check(double deltaT, double duration, Map<Key<?>, Place> places,
             Problems problems) {
         if (duration / deltaT > MOST_STEPS) {
             problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
                     + " s needs more than 1e10 steps of deltaT = "
                     + Wording.number(deltaT) + " s");
         }
-        if (duration * frameRate > MOST_FRAMES) {
-            problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
-                    + " s needs more than a million pictures at frameRate = " + Wording.number(frameRate));
+    }
+
+    /**
+     * For runs that draw pictures.
+     *
+     * @param scene    the scene that is about to run
+     * @param option   how the option is typed that says whether pictures are drawn
+     * @param problems where it is said if there would be too many
+     */
+    public static void checkPictures(SceneDescription scene, String option, Problems problems) {
+        double frameRate = scene.output().frameRate();
+        if (scene.duration() * frameRate > MOST_FRAMES) {
+            problems.add(scene.places().get(SceneFormat.DURATION), "a duration of "
+                    + Wording.number(scene.duration()) + " s needs more than a million pictures at frameRate = "
+                    + Wording.number(frameRate) + "; " + option + "=false draws none");
         }
     }
 }

@@ -56,7 +56,10 @@ public final class SceneChecks {
         index = new ParticleIndex(particles, shapes);
         SizeCheck.check(scene, particles, shapes, problems);
         if (particles.isEmpty() && shapes.isEmpty() && problems.count() == 0) {
-            problems.add(scene.place(), "the scene has no particle; add some under 'particles' or 'shapes'");
+            problems.add(scene.place(), RuleChecks.giveBirth(scene)
+                    ? "the scene has no particle at the start, and emitters add theirs only later; add one under"
+                            + " 'particles', such as {id: source, position: [0, 0, 0], fixed: true}"
+                    : "the scene has no particle; add some under 'particles' or 'shapes'");
         }
         checkSprings();
         ConstraintChecks constraints = new ConstraintChecks(scene, problems, index, this::isKnown);
@@ -75,8 +78,7 @@ public final class SceneChecks {
         Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)
                 .flatMap(values -> SolverFormat.tolerances(values, problems));
         if (scene.find(SceneFormat.DELTA_T).isPresent() && scene.find(SceneFormat.DURATION).isPresent()) {
-            RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), frameRate(), places,
-                    problems);
+            RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), places, problems);
         }
         if (problems.count() > 0) {
             return Optional.empty();
@@ -214,10 +216,5 @@ public final class SceneChecks {
     private void checkPhase() {
         scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.PHASE))
                 .ifPresent(phase -> isKnown(phase, OutputDescription.Phase.PARTICLE));
-    }
-
-    private double frameRate() {
-        return scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.FRAME_RATE))
-                .orElse(OutputDescription.FRAME_RATE.defaultValue().orElseThrow());
     }
 }

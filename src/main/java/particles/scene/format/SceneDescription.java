@@ -72,4 +72,18 @@ public record SceneDescription(String source, String title, String teaches, Stri
                 springs, constraints, effects, rules, exactImpacts, camera, look,
                 output, blowUpFactor, otherThreads, otherPlaces);
     }
+
+    /**
+     * How many particles there are a while after the start, if no rule takes any away.
+     *
+     * @param time how long after the start (s)
+     * @return those that the scene names, and those that its emitters have made and that still live
+     */
+    public double particlesAfter(double time) {
+        double count = particles.size();
+        for (ShapeDescription shape : shapes) {
+            count += shape.lattice().size();
+        }
+        return count + rules.stream().mapToDouble(rule -> rule.kind().alive(rule.values(), deltaT, time)).sum();
+    }
 }

@@ -57,10 +57,12 @@ public final class SceneFormat {
             "How rods and wires are enforced.");
     public static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
             ListType.of("an effect", new KindType<>("effect", EffectCatalog.ALL)
-                    .orByClass(EffectKind.class, "exercises.MyForce")), List.of(),
+                    .orByClass(EffectKind.class, "exercises.MyForce")
+                    .notToConfuseWith("rule", "rules", RuleKind.ALL)), List.of(),
             "Forces on all particles; only those named here act.");
     public static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
-            ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),
+            ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)
+                    .notToConfuseWith("effect", "effects", EffectCatalog.ALL)), List.of(),
             "What happens between steps; only rules named here act.");
     public static final Key<String> IMPACT = Key.withDefault("impact",
             NameType.of("kind of impact", List.of("clamp", "exact")),

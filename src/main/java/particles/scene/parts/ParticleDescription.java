@@ -23,8 +23,10 @@ import particles.spec.messages.Place;
 public record ParticleDescription(String id, Vector3 position, Vector3 velocity, double mass, boolean fixed,
         Place place) {
     /** Fit for CSV, and never the id of a shape's particle, which has brackets. */
-    static final TextType NEW_ID = TextType.of("a name without spaces, brackets, commas and quotes",
-            "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}$");
+    static final TextType NEW_ID = TextType.of(
+            "a name of at most 60 characters without spaces, brackets, commas, quotes and invisible characters",
+            "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f-\\xa0\\xad\\u061c\\u200b-\\u200f\\u2028-\\u202e"
+            + "\\u2060-\\u206f\\ufeff]{1,60}$");
 
     public static final Key<String> ID = Key.required("id", NEW_ID, "The particle's name; it must differ from the ids"
             + " of other particles and shapes.");

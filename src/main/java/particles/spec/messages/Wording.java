@@ -1,8 +1,11 @@
 package particles.spec.messages;
 
 import deSolvers.catalog.DidYouMean;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -14,6 +17,8 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 public final class Wording {
     private static final int LONGEST_QUOTE = 40;
     private static final int LONGEST_MESSAGE = 1000;
+    /** Characters without width or with a direction, and spaces that look like the ordinary one. */
+    private static final Pattern INVISIBLE = Pattern.compile("[\\p{Cf}\\xa0\\u2007\\u202f]");
 
     private Wording() {
     }
@@ -80,8 +85,15 @@ public final class Wording {
         return Double.toString(value).replace(".0E", "e").replace('E', 'e');
     }
 
+    /** @return the number with the three digits that a message needs */
+    public static String rounded(double value) {
+        return number(new BigDecimal(value).round(new MathContext(3)).doubleValue());
+    }
+
+    /** In one line, with characters that cannot be seen, or that turn the text around them, as U+200B. */
     static String oneLine(String text) {
-        String line = text.replaceAll("[\\p{Cntrl}\\u0085\\u2028\\u2029]+", " ");
+        String line = INVISIBLE.matcher(text.replaceAll("[\\p{Cntrl}\\u0085\\u2028\\u2029]+", " "))
+                .replaceAll(found -> String.format("U+%04X", found.group().codePointAt(0)));
         return line.length() > LONGEST_MESSAGE ? line.substring(0, LONGEST_MESSAGE) + " ..." : line;
     }
 }

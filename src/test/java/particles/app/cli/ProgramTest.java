@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
@@ -55,6 +56,29 @@ class ProgramTest {
     }
 
     private final TryCommand command = new TryCommand();
+
+    /** As when the output is sent to a file on a full disk. */
+    @Test
+    void whatCannotBePrintedIsNotLostInSilence() {
+        PrintWriter full = new PrintWriter(new Writer() {
+            @Override
+            public void write(char[] letters, int offset, int length) throws IOException {
+                throw new IOException("No space left on device");
+            }
+
+            @Override
+            public void flush() {
+            }
+
+            @Override
+            public void close() {
+            }
+        });
+        assertEquals(ExitCode.TROUBLE, new Program(List.of(command), OptionStyle.SHELL, full,
+                new PrintWriter(err)).execute("try", "--scene=a"));
+        assertEquals("not all that was to be printed could be written: the output is full or closed",
+                err.toString().strip());
+    }
 
     private ExitCode execute(OptionStyle style, String... args) {
         List<ProgramCommand> commands = new ArrayList<>(Main.commands(OptionStyle.SHELL, new StopRequest()));

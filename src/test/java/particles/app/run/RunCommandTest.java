@@ -101,6 +101,25 @@ class RunCommandTest {
     private static final Set<String> NUMBERS_AND_PLOTS = Set.of("energy.png", "phase.png", "run.json",
             "trajectory.csv");
 
+    /** A million pictures are too many; a million seconds are not, where nothing is drawn. */
+    @Test
+    void aLongRunIsRefusedOnlyForPicturesThatItDraws() throws IOException {
+        Files.writeString(scenes.resolve("02-far.yaml"), """
+                title: A long way
+                teaches: Nothing but that it runs.
+                solver: rk4
+                deltaT: 1000
+                duration: 1e6
+                particles:
+                  - {id: probe, position: [0, 0, 0], velocity: [1, 0, 0]}
+                """);
+        assertEquals(ExitCode.BAD_INPUT, run("--scene=2"));
+        assertEquals(scenes.resolve("02-far.yaml") + ":5:11: a duration of 1000000 s needs more than a million"
+                + " pictures at frameRate = 25; -Pframes=false draws none", errors.toString().strip());
+        assertFalse(Files.exists(out), "nothing is written");
+        assertEquals(ExitCode.DONE, run("--scene=2", "--frames=false"));
+    }
+
     @Test
     void aRunLeavesWhatIsPromisedAndSaysWhere() throws IOException {
         assertEnds(ExitCode.DONE, "");

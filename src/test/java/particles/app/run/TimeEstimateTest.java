@@ -5,9 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import org.junit.jupiter.api.Test;
+import particles.Motion;
+import particles.Observer;
+import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
@@ -38,13 +42,50 @@ class TimeEstimateTest {
     }
 
     private static double seconds(LongSupplier clock, double steps) {
-        return TimeEstimate.seconds(SceneBuilder.build(scene(1000), new Overrides()), steps, clock);
+        return TimeEstimate.seconds(SceneBuilder.build(scene(1000), new Overrides()), steps, clock, 60_000);
     }
 
     @Test
     void theRestIsTakenToBeLikeTheLastStepsOfTheRehearsal() {
         assertEquals(1000, seconds(clock(1_000_000, Long.MAX_VALUE), 1_000_000), 1e-6);
         assertEquals(250, seconds(clock(1_000_000, 300), 1_000_000), 1e-6, "warm by then");
+    }
+
+    /** The first step ends only after the estimate was made: it is said that all 1000 steps take at least 2 s each. */
+    @Test
+    void aStepThatDoesNotEndIsNotWaitedFor() throws InterruptedException {
+        Scene copy = SceneBuilder.build(scene(1), new Overrides());
+        CountDownLatch estimated = new CountDownLatch(1);
+        CountDownLatch ended = new CountDownLatch(1);
+        copy.simulation().addObserver(new Observer() {
+            @Override
+            public void moved(Motion motion) {
+                try {
+                    estimated.await();
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+                ended.countDown();
+            }
+        });
+        assertEquals(1000 * 0.02, TimeEstimate.seconds(copy, 1000, System::nanoTime, 20), 1e-12);
+        estimated.countDown();
+        ended.await();
+    }
+
+    @Test
+    void whatEmittersWillMakeIsCounted() {
+        SceneDescription fountain = SceneReader.read("x.yaml", """
+                title: a
+                teaches: b
+                solver: rk4
+                deltaT: 0.001
+                duration: 3600
+                particles: [{id: source, position: [0, 0, 0], fixed: true}]
+                rules: [emitter: {id: jet, position: [0, 0, 0], speed: 1, rate: 10}]
+                """.getBytes(StandardCharsets.UTF_8));
+        String line = TimeEstimate.of(fountain, new Overrides(), false).orElseThrow();
+        assertTrue(line.endsWith(": 3600000 steps of up to 36001 particles"), line);
     }
 
     @Test
@@ -60,10 +101,12 @@ class TimeEstimateTest {
 
     @Test
     void linesAreInTheUnitThatSuits() {
-        assertEquals("this takes about 43 s: 10000 steps of 1 particle", TimeEstimate.line(42.1, 10_000, 1, 0));
+        assertEquals("this takes about 43 s: 10000 steps of 1 particle",
+                TimeEstimate.line(42.1, 10_000, TimeEstimate.counted(1), 0));
         assertEquals("this takes about 6 min: 10000 steps of 7 particles and 251 pictures",
-                TimeEstimate.line(343, 10_000, 7, 250.5));
-        assertEquals("this takes about 3 h: 1e8 steps of 7 particles", TimeEstimate.line(10_000, 1e8, 7, 0));
+                TimeEstimate.line(343, 10_000, TimeEstimate.counted(7), 250.5));
+        assertEquals("this takes about 3 h: 1e8 steps of 7 particles",
+                TimeEstimate.line(10_000, 1e8, TimeEstimate.counted(7), 0));
         assertEquals("12 days", TimeEstimate.time(1e6));
     }
 

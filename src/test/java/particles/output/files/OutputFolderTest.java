@@ -60,6 +60,21 @@ class OutputFolderTest {
     }
 
     @Test
+    void aSecondRunIntoAFolderIsToldWhoWritesThere() throws IOException {
+        OutputFolder first = OutputFolder.open(top, "run.json");
+        put(first.create("run.json"), "first");
+        OutputException e = assertThrows(OutputException.class, () -> OutputFolder.open(top, "run.json"));
+        assertEquals("cannot write into " + top + ": another run, process " + ProcessHandle.current().pid()
+                + ", is writing there; wait until it ends, or choose another folder", e.getMessage());
+        assertEquals("first", Files.readString(top.resolve("run.json")), "nothing of the first run is touched");
+        first.close();
+        OutputFolder.open(top, "run.json").close();
+        Files.writeString(top.resolve(".desolver-writing"), "1");
+        OutputFolder.open(top, "run.json").close();     // a killed run's file is locked by nobody
+        assertEquals(new TreeSet<>(List.of(".desolver-made")), filesOf(top));
+    }
+
+    @Test
     void anEmptyFramesFolderGoesWithItsFrames() throws IOException {
         try (OutputFolder folder = OutputFolder.open(top)) {
             put(folder.createFrame(0), "old");
@@ -143,6 +158,7 @@ class OutputFolderTest {
             big.commit();
         });
         assertEquals("cannot write " + top.resolve("big.txt") + ": the disk is full", e.getMessage());
+        folder.close();
         assertEquals(new TreeSet<>(List.of(".desolver-made", "small.txt")), filesOf(top));
     }
 
@@ -158,6 +174,7 @@ class OutputFolderTest {
         Files.delete(out.resolve("frames/.frame-00000.png.part"));
         Files.delete(out.resolve("frames"));
         Files.delete(out.resolve(".desolver-made"));
+        Files.delete(out.resolve(".desolver-writing"));
         Files.delete(out);
         e = assertThrows(OutputException.class, frame::commit);
         assertEquals("cannot write " + out.resolve("frames/frame-00000.png") + ": its folder is not there",

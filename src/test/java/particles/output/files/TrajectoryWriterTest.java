@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.RK4Solver;
 import java.io.IOException;
@@ -65,6 +66,39 @@ class TrajectoryWriterTest {
             simulation.run();
         }
         return Files.readAllLines(top.resolve(folder).resolve("trajectory.csv"));
+    }
+
+    /**
+     * A particle is born in each of 1000 steps: written by the first number of particles it would be half a million
+     * lines. Allowed are 5000 beside the first state and the last, of 1 and 1001 particles.
+     */
+    @Test
+    void staysAsSmallAsPromisedWhereParticlesAreBorn() throws IOException {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("p0", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
+        Simulation simulation = new Simulation(system, new RK4Solver(), 0.125, 125, Double.POSITIVE_INFINITY);
+        simulation.addRule(new Rule() {
+            @Override
+            public String getName() {
+                return "birth";
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem system, double deltaT) {
+                system.addParticle("p" + system.getParticles().count(), 1, Vector3.ZERO, Vector3.ZERO, false);
+                return true;
+            }
+        });
+        List<String> lines = new ArrayList<>();
+        try (OutputFolder out = OutputFolder.open(top);
+                TrajectoryWriter writer = new TrajectoryWriter(out, n -> TrajectoryWriter.strideFor(1000, n, 5000))) {
+            simulation.addObserver(writer);
+            simulation.run();
+        }
+        lines.addAll(Files.readAllLines(top.resolve("trajectory.csv")));
+        int most = 1 + 1 + 5000 + 1001;                 // the heading too
+        assertTrue(lines.size() <= most, lines.size() + " lines");
+        assertTrue(lines.size() > most / 2, "and is not much coarser than it may be: " + lines.size());
     }
 
     @Test

@@ -1,0 +1,94 @@
+package particles.spec;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.snakeyaml.engine.v2.common.ScalarStyle;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import particles.spec.messages.Wording;
+
+/** Common mistakes in typing a number, such as {@code 0,01} and {@code 10 ms}, and how to mend each of them. */
+final class NumberMistake {
+    private static final String NUMBER = "[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?";
+    private static final Pattern PLAIN = Pattern.compile(NUMBER);
+    private static final Pattern COMMA = Pattern.compile("([-+]?\\d*),(\\d+(?:[eE][-+]?\\d+)?)");
+    private static final Pattern FRACTION = Pattern.compile("(" + NUMBER + ")\\s*/\\s*(" + NUMBER + ")");
+    private static final Pattern POWER = Pattern.compile("(?:([-+]?\\d+\\.?\\d*)\\s*[*x\u00d7\u00b7]\\s*)?"
+            + "10\\s*(?:\\^|\\*\\*)\\s*\\(?([-+]?\\d+)\\)?");
+    private static final Pattern WITH_UNIT = Pattern.compile("(" + NUMBER + ")\\s*([\\p{L}\u00b5%\u00b0][^,]{0,20})");
+    /** Dashes that look like a minus sign: the mathematical one, the en dash, the hyphen that does not break. */
+    private static final Pattern OTHER_MINUS = Pattern.compile("[\u2212\u2013\u2011]");
+    private static final Pattern NO_BREAK_SPACE = Pattern.compile("[\u00a0\u202f\u2007]");
+    /** What multiplies a number with this unit, where the unit of the key is the second of the pair. */
+    private static final Map<String, Double> FACTORS = Map.ofEntries(Map.entry("ms s", 1e-3), Map.entry("us s", 1e-6),
+            Map.entry("\u00b5s s", 1e-6), Map.entry("min s", 60.0), Map.entry("mm m", 1e-3), Map.entry("cm m", 1e-2),
+            Map.entry("km m", 1e3), Map.entry("g kg", 1e-3), Map.entry("mg kg", 1e-6), Map.entry("t kg", 1e3));
+
+    private NumberMistake() {
+    }
+
+    /**
+     * @param node what stands where a number should be
+     * @param unit the unit of that number, or empty
+     * @return what is wrong with it and what to write, to follow a semicolon; nothing if it is no mistake known here
+     */
+    static Optional<String> of(Node node, String unit) {
+        if (!(node instanceof ScalarNode)) {
+            return Optional.empty();
+        }
+        String typed = ((ScalarNode) node).getValue();
+        String text = NO_BREAK_SPACE.matcher(typed).replaceAll(" ").strip();
+        if (((ScalarNode) node).getScalarStyle() != ScalarStyle.PLAIN && PLAIN.matcher(text).matches()) {
+            return Optional.of("a number has no quotes; write " + text);
+        }
+        if (NO_BREAK_SPACE.matcher(typed).find() && PLAIN.matcher(text).matches()) {
+            return Optional.of("it contains a no-break space; type an ordinary space instead");
+        }
+        if (OTHER_MINUS.matcher(text).find()) {
+            String mended = OTHER_MINUS.matcher(text).replaceAll("-");
+            return PLAIN.matcher(mended).matches()
+                    ? Optional.of("its minus sign is another character than the one on the keyboard; write " + mended)
+                    : Optional.empty();
+        }
+        Matcher comma = COMMA.matcher(text);
+        if (comma.matches()) {
+            return Optional.of("a number has a decimal point, not a comma; write " + comma.group(1) + "."
+                    + comma.group(2));
+        }
+        return calculated(text).or(() -> withUnit(text, unit));
+    }
+
+    private static Optional<String> calculated(String text) {
+        Matcher fraction = FRACTION.matcher(text);
+        if (fraction.matches()) {
+            return result(Double.parseDouble(fraction.group(1)) / Double.parseDouble(fraction.group(2)));
+        }
+        Matcher power = POWER.matcher(text);
+        return power.matches() ? result(Double.parseDouble((power.group(1) == null ? "1" : power.group(1)) + "e"
+                + power.group(2))) : Optional.empty();
+    }
+
+    private static Optional<String> result(double value) {
+        return Double.isFinite(value) ? Optional.of("nothing is calculated here; write " + Wording.number(value))
+                : Optional.empty();
+    }
+
+    private static Optional<String> withUnit(String text, String unit) {
+        Matcher match = WITH_UNIT.matcher(text);
+        if (!match.matches()) {
+            return Optional.empty();
+        }
+        String found = match.group(2).strip();
+        Double factor = found.equals(unit) ? Double.valueOf(1) : FACTORS.get(found + " " + unit);
+        if (factor == null) {
+            return Optional.of("a number stands without a unit" + (unit.isEmpty() ? "" : "; here it is in " + unit));
+        }
+        double value = Double.parseDouble(match.group(1)) * factor;
+        double rounded = new BigDecimal(value).round(new MathContext(15)).doubleValue();
+        return Optional.of("a number stands without its unit; write " + Wording.number(rounded));
+    }
+}
