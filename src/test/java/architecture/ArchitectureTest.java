@@ -263,7 +263,6 @@ class ArchitectureTest {
         List<SourceFile> all = new ArrayList<>(sources);
         all.addAll(SourceFile.readAll(TESTS));
         assertNone(all.stream().filter(source -> !source.wideLines().isEmpty())
-                .filter(source -> !source.packageName().matches("deSolvers.implicit|particles.teaching.*"))
                 .map(source -> source + ": lines " + source.wideLines()).toList());
     }
 

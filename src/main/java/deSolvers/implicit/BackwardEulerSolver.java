@@ -17,13 +17,13 @@ import deSolvers.FixedStepSolver;
  * {@link #linearised()} makes a solver that takes the first of Newton's corrections and asks no more.
  *
  * <p><b>Order</b> 1.<br>
- * <b>Evaluations</b> a few a step for Newton's method, and n more for each Jacobian where the source does not know its own
- * ({@link deSolvers.JacobianStateSource}); no limit to the number is known beforehand.<br>
+ * <b>Evaluations</b> a few a step for Newton's method, and n more for each Jacobian where the source does not know its
+ * own ({@link deSolvers.JacobianStateSource}); no limit to the number is known beforehand.<br>
  * <b>Stability</b> R(z) = 1/(1 - z): L-stable, no limit on the step for anything that decays or oscillates. What is
  * stable is not accurate: an undamped spring loses amplitude by (1 + (h omega)<sup>2</sup>)<sup>-1/2</sup> a step.<br>
- * <b>When to use</b> stiff springs and strong damping where only the slow motion matters: cloth at frame rate. Not where
- * energy has to be kept, for which {@code implicit-midpoint} serves, nor where accuracy counts, for which {@code radau}
- * does.<br>
+ * <b>When to use</b> stiff springs and strong damping where only the slow motion matters: cloth at frame rate. Not
+ * where energy has to be kept, for which {@code implicit-midpoint} serves, nor where accuracy counts, for which
+ * {@code radau} does.<br>
  * <b>Source</b> C. F. Curtiss, J. O. Hirschfelder (1952), Proc. Nat. Acad. Sci. 38, 235; D. Baraff, A. Witkin,
  * <i>Large Steps in Cloth Simulation</i>, SIGGRAPH 1998, for the linearised step.
  */

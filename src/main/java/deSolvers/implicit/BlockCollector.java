@@ -5,8 +5,8 @@ import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
 /**
- * Takes up the blocks that a source names, each at its place in a pattern. A source names the same pairs in the same order
- * every time; where it does not, the pattern is found anew.
+ * Takes up the blocks that a source names, each at its place in a pattern. A source names the same pairs in the same
+ * order every time; where it does not, the pattern is found anew.
  */
 abstract class BlockCollector implements JacobianBlocks {
     private BlockPattern pattern = new BlockPattern(0, 0, new int[0], new int[0]);

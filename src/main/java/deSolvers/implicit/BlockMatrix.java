@@ -4,11 +4,13 @@ import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
 /**
- * The sparse matrix A = M - g C - g<sup>2</sup> K of the velocities' equation, with C = dF/dv and K = dF/dx collected block
- * by block from the source. Rows of held particles are those of the unit matrix.
+ * The sparse matrix A = M - g C - g<sup>2</sup> K of the velocities' equation, with C = dF/dv and K = dF/dx collected
+ * block by block from the source. Rows of held particles are those of the unit matrix.
  */
 final class BlockMatrix extends BlockCollector implements LinearOperator {
-    /** Blocks differ from their mirror images by rounding where the forces have a potential, and by far more elsewhere. */
+    /**
+     * Blocks differ from their mirror images by rounding where the forces have a potential, and by far more elsewhere.
+     */
     private static final double SYMMETRIC = 1e-13;
 
     private final ImplicitWork.Counter work;
@@ -35,7 +37,8 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
      * @param state   that state
      * @param gamma   g (s)
      * @param masses  of the particles, 0 for held ones
-     * @param definite whether to leave out what could make A indefinite: the part of each pair's K that pushes outwards, as
+     * @param definite whether to leave out what could make A indefinite: the part of each pair's K that pushes
+     *                 outwards, as
      *                across a compressed spring, and what is not symmetric
      */
     void collect(JacobianStateSource source, double[] state, double gamma, double[] masses, boolean definite) {
@@ -61,7 +64,8 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
 
     @Override
     public void add(int i, int j, double[] dFdX, double[] dFdV) {
-        if (i == j) {                                   // has its place in any pattern: contacts come and go without a new one
+        // has its place in any pattern: contacts come and go without a new one
+        if (i == j) {
             if (hasRows()) {
                 addTo(pattern().diagonal[i], dFdX, dFdV, -1);
                 addForceScale(i, dFdX, i);
@@ -202,8 +206,8 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
     }
 
     /**
-     * About the condition number of A after scaling by its diagonal blocks: how many times the springs, seen through the
-     * step, are stiffer than the inertia of the particle on which they act most; about (g omega)<sup>2</sup>.
+     * About the condition number of A after scaling by its diagonal blocks: how many times the springs, seen through
+     * the step, are stiffer than the inertia of the particle on which they act most; about (g omega)<sup>2</sup>.
      */
     double condition() {
         return stiffening;

@@ -3,9 +3,9 @@ package deSolvers.implicit;
 import java.util.Arrays;
 
 /**
- * Where a sparse matrix of 3 x 3 blocks has entries: row by row the columns in ascending order, always with the diagonal
- * and always symmetric. Made from the pairs (i, j) that a source named, in the order in which it named them; since it
- * names them in the same order every time, each pair's places are looked up only once.
+ * Where a sparse matrix of 3 x 3 blocks has entries: row by row the columns in ascending order, always with the
+ * diagonal and always symmetric. Made from the pairs (i, j) that a source named, in the order in which it named them;
+ * since it names them in the same order every time, each pair's places are looked up only once.
  */
 final class BlockPattern {
     final int rows;

@@ -5,20 +5,23 @@ import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
 /**
- * The systems of particles in space that offer the 3 x 3 blocks of their force derivatives. With x = (p, w), the positions'
- * and the velocities' part, the first half of (mu - h J) x = b gives p = (b<sub>p</sub> + h w)/mu, and the second
- * <blockquote>
+ * The systems of particles in space that offer the 3 x 3 blocks of their force derivatives. With x = (p, w), the
+ * positions' and the velocities' part, the first half of (mu - h J) x = b gives p = (b<sub>p</sub> + h w)/mu, and the
+ * second <blockquote>
  * A w = (M b<sub>w</sub> + g K b<sub>p</sub>)/mu with A = M - g C - g<sup>2</sup> K, g = h/mu,
  * </blockquote>
  * for the real mu and for the complex one alike. GMRES solves it, for both with one preconditioner that is made for the
- * real mu: the diagonal blocks while the springs, seen through the sub-step, are not much stiffer than inertia; otherwise
- * the factors of the sparse matrix. These solve the real system at once. In the complex one they leave eigenvalues between 1
- * and (mu/mu<sub>complex</sub>)<sup>2</sup> for what oscillates, 1 and mu/mu<sub>complex</sub> for what decays, with moduli from
- * 0.6 to 1 however stiff it is: each iteration halves what is left. Old factors are kept until what they cost in iterations
- * more than when they were new would have paid for new ones.
+ * real mu: the diagonal blocks while the springs, seen through the sub-step, are not much stiffer than inertia;
+ * otherwise the factors of the sparse matrix. These solve the real system at once. In the complex one they leave
+ * eigenvalues between 1 and (mu/mu<sub>complex</sub>)<sup>2</sup> for what oscillates, 1 and mu/mu<sub>complex</sub>
+ * for what decays, with moduli from 0.6 to 1 however stiff it is: each iteration halves what is left. Old factors are
+ * kept until what they cost in iterations more than when they were new would have paid for new ones.
  */
 final class BlockRadauSystems implements RadauSystems {
-    /** A hundredth of what a correction has to be good for, so that Newton's iteration converges as with exact solutions. */
+    /**
+     * A hundredth of what a correction has to be good for, so that Newton's iteration converges as with exact
+     * solutions.
+     */
     private static final double TOLERANCE = 1e-4;
     private static final int MOST_ITERATIONS = 1000;
     /** Factors are too old when the sub-step has changed this much. */
@@ -122,8 +125,8 @@ final class BlockRadauSystems implements RadauSystems {
     }
 
     /**
-     * How many times more an iteration with factors costs than one with the diagonal blocks, of which about the root of the
-     * condition are needed for one; infinite where factors would be too large.
+     * How many times more an iteration with factors costs than one with the diagonal blocks, of which about the root of
+     * the condition are needed for one; infinite where factors would be too large.
      */
     private double costOfFactors() {
         boolean fits = factors.fits(blocks.pattern(), VelocityProblem.MOST_BLOCKS);
@@ -211,7 +214,8 @@ final class BlockRadauSystems implements RadauSystems {
         if (inverse == factors && iterationsWhenNew == 0) {
             iterationsWhenNew = iterations;
         } else if (inverse == factors) {
-            debt += 2.0 * Math.max(0, iterations - iterationsWhenNew) * (factors.blocks() + 2 * blocks.pattern().blocks());
+            debt += 2.0 * Math.max(0,
+                    iterations - iterationsWhenNew) * (factors.blocks() + 2 * blocks.pattern().blocks());
         }
     }
 

@@ -22,7 +22,8 @@ final class ConjugateGradients {
      * @param x begins as the approximation it holds
      * @return false if the matrix turns out not to be positive definite, or the number of iterations did not suffice
      */
-    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance, int mostIterations) {
+    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
+            int mostIterations) {
         int n = b.length;
         if (r.length != n) {
             r = new double[n];

@@ -1,6 +1,9 @@
 package deSolvers.implicit;
 
-/** What Newton's method adds to its unknowns: the solution of the linearised equation, and how large that is beside them. */
+/**
+ * What Newton's method adds to its unknowns: the solution of the linearised equation, and how large that is beside
+ * them.
+ */
 final class Corrections {
     /** Entries smaller than this part of the largest are judged as if they were as large as that. */
     private static final double SMALL_ENTRY = 1e-3;

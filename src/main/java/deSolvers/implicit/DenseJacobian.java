@@ -6,8 +6,8 @@ import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 
 /**
- * The Jacobian J = df/ds as a full matrix: column by column from the source's products, or by forward differences at one
- * evaluation a column.
+ * The Jacobian J = df/ds as a full matrix: column by column from the source's products, or by forward differences at
+ * one evaluation a column.
  */
 final class DenseJacobian {
     /** Half the digits: the best balance of rounding against curvature in a forward difference. */
@@ -28,9 +28,9 @@ final class DenseJacobian {
     }
 
     /**
-     * How small entries beside large ones are varied. As a rule by no less than a part of the largest, since they may be sums
-     * of large ones that cancel, where less would be lost to rounding. But where the derivative bends within that, finely: by
-     * a part of what they are themselves, unless they are 0.
+     * How small entries beside large ones are varied. As a rule by no less than a part of the largest, since they may
+     * be sums of large ones that cancel, where less would be lost to rounding. But where the derivative bends within
+     * that, finely: by a part of what they are themselves, unless they are 0.
      */
     void setFine(boolean fine) {
         this.fine = fine;
@@ -46,7 +46,8 @@ final class DenseJacobian {
      * @param h        a step (s) that tells how far an entry at 0 may be expected to move
      * @param jacobian receives J, n x n
      */
-    void compute(DEStateSource source, DEStateSource products, double[] state, double[] dSdt, double h, DMatrixRMaj jacobian) {
+    void compute(DEStateSource source, DEStateSource products, double[] state, double[] dSdt, double h,
+            DMatrixRMaj jacobian) {
         int n = state.length;
         if (varied.length != n) {
             varied = new double[n];

@@ -5,7 +5,9 @@ import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
-/** The product J w at a given state: from the source where it offers one, otherwise by one difference of derivatives. */
+/**
+ * The product J w at a given state: from the source where it offers one, otherwise by one difference of derivatives.
+ */
 final class DirectionalDerivative {
     /** Half the digits: the best balance of rounding against curvature in a forward difference. */
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
@@ -46,8 +48,8 @@ final class DirectionalDerivative {
     }
 
     /**
-     * How far a difference goes: as a rule by a part of the whole state; finely, of those entries that the direction has
-     * (P. N. Brown, Y. Saad 1990, SIAM J. Sci. Stat. Comput. 11, 450), so that among small ones it stays near.
+     * How far a difference goes: as a rule by a part of the whole state; finely, of those entries that the direction
+     * has (P. N. Brown, Y. Saad 1990, SIAM J. Sci. Stat. Comput. 11, 450), so that among small ones it stays near.
      */
     void setFine(boolean fine) {
         this.fine = fine;
@@ -77,7 +79,9 @@ final class DirectionalDerivative {
         }
     }
 
-    /** The mean size of the entries, each weighed by its part in the direction; that of the whole state if all are 0. */
+    /**
+     * The mean size of the entries, each weighed by its part in the direction; that of the whole state if all are 0.
+     */
     private double sizeAlong(double[] w, double length) {
         double sum = 0;
         for (int i = 0; i < w.length; i++) {

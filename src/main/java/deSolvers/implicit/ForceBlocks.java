@@ -4,8 +4,9 @@ import deSolvers.JacobianStateSource;
 import java.util.Arrays;
 
 /**
- * The force derivatives of particles, K = dF/dx and C = dF/dv, block by block as the source names them: for methods that need
- * them with more than one length of step. Rows of held particles are 0, and their masses 1, so that nothing moves them.
+ * The force derivatives of particles, K = dF/dx and C = dF/dv, block by block as the source names them: for methods
+ * that need them with more than one length of step. Rows of held particles are 0, and their masses 1, so that nothing
+ * moves them.
  */
 final class ForceBlocks extends BlockCollector {
     private final ImplicitWork.Counter work;

@@ -3,15 +3,16 @@ package deSolvers.implicit;
 import java.util.Arrays;
 
 /**
- * The small full matrix in which {@link FrontalFactors} eliminates one group of particles after the other, and what is left of
- * it each time until it is added to another. Of a symmetric matrix only the part right of the diagonal is kept.
+ * The small full matrix in which {@link FrontalFactors} eliminates one group of particles after the other, and what is
+ * left of it each time until it is added to another. Of a symmetric matrix only the part right of the diagonal is kept.
  */
 final class Front {
     private final BlockPattern pattern;
     private final FrontalPlan plan;
     private final double[][] front;
     private final PivotRows pivotRows;
-    private final double[][] pivotColumns;              // below the pivot block, each as a row; not of a symmetric matrix
+    // below the pivot block, each as a row; not of a symmetric matrix
+    private final double[][] pivotColumns;
     private final int[] at;                             // of each place: where it is in the front
     private final double[] left;
     private int leftEnd;
@@ -161,7 +162,9 @@ final class Front {
         }
     }
 
-    /** Copies the columns of the pivot block at row k, below it, each into a row; for a matrix that is not symmetric. */
+    /**
+     * Copies the columns of the pivot block at row k, below it, each into a row; for a matrix that is not symmetric.
+     */
     void copyColumns(int k, double[] below, int to) {
         int length = rows - k - 3;
         for (int r = k + 3; r < rows; r++) {
@@ -175,9 +178,9 @@ final class Front {
     }
 
     /**
-     * Subtracts from the rows below a pivot block at row k what its elimination adds to them. Its columns have been copied,
-     * unless the matrix is symmetric. Blocks are eliminated in pairs; of the first one only what the second needs is subtracted
-     * before both are.
+     * Subtracts from the rows below a pivot block at row k what its elimination adds to them. Its columns have been
+     * copied, unless the matrix is symmetric. Blocks are eliminated in pairs; of the first one only what the second
+     * needs is subtracted before both are.
      */
     void eliminate(int k, double[] inverse, int inverseAt) {
         boolean second = k % 6 == 3;

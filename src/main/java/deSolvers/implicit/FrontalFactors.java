@@ -3,9 +3,9 @@ package deSolvers.implicit;
 import java.util.Arrays;
 
 /**
- * A = L D U of a sparse matrix of 3 x 3 blocks with a symmetric pattern, front by front as {@link FrontalPlan} says; of a
- * symmetric matrix U = L<sup>T</sup>, at half the work. The elimination keeps to its order and does not pivot outside the
- * diagonal blocks; GMRES, which uses the factors as its preconditioner, makes good what little accuracy that costs.
+ * A = L D U of a sparse matrix of 3 x 3 blocks with a symmetric pattern, front by front as {@link FrontalPlan} says; of
+ * a symmetric matrix U = L<sup>T</sup>, at half the work. The elimination keeps to its order and does not pivot outside
+ * the diagonal blocks; GMRES, which uses the factors as its preconditioner, makes good what little accuracy that costs.
  */
 final class FrontalFactors implements LinearOperator {
     private final ImplicitWork.Counter work;
@@ -13,7 +13,8 @@ final class FrontalFactors implements LinearOperator {
     private FrontalPlan plan;
     private boolean symmetric;
     private double[] inverse = {};                      // of the diagonal blocks D
-    private double[] right = {};                        // D U: for each particle three rows, right of the diagonal block
+    // D U: for each particle three rows, right of the diagonal block
+    private double[] right = {};
     private double[] below = {};                        // (L D)^T in the same shape
     private Front front;                                // null until there is a matrix of this pattern
     private final double[] block = new double[9];
@@ -48,8 +49,8 @@ final class FrontalFactors implements LinearOperator {
     /**
      * Factorises the matrix with these values in the pattern that {@link #fits}.
      *
-     * @param symmetric whether its blocks are each other's mirror images, except that rows of the unit matrix may have others
-     *                  in their columns; these are left out then
+     * @param symmetric whether its blocks are each other's mirror images, except that rows of the unit matrix may have
+     *                  others in their columns; these are left out then
      * @return false if a diagonal block is singular
      */
     boolean factorise(double[] a, boolean symmetric) {
@@ -172,7 +173,10 @@ final class FrontalFactors implements LinearOperator {
         return 3 * operations(symmetric);
     }
 
-    /** Products of blocks that a factorisation takes, and then one {@link #apply}; they take as long as those of iterations. */
+    /**
+     * Products of blocks that a factorisation takes, and then one {@link #apply}; they take as long as those of
+     * iterations.
+     */
     long work(boolean symmetric) {
         return operations(symmetric) + blocks();
     }

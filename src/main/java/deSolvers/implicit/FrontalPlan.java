@@ -3,9 +3,10 @@ package deSolvers.implicit;
 import java.util.Arrays;
 
 /**
- * What an elimination does that depends on the pattern of a matrix alone. Particles whose rows fill in alike are eliminated
- * together, as a group: in a small full matrix, its front, of their own rows and those below that they fill in. What is left
- * of a front when its group is gone is added to the front of the group that the first of the rows below is in.
+ * What an elimination does that depends on the pattern of a matrix alone. Particles whose rows fill in alike are
+ * eliminated together, as a group: in a small full matrix, its front, of their own rows and those below that they fill
+ * in. What is left of a front when its group is gone is added to the front of the group that the first of the rows
+ * below is in.
  *
  * <p>Source: I. S. Duff, J. K. Reid (1983), ACM Trans. Math. Softw. 9, 302, for the multifrontal method; T. A. Davis,
  * <i>Direct Methods for Sparse Linear Systems</i>, SIAM 2006, for elimination trees.
@@ -109,11 +110,14 @@ final class FrontalPlan {
         }
     }
 
-    /** Sorts so that each comes right after all that are above it in the tree; returns whether that changed anything. */
+    /**
+     * Sorts so that each comes right after all that are above it in the tree; returns whether that changed anything.
+     */
     private boolean sortByTree() {
         int n = order.length;
         int[] size = new int[n];
-        int[] next = new int[n + 1];                    // where the next of a parent's subtrees begins; n stands for none
+        // where the next of a parent's subtrees begins; n stands for none
+        int[] next = new int[n + 1];
         boolean changed = false;
         for (int k = 0; k < n; k++) {
             size[k]++;
@@ -153,7 +157,9 @@ final class FrontalPlan {
         return count;
     }
 
-    /** Joins neighbours in the order to groups where that leaves few zeros in their factors; returns how many groups. */
+    /**
+     * Joins neighbours in the order to groups where that leaves few zeros in their factors; returns how many groups.
+     */
     private int group(int[] count, int[] starts) {
         int n = order.length;
         long[] zeros = new long[n + 1];
@@ -177,7 +183,9 @@ final class FrontalPlan {
         return found;
     }
 
-    /** The rows below each group: those that its particles touch, and those below the groups that leave something to it. */
+    /**
+     * The rows below each group: those that its particles touch, and those below the groups that leave something to it.
+     */
     private int[] findBelow() {
         int n = order.length;
         int[] groupOf = new int[n];

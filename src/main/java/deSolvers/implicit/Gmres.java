@@ -32,7 +32,8 @@ final class Gmres {
      * @param preconditioner approximates the inverse of A
      * @return whether that was reached within the number of iterations
      */
-    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance, int mostIterations) {
+    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
+            int mostIterations) {
         int n = b.length;
         if (image.length != n) {
             basis = new double[RESTART + 1][0];
@@ -109,7 +110,8 @@ final class Gmres {
             hessenberg[i + 1][k] = -sine[i] * upper + cosine[i] * hessenberg[i + 1][k];
         }
         double radius = Math.sqrt(hessenberg[k][k] * hessenberg[k][k] + length * length);
-        boolean lost = radius <= ROUNDING * Math.sqrt(square);        // A is singular there: this vector takes nothing away
+        // A is singular there: this vector takes nothing away
+        boolean lost = radius <= ROUNDING * Math.sqrt(square);
         cosine[k] = lost ? 0 : hessenberg[k][k] / radius;
         sine[k] = lost ? 1 : length / radius;
         hessenberg[k][k] = lost ? 0 : radius;

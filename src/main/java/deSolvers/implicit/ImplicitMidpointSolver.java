@@ -11,19 +11,19 @@ import deSolvers.FixedStepSolver;
  *   ----+-----
  *       |  1
  * </pre>
- * Its middle m solves the backward Euler equation of half a step, m = s + h/2 f(m, t + h/2); the other half goes on along
- * the same line, s(t + h) = 2 m - s. Newton's method solves to 1e-10 of each entry of the state, however small
+ * Its middle m solves the backward Euler equation of half a step, m = s + h/2 f(m, t + h/2); the other half goes on
+ * along the same line, s(t + h) = 2 m - s. Newton's method solves to 1e-10 of each entry of the state, however small
  * beside others, or to the rounding of its terms (in practice to rounding), or an exception says that it did not;
  * the package's description tells the limits of that.
  *
  * <p><b>Order</b> 2.<br>
  * <b>Evaluations</b> as for {@code backward-euler}.<br>
- * <b>Stability</b> R(z) = (1 + z/2)/(1 - z/2): no limit on the step for anything that decays or oscillates. |R| = 1 on the
- * imaginary axis, so linear springs keep their energy; but R(-infinity) = -1, so that what should die at once rings on
- * with alternating signs. Of several solutions of its equation the one near the present place is taken, which keeps a spring
- * that is too stiff to be followed from turning inside out.<br>
- * <b>When to use</b> stiff oscillation whose energy matters: it is symplectic and reversible. Not for stiff damping, nor
- * for stiff springs that are violently nonlinear, where {@code backward-euler} is calmer.<br>
+ * <b>Stability</b> R(z) = (1 + z/2)/(1 - z/2): no limit on the step for anything that decays or oscillates. |R| = 1 on
+ * the imaginary axis, so linear springs keep their energy; but R(-infinity) = -1, so that what should die at once rings
+ * on with alternating signs. Of several solutions of its equation the one near the present place is taken, which keeps
+ * a spring that is too stiff to be followed from turning inside out.<br>
+ * <b>When to use</b> stiff oscillation whose energy matters: it is symplectic and reversible. Not for stiff damping,
+ * nor for stiff springs that are violently nonlinear, where {@code backward-euler} is calmer.<br>
  * <b>Source</b> Gauss-Legendre collocation with one stage, J. C. Butcher (1964), Math. Comp. 18, 50.
  */
 public final class ImplicitMidpointSolver extends FixedStepSolver {
@@ -33,7 +33,8 @@ public final class ImplicitMidpointSolver extends FixedStepSolver {
     protected void step(DEStateSource source, double[] s, double deltaT) {
         source.incTime(deltaT / 2);
         double[] mid = copy(s);
-        stage.solve(getTransaction(), s, deltaT / 2, ImplicitStage.Way.FROM_PLACE, mid);    // mid = s + h/2 f(mid, t + h/2)
+        // mid = s + h/2 f(mid, t + h/2)
+        stage.solve(getTransaction(), s, deltaT / 2, ImplicitStage.Way.FROM_PLACE, mid);
         for (int i = 0; i < s.length; i++) {
             s[i] = 2 * mid[i] - s[i];
         }

@@ -8,14 +8,14 @@ import deSolvers.SecondOrderStateSource;
 import java.util.Arrays;
 
 /**
- * Solves the equation of all one-stage implicit methods, m = s + g f(m, t), at the source's present time, choosing how by
- * the size and the kind of the source.
+ * Solves the equation of all one-stage implicit methods, m = s + g f(m, t), at the source's present time, choosing how
+ * by the size and the kind of the source.
  */
 final class ImplicitStage {
     /**
-     * States up to this size are solved with a full matrix, which fails in the fewest cases. It is not the fastest way for
-     * radau: three steps of a chain of springs, k = 1e4, take it 0.21 s with a state of 50, 0.70 s of 100 and 7.2 s of 300, and
-     * by GMRES with the source's products 0.05, 0.06 and 0.09 s.
+     * States up to this size are solved with a full matrix, which fails in the fewest cases. It is not the fastest way
+     * for radau: three steps of a chain of springs, k = 1e4, take it 0.21 s with a state of 50, 0.70 s of 100 and 7.2 s
+     * of 300, and by GMRES with the source's products 0.05, 0.06 and 0.09 s.
      */
     static final int LARGEST_DENSE = 600;
     /** For one of Newton's corrections; the last of them reduces what is left by this much again. */
@@ -31,12 +31,14 @@ final class ImplicitStage {
     enum Way {
         /** The equation is linearised at s, and solved once. */
         LINEARISED,
-        /** Newton's method begins straight on along the velocities: near where they are those of the last step's motion. */
+        /**
+         * Newton's method begins straight on along the velocities: near where they are those of the last step's motion.
+         */
         STRAIGHT_ON,
         /**
-         * It begins at the positions of s. Velocities may be those of a stiff spring that swings faster than the step can
-         * follow; straight on leads past its other end then, where the equation has a second solution, with the spring turned
-         * inside out.
+         * It begins at the positions of s. Velocities may be those of a stiff spring that swings faster than the step
+         * can follow; straight on leads past its other end then, where the equation has a second solution, with the
+         * spring turned inside out.
          */
         FROM_PLACE
     }
@@ -101,7 +103,8 @@ final class ImplicitStage {
         }
     }
 
-    private boolean attempt(StepTransaction source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+    private boolean attempt(StepTransaction source, DEStateSource client, double[] start, double gamma,
+            boolean byVelocity,
                             Way way) {
         boolean linearised = way == Way.LINEARISED;
         NewtonProblem problem = begin(source, client, start, gamma, byVelocity,
@@ -110,8 +113,11 @@ final class ImplicitStage {
         return linearised ? newton.solveLinearised(problem, unknowns) : newton.solve(problem, unknowns, scale);
     }
 
-    /** Follows the solution m(g) from g = 0, where it is s, in pieces that double and halve as Newton's method allows. */
-    private boolean follow(StepTransaction source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+    /**
+     * Follows the solution m(g) from g = 0, where it is s, in pieces that double and halve as Newton's method allows.
+     */
+    private boolean follow(StepTransaction source, DEStateSource client, double[] start, double gamma,
+            boolean byVelocity,
                            Way way) {
         setToStart(start, byVelocity, way);
         double done = 0;
@@ -134,7 +140,8 @@ final class ImplicitStage {
         return true;
     }
 
-    private NewtonProblem begin(StepTransaction source, DEStateSource client, double[] start, double gamma, boolean byVelocity,
+    private NewtonProblem begin(StepTransaction source, DEStateSource client, double[] start, double gamma,
+            boolean byVelocity,
                                 double linearTolerance) {
         if (byVelocity) {
             velocities.begin(source, (JacobianStateSource) client, start, gamma, linearTolerance);
@@ -163,7 +170,8 @@ final class ImplicitStage {
     }
 
     /**
-     * Where not even an Euler step is finite, the source is to blame and not Newton's method; the guard finds out and says so.
+     * Where not even an Euler step is finite, the source is to blame and not Newton's method; the guard finds out and
+     * says so.
      */
     private static void failIfNotFinite(StepTransaction source, double[] start, double gamma, double[] euler) {
         source.setState(start);

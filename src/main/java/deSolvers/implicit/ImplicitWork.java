@@ -24,7 +24,8 @@ public record ImplicitWork(long newtonIterations, long jacobians, long products,
         long blockOperations;
 
         ImplicitWork read() {
-            return new ImplicitWork(newtonIterations, jacobians, products, krylovIterations, factorisations, blockOperations);
+            return new ImplicitWork(newtonIterations, jacobians, products, krylovIterations, factorisations,
+                    blockOperations);
         }
     }
 }

@@ -5,15 +5,18 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * The stage equation m = s + g f(m) of a large source of any kind: Newton-Krylov without a matrix. GMRES needs nothing but
- * products J w, which the source computes or one difference of derivatives approximates.
+ * The stage equation m = s + g f(m) of a large source of any kind: Newton-Krylov without a matrix. GMRES needs nothing
+ * but products J w, which the source computes or one difference of derivatives approximates.
  *
  * <p>Source: D. A. Knoll, D. E. Keyes (2004), J. Comput. Phys. 193, 357.
  */
 final class KrylovProblem implements NewtonProblem, LinearOperator {
     private static final int MOST_ITERATIONS = 2000;
     private static final double ROUNDING = 2 * Math.ulp(1.0);
-    /** Of the largest entry: what GMRES, which gains four digits a time on all together, is not asked to find among the rest. */
+    /**
+     * Of the largest entry: what GMRES, which gains four digits a time on all together, is not asked to find among the
+     * rest.
+     */
     private static final double SMALLEST = 1e-28;
 
     private final ImplicitWork.Counter work;
@@ -101,8 +104,8 @@ final class KrylovProblem implements NewtonProblem, LinearOperator {
     }
 
     /**
-     * How large the terms are that cancel in f is told by products of J with m, each entry times a random number. An entry is
-     * known no better than the rounding of its own equation, which the same products spread to the others.
+     * How large the terms are that cancel in f is told by products of J with m, each entry times a random number. An
+     * entry is known no better than the rounding of its own equation, which the same products spread to the others.
      */
     @Override
     public void refine(double[] m) {

@@ -4,7 +4,10 @@ import deSolvers.StepTransaction;
 
 /** The systems of large sources, solved by GMRES with products J w; the complex one as a real one of twice the size. */
 final class KrylovRadauSystems implements RadauSystems {
-    /** A hundredth of what a correction has to be good for, so that Newton's iteration converges as with exact solutions. */
+    /**
+     * A hundredth of what a correction has to be good for, so that Newton's iteration converges as with exact
+     * solutions.
+     */
     private static final double TOLERANCE = 1e-5;
     private static final int MOST_ITERATIONS = 1000;
 

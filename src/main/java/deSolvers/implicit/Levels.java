@@ -3,8 +3,8 @@ package deSolvers.implicit;
 import java.util.Arrays;
 
 /**
- * The particles of a set, sorted by breadth: into levels by how many springs they are away from one of them, the root. A search
- * goes no way through particles outside the set.
+ * The particles of a set, sorted by breadth: into levels by how many springs they are away from one of them, the root.
+ * A search goes no way through particles outside the set.
  */
 final class Levels {
     private static final int UNKNOWN = -1;

@@ -3,21 +3,24 @@ package deSolvers.implicit;
 import java.util.Arrays;
 
 /**
- * An order in which the particles of a sparse matrix can be eliminated with little fill-in. Particles at loose ends come
- * first; they fill in nothing. The others are cut in two by a separator, which comes last of the three; then each part is cut
- * again. Separators are found by breadth: of a set's {@link Levels} from a root, those particles of a middle one that touch the
- * next part what is nearer from what is farther. The best separator of several roots is taken. They lie far from each other:
- * the first at the rim, each further one where it is farthest from those before it.
+ * An order in which the particles of a sparse matrix can be eliminated with little fill-in. Particles at loose ends
+ * come first; they fill in nothing. The others are cut in two by a separator, which comes last of the three; then each
+ * part is cut again. Separators are found by breadth: of a set's {@link Levels} from a root, those particles of a
+ * middle one that touch the next part what is nearer from what is farther. The best separator of several roots is
+ * taken. They lie far from each other: the first at the rim, each further one where it is farthest from those before
+ * it.
  *
- * <p>Source: J. A. George (1973), SIAM J. Numer. Anal. 10, 345; J. A. George, J. W. H. Liu (1978), SIAM J. Numer. Anal. 15,
- * 1053, for level structures; T. F. Gonzalez (1985), Theor. Comput. Sci. 38, 293, for points far from each other.
+ * <p>Source: J. A. George (1973), SIAM J. Numer. Anal. 10, 345; J. A. George, J. W. H. Liu (1978), SIAM J. Numer. Anal.
+ * 15, 1053, for level structures; T. F. Gonzalez (1985), Theor. Comput. Sci. 38, 293, for points far from each other.
  */
 final class NestedDissection {
     /** Sets of no more particles than this are not cut. */
     private static final int SMALL = 4;
     /** Each part should have at least this part of a set's particles; of such separators the smallest is taken. */
     private static final double SMALLEST_PART = 0.3;
-    /** Roots that are tried. With one a cloth takes 1.16 times the products; with twelve it takes 0.99 times as many. */
+    /**
+     * Roots that are tried. With one a cloth takes 1.16 times the products; with twelve it takes 0.99 times as many.
+     */
     private static final int MOST_ROOTS = 8;
 
     private final BlockPattern pattern;
@@ -49,7 +52,10 @@ final class NestedDissection {
         return dissection.order;
     }
 
-    /** Puts first, one after the other, all that touch no more than one of those that are left; returns how many they are. */
+    /**
+     * Puts first, one after the other, all that touch no more than one of those that are left; returns how many they
+     * are.
+     */
     private int takeLooseEnds() {
         int n = pattern.rows;
         int[] touched = new int[n];
@@ -138,7 +144,10 @@ final class NestedDissection {
         }
     }
 
-    /** Looks for a better separator among the levels from a root. Of two equal ones the one that halves better is better. */
+    /**
+     * Looks for a better separator among the levels from a root. Of two equal ones the one that halves better is
+     * better.
+     */
     private void compareLevels(int root, int size) {
         for (int l = 0, near = 0; l < levels.last; l++) {
             near += levels.size[l];

@@ -17,7 +17,10 @@ final class Newton {
     private static final double GOOD_CONTRACTION = 0.01;
     private static final int MOST_ITERATIONS = 50;
     private static final double SMALLEST_DAMPING = 1.0 / 256;
-    /** A residual is rounding up to so many times what rounding of its own terms makes: those within f are not all known. */
+    /**
+     * A residual is rounding up to so many times what rounding of its own terms makes: those within f are not all
+     * known.
+     */
     private static final double NEAR = 100;
     private static final int MOST_DESCENTS = 200;
     private static final int MOST_HALVINGS = 40;
@@ -37,7 +40,8 @@ final class Newton {
     private int iterations;
     private double left;                                // the last correction, relative to the unknowns one by one
     private boolean noCorrection;                       // whether the last failure was the linear solver's
-    private boolean fine;                               // whether only what is not rounding counts, each unknown by itself
+    // whether only what is not rounding counts, each unknown by itself
+    private boolean fine;
 
     Newton(ImplicitWork.Counter work) {
         this.work = work;
@@ -46,7 +50,8 @@ final class Newton {
     /**
      * Iterates from the guess in u.
      *
-     * @param scale how large the unknowns were when the step began: what rounding and convergence are measured by, with u
+     * @param scale how large the unknowns were when the step began: what rounding and convergence are measured by, with
+     *              u
      * @return whether it converged; u then holds the solution
      */
     boolean solve(NewtonProblem problem, double[] u, double[] scale) {
@@ -68,7 +73,9 @@ final class Newton {
         return iterate(problem, u) && (left <= TOLERANCE || refine(problem, u));
     }
 
-    /** Iterates from u, whose residual is at hand; leaves how large the last correction was for each unknown by itself. */
+    /**
+     * Iterates from u, whose residual is at hand; leaves how large the last correction was for each unknown by itself.
+     */
     private boolean iterate(NewtonProblem problem, double[] u) {
         boolean haveCorrection = false;
         for (int most = iterations + MOST_ITERATIONS; iterations < most;) {
@@ -82,7 +89,8 @@ final class Newton {
                 return outcome == Outcome.SOLVED;
             }
             haveCorrection = damping == 1 && nextSize <= GOOD_CONTRACTION * size;
-            // A linear solver that goes by all residuals together may leave small corrections out until large ones are done.
+            // A linear solver that goes by all residuals together may leave small corrections out until large ones are
+            // done.
             if (damping == 1 && (nextSize <= POLISHED || !fine && nextSize <= TOLERANCE && !haveCorrection)) {
                 left = Residuals.areBelow(residual, floor, NEAR) ? 0 : Corrections.ownSize(nextCorrection, u, scale);
                 for (int i = 0; i < u.length; i++) {
@@ -101,9 +109,10 @@ final class Newton {
     }
 
     /**
-     * Goes on for small unknowns beside large ones, where rounding of the large ones hides them: residuals that are rounding
-     * count as 0, and every correction beside how large the unknown is that it is for, however small. Where that leaves one
-     * much smaller than it was, it is done once more; no more, since what should be 0 becomes ever smaller.
+     * Goes on for small unknowns beside large ones, where rounding of the large ones hides them: residuals that are
+     * rounding count as 0, and every correction beside how large the unknown is that it is for, however small. Where
+     * that leaves one much smaller than it was, it is done once more; no more, since what should be 0 becomes ever
+     * smaller.
      */
     private boolean refine(NewtonProblem problem, double[] u) {
         fine = true;
@@ -157,8 +166,8 @@ final class Newton {
     private enum Outcome { TAKEN, SOLVED, NO_WAY }
 
     /**
-     * Takes the correction, or so much of it that the next one is smaller. Leaves the next one and its size, and how much
-     * was taken.
+     * Takes the correction, or so much of it that the next one is smaller. Leaves the next one and its size, and how
+     * much was taken.
      */
     private Outcome take(NewtonProblem problem, double[] u) {
         int n = u.length;
@@ -188,10 +197,10 @@ final class Newton {
     }
 
     /**
-     * Looks for the solution where Newton's method found no way: a mechanical system's equation says that an energy is least
-     * there. Corrections by a definite matrix go down in that energy, whose slope along them is the residual's product with
-     * the correction; they are taken as far as the slope does not turn up again by much. Newton's method itself takes over as
-     * soon as it converges, so that the solution is the exact one.
+     * Looks for the solution where Newton's method found no way: a mechanical system's equation says that an energy is
+     * least there. Corrections by a definite matrix go down in that energy, whose slope along them is the residual's
+     * product with the correction; they are taken as far as the slope does not turn up again by much. Newton's method
+     * itself takes over as soon as it converges, so that the solution is the exact one.
      *
      * @return whether it converged; false also where the problem has no definite matrix
      */
@@ -228,7 +237,9 @@ final class Newton {
         return false;
     }
 
-    /** Takes the correction, or the part of it up to where the slope is about flat. Leaves the residual of the new u. */
+    /**
+     * Takes the correction, or the part of it up to where the slope is about flat. Leaves the residual of the new u.
+     */
     private boolean goDown(NewtonProblem problem, double[] u) {
         double slope = Gmres.dot(residual, correction);
         double part = 1;
@@ -276,11 +287,13 @@ final class Newton {
     /** What the last failure looked like, for a message. */
     String describeFailure() {
         if (noCorrection) {
-            return String.format(Locale.ROOT, "the linear solver failed at Newton's iteration %d, with a largest residual of"
+            return String.format(Locale.ROOT,
+                    "the linear solver failed at Newton's iteration %d, with a largest residual of"
                     + " %.2g: the matrix is singular or not finite, or GMRES did not converge", iterations,
                     Corrections.largest(residual));
         }
-        return String.format(Locale.ROOT, "Newton's iteration did not converge: after %d iterations the correction is %.2g"
+        return String.format(Locale.ROOT,
+                "Newton's iteration did not converge: after %d iterations the correction is %.2g"
                 + " of the unknowns (limit %.0e) and the largest residual %.2g", iterations, size, TOLERANCE,
                 Corrections.largest(residual));
     }

@@ -35,8 +35,8 @@ interface NewtonProblem {
     void rounding(double[] u, double[] floor);
 
     /**
-     * Prepares for what is left of small unknowns at u, the place of the last {@link #evaluate}, when the large ones are
-     * solved. It may move the source.
+     * Prepares for what is left of small unknowns at u, the place of the last {@link #evaluate}, when the large ones
+     * are solved. It may move the source.
      */
     default void refine(double[] u) {
     }

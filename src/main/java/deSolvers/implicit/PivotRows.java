@@ -1,9 +1,10 @@
 package deSolvers.implicit;
 
 /**
- * The rows of the pivot block that a {@link Front} eliminates, or of two blocks one after the other: their multiples are added
- * to the rows below in one pass, since a pass over a large front takes longer than the arithmetic of one block. The loops are
- * such as the compiler makes vector instructions of: along one row, with an array for each row of the blocks.
+ * The rows of the pivot block that a {@link Front} eliminates, or of two blocks one after the other: their multiples
+ * are added to the rows below in one pass, since a pass over a large front takes longer than the arithmetic of one
+ * block. The loops are such as the compiler makes vector instructions of: along one row, with an array for each row of
+ * the blocks.
  */
 final class PivotRows {
     private final double[][] front;
@@ -35,7 +36,8 @@ final class PivotRows {
         }
     }
 
-    private static void multiply(double[][] columns, int at, double m0, double m1, double m2, double[] f, int from, int to) {
+    private static void multiply(double[][] columns, int at, double m0, double m1, double m2, double[] f, int from,
+            int to) {
         double[] a0 = columns[at];
         double[] a1 = columns[at + 1];
         double[] a2 = columns[at + 2];

@@ -3,7 +3,10 @@ package deSolvers.implicit;
 import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
 
-/** Which of the ways to solve the linear systems of the Radau method serves a source; each is made when it is first needed. */
+/**
+ * Which of the ways to solve the linear systems of the Radau method serves a source; each is made when it is first
+ * needed.
+ */
 final class RadauChoice {
     /** Up to here, two particles, a full matrix, which pivots, costs no more than blocks. */
     private static final int SMALL = 12;
@@ -29,7 +32,8 @@ final class RadauChoice {
     RadauSystems systemsFor(DEStateSource source) {
         boolean exactBlocks = ImplicitStage.givesBlocks(source)
                 && ((JacobianStateSource) source).getJacobianBlocks() == JacobianStateSource.Blocks.EXACT;
-        // Blocks that are not the whole Jacobian go with products, a difference each: a full matrix needs fewer of them.
+        // Blocks that are not the whole Jacobian go with products, a difference each: a full matrix needs fewer of
+        // them.
         if (exactBlocks && n > SMALL || ImplicitStage.givesBlocks(source) && n > ImplicitStage.LARGEST_DENSE) {
             blocks = blocks == null ? new BlockRadauSystems(work, n) : blocks;
             return blocks;

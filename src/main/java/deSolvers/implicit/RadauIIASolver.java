@@ -5,8 +5,8 @@ import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
 
 /**
- * The Radau IIA method with three stages: the collocation polynomial of degree 3 whose derivative is right at three times,
- * the last of them the end of the sub-step. With q the square root of 6:
+ * The Radau IIA method with three stages: the collocation polynomial of degree 3 whose derivative is right at three
+ * times, the last of them the end of the sub-step. With q the square root of 6:
  * <pre>
  *   (4 - q)/10 | (88 - 7q)/360       (296 - 169q)/1800   (-2 + 3q)/225
  *   (4 + q)/10 | (296 + 169q)/1800   (88 + 7q)/360       (-2 - 3q)/225
@@ -14,20 +14,20 @@ import deSolvers.adaptive.AdaptiveSolver;
  *   -----------+-----------------------------------------------------
  *              | (16 - q)/36         (16 + q)/36          1/9
  * </pre>
- * The stages are found by a simplified Newton iteration to a hundredth of the tolerance. The Jacobian is kept as long as
- * that converges fast, the factorised matrices as long as the sub-step stays the same. The estimate of the error uses one
- * more, explicit stage, and is filtered through the real matrix, so that stiff components do not spoil it.
+ * The stages are found by a simplified Newton iteration to a hundredth of the tolerance. The Jacobian is kept as long
+ * as that converges fast, the factorised matrices as long as the sub-step stays the same. The estimate of the error
+ * uses one more, explicit stage, and is filtered through the real matrix, so that stiff components do not spoil it.
  *
  * <p><b>Order</b> 5; on very stiff components 3, the order of the stages. The estimate is of order 3.<br>
- * <b>Evaluations</b> 3 for each iteration, most often 2 to 4 iterations a sub-step, and 1 more; n more for each Jacobian
- * where the source does not know its own ({@link deSolvers.JacobianStateSource}).<br>
- * <b>Stability</b> L-stable, R(z) = (1 + 2z/5 + z<sup>2</sup>/20)/(1 - 3z/5 + 3z<sup>2</sup>/20 - z<sup>3</sup>/60): no limit on the
- * step for anything that decays or oscillates.<br>
- * <b>When to use</b> stiff systems to a stated accuracy, 1e-3 to 1e-10: the reference to compare others with. For smooth
- * motion {@code dormand-prince} is cheaper; for a large cloth that only has to look right, {@code backward-euler}: one of
- * 32 x 32 particles takes radau some seconds for each second of its fall.<br>
- * <b>Source</b> E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996, sections
- * IV.5 and IV.8.
+ * <b>Evaluations</b> 3 for each iteration, most often 2 to 4 iterations a sub-step, and 1 more; n more for each
+ * Jacobian where the source does not know its own ({@link deSolvers.JacobianStateSource}).<br>
+ * <b>Stability</b> L-stable, R(z) = (1 + 2z/5 + z<sup>2</sup>/20)/(1 - 3z/5 + 3z<sup>2</sup>/20 - z<sup>3</sup>/60): no
+ * limit on the step for anything that decays or oscillates.<br>
+ * <b>When to use</b> stiff systems to a stated accuracy, 1e-3 to 1e-10: the reference to compare others with. For
+ * smooth motion {@code dormand-prince} is cheaper; for a large cloth that only has to look right,
+ * {@code backward-euler}: one of 32 x 32 particles takes radau some seconds for each second of its fall.<br>
+ * <b>Source</b> E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996,
+ * sections IV.5 and IV.8.
  */
 public final class RadauIIASolver extends AdaptiveSolver {
     /** A Jacobian is old when Newton's iteration with it gains less than three digits a time. */
@@ -87,7 +87,8 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     @Override
-    protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h, double[] newState) {
+    protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
+            double[] newState) {
         converged = findStages(source, state, slope, offset, h);
         if (!converged) {
             return Double.POSITIVE_INFINITY;
@@ -96,7 +97,8 @@ public final class RadauIIASolver extends AdaptiveSolver {
             newState[i] = state[i] + z[2][i];
         }
         double ratio = estimate(state, slope, h, newState);
-        if (rejected && ratio > 1) {                    // once more with the derivative at s + error: no stiff part is left
+        // once more with the derivative at s + error: no stiff part is left
+        if (rejected && ratio > 1) {
             for (int i = 0; i < state.length; i++) {
                 right[i] = state[i] + error[i];
             }
@@ -126,7 +128,8 @@ public final class RadauIIASolver extends AdaptiveSolver {
                 jacobianFresh = true;
                 preparedFor = 0;
             }
-            boolean prepared = preparedFor == h || systems.prepare(h, RadauTableau.MU, RadauTableau.MU_RE, RadauTableau.MU_IM);
+            boolean prepared = preparedFor == h || systems.prepare(h, RadauTableau.MU, RadauTableau.MU_RE,
+                    RadauTableau.MU_IM);
             preparedFor = prepared ? h : 0;
             guess(h);
             if (prepared && newton.solve(source, systems, state, offset, h, z)) {
@@ -153,12 +156,13 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     /**
-     * From this sub-step's error alone. The prediction from two errors (K. Gustafsson 1994, ACM TOMS 20, 496), which other
-     * codes use, is left out: on a very stiff component the derivative at the start, and with it the estimate, follows
-     * mostly the length of the sub-step <i>before</i>, e<sub>n</sub> ~ h<sub>n-1</sub><sup>3</sup>. There the prediction's
-     * h<sub>n</sub><sup>2</sup>/h<sub>n-1</sub> (e<sub>n-1</sub>/e<sub>n</sub><sup>2</sup>)<sup>1/4</sup> swings ever more
-     * (its recursion in log h has roots of modulus 1.3), while h<sub>n</sub> e<sub>n</sub><sup>-1/4</sup> settles (0.8). It
-     * cost up to a third more evaluations on Prothero and Robinson's problem, and saved at most a tenth elsewhere.
+     * From this sub-step's error alone. The prediction from two errors (K. Gustafsson 1994, ACM TOMS 20, 496), which
+     * other codes use, is left out: on a very stiff component the derivative at the start, and with it the estimate,
+     * follows mostly the length of the sub-step <i>before</i>, e<sub>n</sub> ~ h<sub>n-1</sub><sup>3</sup>. There the
+     * prediction's h<sub>n</sub><sup>2</sup>/h<sub>n-1</sub> (e<sub>n-1</sub>/e<sub>n</sub><sup>2</sup>)<sup>1/4</sup>
+     * swings ever more (its recursion in log h has roots of modulus 1.3), while h<sub>n</sub>
+     * e<sub>n</sub><sup>-1/4</sup> settles (0.8). It cost up to a third more evaluations on Prothero and Robinson's
+     * problem, and saved at most a tenth elsewhere.
      */
     @Override
     protected double nextSubStep(double h, double error) {

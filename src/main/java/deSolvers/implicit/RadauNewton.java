@@ -9,13 +9,17 @@ import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
 
 /**
- * The simplified Newton iteration for the three stages z<sub>i</sub> = g<sub>i</sub> - s of a sub-step, in the variables
- * w = T<sup>-1</sup> z in which it falls apart into a real and a complex system. It stops when the next corrections will
- * add no more than a hundredth of the tolerance, or less, and gives up as soon as it sees that it will not get there.
+ * The simplified Newton iteration for the three stages z<sub>i</sub> = g<sub>i</sub> - s of a sub-step, in the
+ * variables w = T<sup>-1</sup> z in which it falls apart into a real and a complex system. It stops when the next
+ * corrections will add no more than a hundredth of the tolerance, or less, and gives up as soon as it sees that it will
+ * not get there.
  */
 final class RadauNewton {
     static final int MOST_ITERATIONS = 6;
-    /** Of the tolerance: what may be left when the iteration stops; less where the tolerance is strict and steps are many. */
+    /**
+     * Of the tolerance: what may be left when the iteration stops; less where the tolerance is strict and steps are
+     * many.
+     */
     private static final double MOST_LEFT = 0.01;
 
     private final ImplicitWork.Counter work;
@@ -105,8 +109,8 @@ final class RadauNewton {
     }
 
     /**
-     * How large the entries are within the sub-step: what a correction is measured by, as the error is, so that an entry
-     * that begins at 0 does not have to be exact where there is no absolute tolerance.
+     * How large the entries are within the sub-step: what a correction is measured by, as the error is, so that an
+     * entry that begins at 0 does not have to be exact where there is no absolute tolerance.
      */
     private void measure(double[] state, double[][] z) {
         for (int i = 0; i < state.length; i++) {

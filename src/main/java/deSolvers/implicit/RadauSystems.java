@@ -3,8 +3,8 @@ package deSolvers.implicit;
 import deSolvers.StepTransaction;
 
 /**
- * The two linear systems into which one of Newton's iterations for the three stages falls apart, with the real eigenvalue
- * and the complex pair of the inverse of the method's matrix: (mu - h J) x = b, real and complex.
+ * The two linear systems into which one of Newton's iterations for the three stages falls apart, with the real
+ * eigenvalue and the complex pair of the inverse of the method's matrix: (mu - h J) x = b, real and complex.
  */
 interface RadauSystems {
 

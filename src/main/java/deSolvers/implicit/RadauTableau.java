@@ -58,6 +58,7 @@ final class RadauTableau {
 
     /** The coefficient of u<sup>power</sup> of the collocation polynomial, power = 1, 2 or 3, for one entry. */
     static double polynomial(int power, double[][] z, int i) {
-        return POLYNOMIAL[0][power - 1] * z[0][i] + POLYNOMIAL[1][power - 1] * z[1][i] + POLYNOMIAL[2][power - 1] * z[2][i];
+        return POLYNOMIAL[0][power - 1] * z[0][i] + POLYNOMIAL[1][power - 1] * z[1][i]
+                + POLYNOMIAL[2][power - 1] * z[2][i];
     }
 }

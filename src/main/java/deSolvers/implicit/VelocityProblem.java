@@ -15,7 +15,9 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     private static final double ITERATIONS = 6.5;
     /** Nobody looks for a cheaper way than so many iterations. */
     private static final double FEW_ITERATIONS = 30;
-    /** Factors of more blocks than this (of 72 bytes) are not made; it is the memory for them that ends at some size. */
+    /**
+     * Factors of more blocks than this (of 72 bytes) are not made; it is the memory for them that ends at some size.
+     */
     static final long MOST_BLOCKS = 4_000_000;
     private static final int MOST_GMRES_ITERATIONS = 2000;
     private static final double ROUNDING = 2 * Math.ulp(1.0);
@@ -53,7 +55,8 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     }
 
     /** Takes up the equation of one step; {@code start} is read as long as it is worked on. */
-    void begin(StepTransaction source, JacobianStateSource client, double[] start, double gamma, double linearTolerance) {
+    void begin(StepTransaction source, JacobianStateSource client, double[] start, double gamma,
+            double linearTolerance) {
         this.source = source;
         this.client = client;
         this.start = start;
@@ -143,7 +146,8 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     }
 
     private void factorise() {
-        factorised = factors.fits(matrix.pattern(), MOST_BLOCKS) && factors.factorise(matrix.values(), matrix.isSymmetric());
+        factorised = factors.fits(matrix.pattern(), MOST_BLOCKS) && factors.factorise(matrix.values(),
+                matrix.isSymmetric());
     }
 
     @Override
@@ -179,7 +183,10 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
         return Math.sqrt(left) <= linearTolerance * Gmres.norm(residual);
     }
 
-    /** Begins with held particles where they have to be: the iteration then never sees their columns, and stays symmetric. */
+    /**
+     * Begins with held particles where they have to be: the iteration then never sees their columns, and stays
+     * symmetric.
+     */
     private boolean conjugateGradients(double[] residual, double[] correction) {
         for (int i = 0; i < correction.length; i++) {
             correction[i] = masses[i / 3] == 0 ? residual[i] : 0;

@@ -106,7 +106,8 @@ class BlockMatrixTest {
         }
         long before = work.blockOperations;
         matrix.apply(new double[3 * ROWS], new double[3 * ROWS]);
-        assertEquals(12, work.blockOperations - before);                // 4 on the diagonal; 03, 12, 01 and 13 with their mirrors
+        // 4 on the diagonal; 03, 12, 01 and 13 with their mirrors
+        assertEquals(12, work.blockOperations - before);
     }
 
     /** Another set of pairs makes another pattern; and back. */
@@ -165,7 +166,8 @@ class BlockMatrixTest {
         collect(blocks -> blocks.add(1, 1, k, new double[9]));
         assertEquals((4 + 2 + 1 + 1.5) / 0.5, matrix.condition(), 1e-15);
         collect(blocks -> blocks.add(2, 2, k, new double[9]));
-        assertEquals(3, matrix.condition(), "one that is held is as stiff as it is inert, and the others are not stiff");
+        assertEquals(3, matrix.condition(),
+                "one that is held is as stiff as it is inert, and the others are not stiff");
     }
 
     /** Only what pulls a pair back may be in a definite matrix: of (-4, 3, -1) along the axes, -4 and -1. */

@@ -25,10 +25,11 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
     long products;
 
     /**
-     * @param stiffness how large the entries of K may be, those of C are a tenth of that; K is definite and symmetric, and
-     *                  pushes outwards where this is negative
+     * @param stiffness how large the entries of K may be, those of C are a tenth of that; K is definite and symmetric,
+     *                  and pushes outwards where this is negative
      * @param symmetric whether C is, too
-     * @param blocks    what is said of the blocks; approximate ones leave out the hard springs and a tenth of all others
+     * @param blocks    what is said of the blocks; approximate ones leave out the hard springs and a tenth of all
+     *                  others
      */
     BlockParticles(int n, double stiffness, boolean symmetric, Blocks blocks) {
         super(3, new double[6 * n]);
@@ -59,7 +60,8 @@ final class BlockParticles extends SecondOrderProblem implements JacobianStateSo
         double[] c = new double[9];
         for (int e = 0; e < 9; e++) {
             k[e] = stiffness * (along[e / 3] * along[e % 3] + (e % 4 == 0 ? 0.1 : 0));
-            c[e] = 0.1 * (symmetric ? Math.abs(stiffness) * along[e / 3] * along[e % 3] : stiffness * random.nextDouble());
+            c[e] = 0.1 * (symmetric ? Math.abs(stiffness) * along[e / 3] * along[e % 3]
+                    : stiffness * random.nextDouble());
         }
         return new Pair(i, j, k, c);
     }

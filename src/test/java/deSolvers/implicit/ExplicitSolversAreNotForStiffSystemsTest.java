@@ -25,7 +25,8 @@ class ExplicitSolversAreNotForStiffSystemsTest {
     void everyStatementFails(Supplier<DESolver> solver) {
         assertThrows(AssertionError.class, () -> StiffContract.assertNoGrowth(solver.get(), 1));
         Throwable failure = assertThrows(Throwable.class, () -> StiffContract.assertStiffOrder(solver, 1, 1));
-        assertTrue(failure instanceof AssertionError || failure instanceof DESolverException, "grown, or overflown: " + failure);
+        assertTrue(failure instanceof AssertionError || failure instanceof DESolverException,
+                "grown, or overflown: " + failure);
         assertThrows(AssertionError.class, () -> StiffContract.assertStiffPair(solver.get(), 1));
     }
 }

@@ -44,7 +44,9 @@ class FrontalFactorsTest {
         return net(width * height, pairs);
     }
 
-    /** Each particle joined to that many of those before it: 1 makes a tree; all of them, where everything touches all. */
+    /**
+     * Each particle joined to that many of those before it: 1 makes a tree; all of them, where everything touches all.
+     */
     static BlockPattern grown(int n, int joints) {
         Random random = new Random(5);
         List<int[]> pairs = new ArrayList<>();
@@ -80,7 +82,8 @@ class FrontalFactorsTest {
     static Stream<Arguments> nets() {
         return Stream.of(Arguments.of("cloth", cloth(12, 9)), Arguments.of("strip", cloth(40, 3)),
                 Arguments.of("tree", grown(80, 1)), Arguments.of("random", grown(70, 3)),
-                Arguments.of("all to all", grown(40, 40)), Arguments.of("pieces", pieces()), Arguments.of("rings", rings()),
+                Arguments.of("all to all", grown(40, 40)), Arguments.of("pieces", pieces()),
+                Arguments.of("rings", rings()),
                 Arguments.of("one", net(1, List.of())), Arguments.of("none", net(0, List.of())));
     }
 
@@ -143,7 +146,8 @@ class FrontalFactorsTest {
             factors.apply(b, x);
             DMatrixRMaj expected = new DMatrixRMaj(b.length, 1);
             double largest = 0;
-            assertTrue(b.length == 0 || CommonOps_DDRM.solve(full(pattern, a), DMatrixRMaj.wrap(b.length, 1, b), expected));
+            assertTrue(b.length == 0 || CommonOps_DDRM.solve(full(pattern, a), DMatrixRMaj.wrap(b.length, 1, b),
+                    expected));
             for (int i = 0; i < b.length; i++) {
                 largest = Math.max(largest, Math.abs(expected.get(i) - x[i]));
             }
@@ -181,7 +185,8 @@ class FrontalFactorsTest {
         double once = work.blockOperations;
         assertTrue(factors.factorise(a, false));
         assertEquals(2 * once, work.blockOperations - once, 0.1 * once);
-        // Approximate minimum degree, by AMDJ: 193,718 blocks below the diagonal and 7.8e6 products of blocks. Measured here
+        // Approximate minimum degree, by AMDJ: 193,718 blocks below the diagonal and 7.8e6 products of blocks. Measured
+        // here
         // 8.71e6 products, and 413,770 blocks on both sides of the diagonal and on it.
         assertTrue(once < 9.5e6, once + " products");
         assertTrue(factors.blocks() < 450_000, factors.blocks() + " blocks");

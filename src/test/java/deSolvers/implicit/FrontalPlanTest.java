@@ -51,7 +51,8 @@ class FrontalPlanTest {
         BitSet[] below = fill(pattern, plan);
         for (int k = 0; k < n; k++) {
             for (int m = k + 1; m < first(below[k]); m++) {
-                assertTrue(first(below[m]) > 0 && first(below[m]) <= first(below[k]), "between " + k + " and its heir comes "
+                assertTrue(first(below[m]) > 0 && first(below[m]) <= first(below[k]),
+                        "between " + k + " and its heir comes "
                         + m);
             }
         }
@@ -77,7 +78,8 @@ class FrontalPlanTest {
                 filled += below[k].cardinality();
                 int front = end - 1 - k + plan.height(g);              // rows below this one in its front
                 stored += front;
-                operations += front * (front + 1L);                    // each with the pivot's inverse, then with each other
+                // each with the pivot's inverse, then with each other
+                operations += front * (front + 1L);
                 symmetricOperations += front + front * (front + 1L) / 2;
                 assertTrue(k + 1 == end || first(below[k]) > 0 && first(below[k]) < end, "its heir is in the group");
             }
@@ -151,9 +153,9 @@ class FrontalPlanTest {
     }
 
     /**
-     * The products of n x n particles grow with n^3, as George proved of dissection; row by row they would grow with n^4.
-     * Measured 21.6, 26.0, 28.6 and 29.2 n^3; with a single root instead of eight up to 35.5, and without regard to which of
-     * two equal separators halves better up to 31.1.
+     * The products of n x n particles grow with n^3, as George proved of dissection; row by row they would grow with
+     * n^4. Measured 21.6, 26.0, 28.6 and 29.2 n^3; with a single root instead of eight up to 35.5, and without regard
+     * to which of two equal separators halves better up to 31.1.
      */
     @ParameterizedTest
     @ValueSource(ints = {20, 40, 64, 80})

@@ -34,7 +34,9 @@ class ImplicitMidpointSolverTest extends FixedStepContract {
         return StepMatrixFormula.rational(h, new double[] {1, 0.5}, new double[] {1, -0.5});
     }
 
-    /** The energy of a linear spring is kept to rounding: the bound is 0 but for the floor of 1e-10 in the check itself. */
+    /**
+     * The energy of a linear spring is kept to rounding: the bound is 0 but for the floor of 1e-10 in the check itself.
+     */
     @Test
     void theEnergyOfALinearSpringIsKeptFor100000Periods() {
         EnergyKeeping.check(createSolver(), 2, 0);
@@ -46,7 +48,8 @@ class ImplicitMidpointSolverTest extends FixedStepContract {
         for (ReferenceProblem problem : new ReferenceProblem[] {new Oscillator(), new Kepler(0.5), new Chain(5, 3)}) {
             assertTrue(errorThereAndBack(createSolver(), problem) < 1e-12, problem.getClass().getSimpleName());
         }
-        assertTrue(errorThereAndBack(new BackwardEulerSolver(), new Oscillator()) > 0.1, "backward-euler is not reversible");
+        assertTrue(errorThereAndBack(new BackwardEulerSolver(), new Oscillator()) > 0.1,
+                "backward-euler is not reversible");
     }
 
     /** Measured at most 1.5e-13 (Kepler); 0.22 for backward-euler. */

@@ -32,7 +32,8 @@ class ImplicitStageTest {
     @Test
     void anEquationWithoutASolutionIsAnErrorWithTheResidual() {
         Pole square = new Pole();
-        DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(square, 0.3));
+        DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(square,
+                0.3));
         assertTrue(e.getMessage().contains("did not converge") && e.getMessage().contains("residual"), e.getMessage());
         assertArrayEquals(new double[] {1}, square.state());
         assertEquals(0, square.getTime());
@@ -64,8 +65,8 @@ class ImplicitStageTest {
     }
 
     /**
-     * A mode keeps its shape and is multiplied by R(i h omega), for any size, by differences or the source's products: the
-     * full matrix up to a state of 600, GMRES beyond.
+     * A mode keeps its shape and is multiplied by R(i h omega), for any size, by differences or the source's products:
+     * the full matrix up to a state of 600, GMRES beyond.
      */
     @ParameterizedTest
     @CsvSource({"1, false", "1, true", "40, false", "40, true", "300, false", "300, true", "301, false", "301, true",
@@ -83,7 +84,8 @@ class ImplicitStageTest {
             worst = Math.max(worst, Math.abs(after[i] - before[i] / (1 + z * z)));
             worst = Math.max(worst, Math.abs(after[i + 1] + before[i] * z * chain.omega() / (1 + z * z)));
         }
-        // Measured 1.4e-15 at most with a matrix, 5.7e-15 with GMRES, 3.7e-12 where a difference stands for the product.
+        // Measured 1.4e-15 at most with a matrix, 5.7e-15 with GMRES, 3.7e-12 where a difference stands for the
+        // product.
         assertTrue(worst < (products || 2 * n <= ImplicitStage.LARGEST_DENSE ? 2e-14 : 1e-11), "error " + worst);
         ImplicitWork work = solver.getWork();
         boolean dense = 2 * n <= ImplicitStage.LARGEST_DENSE;
@@ -91,7 +93,8 @@ class ImplicitStageTest {
         assertEquals(dense, work.krylovIterations() == 0);
         assertEquals(products, work.products() > 0);
         assertTrue(work.newtonIterations() <= 3, work.toString());
-        // One evaluation for each column or product, and four for Newton's iteration; where the mode has nodes, whose entries are
+        // One evaluation for each column or product, and four for Newton's iteration; where the mode has nodes, whose
+        // entries are
         // rounding, one more, and six products to find that out (measured 5).
         int most = 2 * n == 602 ? 5 : 4;
         assertTrue(chain.evaluations() <= most + (products ? 0 : dense ? 2 * n : work.krylovIterations() + 16),

@@ -78,8 +78,10 @@ class JacobianDifferencesTest {
                 double[] differences = dense(curved, state, h).data;
                 double largest = Math.max(Math.abs(state[0]), Math.max(Math.abs(state[1]), Math.abs(state[2])));
                 for (int e = 0; e < 9; e++) {
-                    // An entry is varied by the root of the precision of what it is or moves by; of less than 1e-5 of the
-                    // largest it is not. Wrong by the curvature over that, and by what f is rounded by it: measured 1.0 of it.
+                    // An entry is varied by the root of the precision of what it is or moves by; of less than 1e-5 of
+                    // the
+                    // largest it is not. Wrong by the curvature over that, and by what f is rounded by it: measured 1.0
+                    // of it.
                     double reach = Math.max(Math.abs(state[e % 3]), Math.max(Math.abs(h * f[e % 3]), 1e-5 * largest));
                     double delta = 1.5e-8 * (reach == 0 ? 1 : reach);
                     double bound = Math.abs(size) * delta + 2.2e-16 * Math.abs(f[e / 3]) / delta;
@@ -119,7 +121,9 @@ class JacobianDifferencesTest {
         assertEquals(-2, dense(kinked(-1), state, -0.1).get(0), 1e-6);
     }
 
-    /** Where all is 0 but a step moves it, that far; numbers so small that a part of them would vanish are still varied. */
+    /**
+     * Where all is 0 but a step moves it, that far; numbers so small that a part of them would vanish are still varied.
+     */
     @Test
     void whatIsZeroOrTinyIsVariedToo() {
         double[] none = {0, 0, 0};
@@ -165,7 +169,9 @@ class JacobianDifferencesTest {
         }
     }
 
-    /** A state of 0 that moves by h f is varied by as much as that, not by 1: f = 1e-5 + 1e15 s^2 is steep farther out. */
+    /**
+     * A state of 0 that moves by h f is varied by as much as that, not by 1: f = 1e-5 + 1e15 s^2 is steep farther out.
+     */
     @Test
     void aStepTellsHowFarToLook() {
         Curved steep = new Curved(1, 0, 0, 0) {

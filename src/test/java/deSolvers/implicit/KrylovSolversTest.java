@@ -79,7 +79,9 @@ class KrylovSolversTest {
         }
     }
 
-    /** As many iterations as there are different eigenvalues; one with the inverse for a preconditioner; none for b = 0. */
+    /**
+     * As many iterations as there are different eigenvalues; one with the inverse for a preconditioner; none for b = 0.
+     */
     @Test
     void asManyIterationsAsEigenvalues() {
         LinearOperator a = diagonal(1, 4, -2);
@@ -103,13 +105,17 @@ class KrylovSolversTest {
         assertArrayEquals(expected, x, 1e-14);
         assertEquals(0, iterations(() -> assertTrue(gradients.solve(positive, PLAIN, b, expected, 1e-12, 0))));
         Arrays.fill(x, 1);
-        assertEquals(1, iterations(() -> assertTrue(gradients.solve(positive, diagonal(1, 0.25, 0.5), b, x, 1e-12, 1))));
+        assertEquals(1, iterations(() -> assertTrue(gradients.solve(positive, diagonal(1, 0.25, 0.5), b, x, 1e-12,
+                1))));
         assertArrayEquals(expected, x, 1e-14);
         Arrays.fill(x, 0);
         assertEquals(2, iterations(() -> assertFalse(gradients.solve(positive, PLAIN, b, x, 1e-12, 2))));
     }
 
-    /** A cyclic shift leaves all of the residual until the last of n iterations, and never ends where GMRES restarts before. */
+    /**
+     * A cyclic shift leaves all of the residual until the last of n iterations, and never ends where GMRES restarts
+     * before.
+     */
     @Test
     void gmresRestartsAfterForty() {
         for (int n : new int[] {40, 41}) {
@@ -154,7 +160,8 @@ class KrylovSolversTest {
             assertArrayEquals(new double[4], x);
             assertFalse(gmres.solve(diagonal(1, bad), PLAIN, new double[] {1, 2, 3, 0}, x, 1e-12, MANY));
             assertFalse(gradients.solve(diagonal(1, bad), PLAIN, new double[] {1, 2, 3, 0}, new double[4], 1e-12, 9));
-            assertFalse(gradients.solve(diagonal(1), diagonal(bad), new double[] {1, 2, 3, 0}, new double[4], 1e-12, 9));
+            assertFalse(gradients.solve(diagonal(1), diagonal(bad), new double[] {1, 2, 3, 0}, new double[4], 1e-12,
+                    9));
         }
     }
 
@@ -163,11 +170,13 @@ class KrylovSolversTest {
     void conjugateGradientsNeedADefiniteMatrix() {
         for (double curvature : new double[] {-1, 0}) {
             double[] b = {1, 2};
-            long used = iterations(() -> assertFalse(gradients.solve(diagonal(curvature), PLAIN, b, new double[2], 1e-9, 9)));
+            long used = iterations(() -> assertFalse(gradients.solve(diagonal(curvature), PLAIN, b, new double[2], 1e-9,
+                    9)));
             assertEquals(1, used);
         }
         double[] x = new double[2];
-        assertFalse(gradients.solve(diagonal(1), diagonal(1, -1), new double[] {1, 2}, x, 1e-9, 9), "nor can its inverse");
+        assertFalse(gradients.solve(diagonal(1), diagonal(1, -1), new double[] {1, 2}, x, 1e-9, 9),
+                "nor can its inverse");
         assertFalse(gradients.solve(diagonal(1, -1), PLAIN, new double[] {1, 2}, x, 1e-9, MANY));
         assertTrue(gmres.solve(diagonal(1, -1), PLAIN, new double[] {1, 2}, x, 1e-12, MANY));
         assertArrayEquals(new double[] {1, -2}, x, 1e-15);

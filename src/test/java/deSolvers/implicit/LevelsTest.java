@@ -13,7 +13,9 @@ class LevelsTest {
     private static final int EDGE = 9;
     private static final BlockPattern PATTERN = FrontalFactorsTest.cloth(EDGE, EDGE);
 
-    /** How many springs each particle is away from the root on a way through the set; EDGE * EDGE where there is none. */
+    /**
+     * How many springs each particle is away from the root on a way through the set; EDGE * EDGE where there is none.
+     */
     private static int[] distances(int[] set, int root) {
         int[] distance = new int[PATTERN.rows];
         Arrays.fill(distance, PATTERN.rows);
@@ -44,7 +46,8 @@ class LevelsTest {
             int i = levels.queue[k];
             assertEquals(distance[i], levels.of(i));
             assertTrue(k == 0 || levels.of(levels.queue[k - 1]) <= levels.of(i), "level by level");
-            boolean touches = IntStream.of(found).anyMatch(j -> PATTERN.find(i, j) >= 0 && distance[j] == distance[i] + 1);
+            boolean touches = IntStream.of(found).anyMatch(j -> PATTERN.find(i, j) >= 0 && distance[j] == distance[i]
+                    + 1);
             assertEquals(touches, levels.touchesNext(i));
             size[distance[i]]++;
             touching[distance[i]] += touches ? 1 : 0;
@@ -59,7 +62,8 @@ class LevelsTest {
         int[] all = IntStream.range(0, PATTERN.rows).toArray();
         int[] corner = IntStream.of(all).filter(i -> i / EDGE + i % EDGE <= 6).toArray();
         int[] rest = IntStream.of(all).filter(i -> i / EDGE + i % EDGE > 6).toArray();
-        for (int[] set : new int[][] {all, corner, rest, corner}) {    // each time, others have levels of the last search
+        // each time, others have levels of the last search
+        for (int[] set : new int[][] {all, corner, rest, corner}) {
             levels.begin(set, 0, set.length);
             for (int root : new int[] {set[0], set[set.length - 1], set[set.length / 2]}) {
                 levels.forget();

@@ -12,7 +12,10 @@ class NewtonDescentTest {
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final Newton newton = new Newton(work);
 
-    /** The slope 3 - u with a matrix that is ten times too small: the secant finds where it is flat, and Newton the rest. */
+    /**
+     * The slope 3 - u with a matrix that is ten times too small: the secant finds where it is flat, and Newton the
+     * rest.
+     */
     @Test
     void descendingGoesWhereTheSlopeIsFlat() {
         EquationsOfOne problem = new EquationsOfOne(1, u -> 3 - u, u -> 1);
@@ -76,8 +79,8 @@ class NewtonDescentTest {
     }
 
     /**
-     * Newton's method, tried on the way, may lead astray: then the way goes on from where it was, with the residual there,
-     * and Newton's method has to wait until corrections are a tenth of what they were.
+     * Newton's method, tried on the way, may lead astray: then the way goes on from where it was, with the residual
+     * there, and Newton's method has to wait until corrections are a tenth of what they were.
      */
     @Test
     void whereNewtonFailsOnTheWayTheWayGoesOn() {
@@ -92,7 +95,8 @@ class NewtonDescentTest {
         assertEquals(List.of(1.0, 1.0, 2.0, 1.0, 1.04), problem.asked.subList(0, 5), "tried, back, and down");
         assertEquals(3, u[0], 1e-15);
         assertEquals(3, problem.linearisations, "twice when it was tried too early, and once in the end");
-        // (3 - u)/50 is less than a tenth of 0.04/1.04 of u where u > 2.516: 1 - (3 - u)/2 = 1 - 0.98^k, from k = 71 on.
+        // (3 - u)/50 is less than a tenth of 0.04/1.04 of u where u > 2.516: 1 - (3 - u)/2 = 1 - 0.98^k, from k = 71
+        // on.
         assertEquals(5 + 70 + 2, problem.asked.size());
     }
 }

@@ -48,7 +48,10 @@ class NewtonTest {
         assertArrayEquals(new double[] {3, 3}, second);
     }
 
-    /** sqrt(2): quadratic, to the last bit, and each matrix is new, since none shrinks the error a hundredfold before that. */
+    /**
+     * sqrt(2): quadratic, to the last bit, and each matrix is new, since none shrinks the error a hundredfold before
+     * that.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.4, 2, 100, -1})
     void aRootIsFoundToRounding(double start) {
@@ -56,10 +59,13 @@ class NewtonTest {
         double[] u = {start};
         assertTrue(solve(problem, u));
         assertEquals(Math.copySign(Math.sqrt(2), start), u[0], 2.3e-16);
-        assertTrue(work.newtonIterations <= 12 && problem.asked.size() <= 14, work.newtonIterations + " " + problem.asked);
+        assertTrue(work.newtonIterations <= 12 && problem.asked.size() <= 14,
+                work.newtonIterations + " " + problem.asked);
     }
 
-    /** Where the equation is almost linear one matrix does for all corrections, each a thousandth of the last or less. */
+    /**
+     * Where the equation is almost linear one matrix does for all corrections, each a thousandth of the last or less.
+     */
     @Test
     void aMatrixThatServesIsKept() {
         EquationsOfOne problem = new EquationsOfOne(1, u -> 1 - u - 1e-4 * u * u * u, u -> 1 + 3e-4 * u * u);
@@ -74,7 +80,8 @@ class NewtonTest {
         work.newtonIterations = 0;
         assertTrue(solve(bent, u));
         assertEquals(0, 1 - u[0] - 0.1 * u[0] * u[0] * u[0], 2.3e-16);
-        assertTrue(bent.linearisations > 1 && bent.linearisations <= work.newtonIterations, bent.linearisations + " matrices");
+        assertTrue(bent.linearisations > 1 && bent.linearisations <= work.newtonIterations,
+                bent.linearisations + " matrices");
     }
 
     /** From 2 a whole correction of the arc tangent goes to -3.54, and from there farther: half of it comes nearer. */
@@ -101,13 +108,18 @@ class NewtonTest {
         assertFalse(solve(problem, u));
         assertTrue(work.newtonIterations <= 50 && work.newtonIterations > 1, "iterations " + work.newtonIterations);
         String[] words = newton.describeFailure().split(" ");
-        assertTrue(newton.describeFailure().matches("Newton's iteration did not converge: after " + work.newtonIterations
-                + " iterations the correction is \\S+ of the unknowns \\(limit 1e-10\\) and the largest residual [1-9]\\S*"),
+        assertTrue(newton.describeFailure().matches("Newton's iteration did not converge: after "
+                + work.newtonIterations
+                + " iterations the correction is \\S+ of the unknowns \\(limit 1e-10\\) and the largest residual"
+                + " [1-9]\\S*"),
                 newton.describeFailure());
         assertTrue(Double.parseDouble(words[words.length - 1]) >= 1, "1 + u^2 is");
     }
 
-    /** Residuals that do not fall, from far off the tolerance: 1, 1/2, ... 1/256 of the correction is tried, and no more. */
+    /**
+     * Residuals that do not fall, from far off the tolerance: 1, 1/2, ... 1/256 of the correction is tried, and no
+     * more.
+     */
     @Test
     void dampingHasAnEnd() {
         EquationsOfOne problem = new EquationsOfOne(1, u -> 1, u -> 1);
@@ -121,7 +133,9 @@ class NewtonTest {
         assertEquals(1e6, u[0], "and nothing of it is taken");
     }
 
-    /** What no correction improves is rounding if the corrections are within 1e-10 of the unknowns, and a failure else. */
+    /**
+     * What no correction improves is rounding if the corrections are within 1e-10 of the unknowns, and a failure else.
+     */
     @ParameterizedTest
     @CsvSource({"1e-9, false", "1.01e-10, false", "0.99e-10, true", "1e-12, true"})
     void whatNoCorrectionImprovesIsRounding(double noise, boolean solved) {
@@ -150,7 +164,9 @@ class NewtonTest {
         }
     }
 
-    /** 2 y^2 = 2e-12 beside an unknown up to 1e18 times larger: y = 1e-6 as if alone, unless its residual is rounding. */
+    /**
+     * 2 y^2 = 2e-12 beside an unknown up to 1e18 times larger: y = 1e-6 as if alone, unless its residual is rounding.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {1e-6, 1, 1e3, 1e6, 1e12})
     void aSmallUnknownBesideALargeOneIsRight(double large) {
@@ -165,7 +181,9 @@ class NewtonTest {
         assertTrue(Math.abs(start[1]) < 4e-6, "anywhere");
     }
 
-    /** An entry that should be 0 becomes smaller with each correction and never relatively exact: two rounds are enough. */
+    /**
+     * An entry that should be 0 becomes smaller with each correction and never relatively exact: two rounds are enough.
+     */
     @Test
     void whatShouldBeZeroDoesNotHaveToBe() {
         EquationsOfOne two = new EquationsOfOne(2, u -> u > 0.5 ? 1 - u : -u, u -> u > 0.5 ? 1 : 1 + 1e-12);
@@ -176,7 +194,10 @@ class NewtonTest {
         assertTrue(work.newtonIterations < 8, "iterations " + work.newtonIterations);
     }
 
-    /** Beside where the largest unknown goes, too: one goes from 1 to 2, and one of 0.0015 is judged by a thousandth of 2. */
+    /**
+     * Beside where the largest unknown goes, too: one goes from 1 to 2, and one of 0.0015 is judged by a thousandth of
+     * 2.
+     */
     @Test
     void correctionsAreJudgedBesideWhereTheUnknownsGo() {
         EquationsOfOne two = new EquationsOfOne(2, u -> u == 1 ? 1 : u == 0 ? 0.0015 : Double.NaN, u -> 1);
@@ -205,7 +226,8 @@ class NewtonTest {
 
     /** Residuals whose square would not be a number are scaled for the linear solver, and the correction back. */
     @ParameterizedTest
-    @CsvSource({"1e-200, 1", "1e-100, 1", "1.01e-100, 1.01e-100", "1, 1", "2, 2", "0.99e100, 0.99e100", "1e100, 1", "1e200, 1"})
+    @CsvSource({"1e-200, 1", "1e-100, 1", "1.01e-100, 1.01e-100", "1, 1", "2, 2", "0.99e100, 0.99e100", "1e100, 1",
+            "1e200, 1"})
     void extremeResidualsAreScaled(double size, double given) {
         EquationsOfOne problem = new EquationsOfOne(2, u -> size * (1 - u), u -> size);
         double[] u = {0, 0};

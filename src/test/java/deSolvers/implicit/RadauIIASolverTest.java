@@ -44,8 +44,8 @@ class RadauIIASolverTest extends AdaptiveContract {
     }
 
     /**
-     * x'' = 1 - x from rest, all zeros: one tolerance may be 0. Without an absolute one the first sub-step, which leaves 0, is
-     * the shorter for it.
+     * x'' = 1 - x from rest, all zeros: one tolerance may be 0. Without an absolute one the first sub-step, which
+     * leaves 0, is the shorter for it.
      */
     @ParameterizedTest
     @CsvSource({"1e-6, 0, 281, 1.2e-9", "0, 1e-6, 164, 2.0e-9", "1e-6, 1e-9, 255, 1e-9", "0, 1e-9, 843, 4e-13"})
@@ -66,7 +66,8 @@ class RadauIIASolverTest extends AdaptiveContract {
         for (int step = 0; step < 4; step++) {
             solver.stepState(pulled, 0.5);
         }
-        // Both columns as measured. When sizes were those of the beginning alone, the first failed and the second took 6980.
+        // Both columns as measured. When sizes were those of the beginning alone, the first failed and the second took
+        // 6980.
         assertTrue(pulled.evaluations() <= 1.1 * evaluations, pulled.evaluations() + " evaluations");
         assertTrue(pulled.error() < 2 * error, "error " + pulled.error());
         assertTrue(pulled.error() > error / 2, "or another bound would do: " + pulled.error());

@@ -82,7 +82,9 @@ class RadauNewtonTest {
         return (1 + z * (2.0 / 5 + z / 20)) / (1 + z * (-3.0 / 5 + z * (3.0 / 20 - z / 60)));
     }
 
-    /** A linear equation with its own Jacobian: solved at once, and seen to be at the second; each stage at its time. */
+    /**
+     * A linear equation with its own Jacobian: solved at once, and seen to be at the second; each stage at its time.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {-1000, -1, 0.5, 1})
     void aLinearEquationIsSolvedAtOnce(double lambda) {
@@ -106,7 +108,9 @@ class RadauNewtonTest {
         assertEquals(0, z[2][0]);
     }
 
-    /** With a Jacobian that is a little wrong it converges slowly, and what is left in the end is less than it may be. */
+    /**
+     * With a Jacobian that is a little wrong it converges slowly, and what is left in the end is less than it may be.
+     */
     @Test
     void anOldJacobianLeavesNoMoreThanIsAllowed() {
         int solved = 0;
@@ -150,8 +154,9 @@ class RadauNewtonTest {
     }
 
     /**
-     * An entry at 0 is judged by how far it moves, and by 0 only where it stays there: s' = 2 - s from 0. Without a relative
-     * tolerance what may be left is a hundredth of the absolute one, or less by its ratio to where the entry gets.
+     * An entry at 0 is judged by how far it moves, and by 0 only where it stays there: s' = 2 - s from 0. Without a
+     * relative tolerance what may be left is a hundredth of the absolute one, or less by its ratio to where the entry
+     * gets.
      */
     @Test
     void anEntryAtZeroIsJudgedByWhereItGoes() {

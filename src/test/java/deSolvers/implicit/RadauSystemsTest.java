@@ -18,7 +18,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** (mu - h J) x = b, real and complex, in each of the ways to solve it: what is left of b, by the source's own product. */
+/**
+ * (mu - h J) x = b, real and complex, in each of the ways to solve it: what is left of b, by the source's own product.
+ */
 class RadauSystemsTest {
     /** When the Jacobian is taken up. */
     private static final double OFFSET = 0.25;
@@ -42,7 +44,8 @@ class RadauSystemsTest {
         step.getStateDerivative(slope);
         step.setOffset(0.5);
         systems.setJacobian(step, state, slope, OFFSET, h);
-        step.setState(random.doubles(state.length).toArray());         // the source may be anywhere when systems are solved
+        // the source may be anywhere when systems are solved
+        step.setState(random.doubles(state.length).toArray());
         step.setOffset(0.75);
     }
 
@@ -79,7 +82,9 @@ class RadauSystemsTest {
         return Gmres.norm(rest) / Gmres.norm(b);
     }
 
-    /** Any right side whose positions are so small that they weigh no more, times their stiffness, than its velocities. */
+    /**
+     * Any right side whose positions are so small that they weigh no more, times their stiffness, than its velocities.
+     */
     private double[] right(int numbers, BlockParticles particles) {
         double[] b = random.doubles((long) numbers * state.length, -1, 1).toArray();
         for (int i = 0; i < b.length; i++) {
@@ -102,9 +107,10 @@ class RadauSystemsTest {
     }
 
     /**
-     * A full matrix; GMRES with products; blocks that are all of the Jacobian, mild and so stiff that they are factorised, and
-     * blocks that are not. Measured 2.3e-16 with a full matrix. GMRES leaves 1e-5 of b (measured 5.0e-6); with blocks 1e-4
-     * of the velocities' equation, in which masses weigh (measured 1.4e-4, and 2.2e-4 where it is stiff).
+     * A full matrix; GMRES with products; blocks that are all of the Jacobian, mild and so stiff that they are
+     * factorised, and blocks that are not. Measured 2.3e-16 with a full matrix. GMRES leaves 1e-5 of b (measured
+     * 5.0e-6); with blocks 1e-4 of the velocities' equation, in which masses weigh (measured 1.4e-4, and 2.2e-4 where
+     * it is stiff).
      */
     @ParameterizedTest
     @CsvSource({"dense, 1, 5, EXACT, 2e-15", "dense, 6, 5, NONE, 2e-15", "products, 6, 5, NONE, 1e-5",
@@ -132,7 +138,8 @@ class RadauSystemsTest {
     }
 
     /**
-     * Factors serve while the sub-step has not changed to twice or half of theirs; beyond it, and backwards, there are new ones.
+     * Factors serve while the sub-step has not changed to twice or half of theirs; beyond it, and backwards, there are
+     * new ones.
      */
     @Test
     void factorsAreKeptWhileTheyServe() {
@@ -149,7 +156,8 @@ class RadauSystemsTest {
         setJacobian(systems, particles, 0.3);
         assertTrue(systems.prepare(0.3, MU, MU_RE, MU_IM));
         assertEquals(5, work.factorisations, "another state's may serve");
-        // While they cost no more than when they were new they are kept; when they have cost as much as new ones would, not.
+        // While they cost no more than when they were new they are kept; when they have cost as much as new ones would,
+        // not.
         double[] b = right(2, particles);
         double[] x = new double[b.length];
         for (double[] each : new double[][] {{0.3, 5}, {0.58, 6}}) {
@@ -173,7 +181,8 @@ class RadauSystemsTest {
         systems.setJacobian(begin(growth), new double[2], new double[2], 0, 1);     // differences are exact at 0
         double[] x = new double[2];
         assertFalse(systems.prepare(1, 1, 2, 0) && systems.solveReal(new double[] {1, 1}, x), "real");
-        assertFalse(systems.prepare(1, 2, 1, 0) && systems.solveComplex(new double[] {1, 1, 1, 1}, new double[4]), "complex");
+        assertFalse(systems.prepare(1, 2, 1, 0) && systems.solveComplex(new double[] {1, 1, 1, 1}, new double[4]),
+                "complex");
         assertTrue(systems.prepare(1, 2, 2, 0) && systems.solveReal(new double[] {3, 4}, x));
         assertArrayEquals(new double[] {3, 4}, x, 1e-14);
     }

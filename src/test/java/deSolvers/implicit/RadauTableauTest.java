@@ -13,7 +13,9 @@ class RadauTableauTest {
         {(296 + 169 * S6) / 1800, (88 + 7 * S6) / 360, (-2 - 3 * S6) / 225},
         {(16 - S6) / 36, (16 + S6) / 36, 1.0 / 9}};
 
-    /** With B(5) and C(3) and the last row for weights, the method has order 5 (Butcher 1964); a sixth condition fails. */
+    /**
+     * With B(5) and C(3) and the last row for weights, the method has order 5 (Butcher 1964); a sixth condition fails.
+     */
     @Test
     void orderConditions() {
         for (int k = 1; k <= 6; k++) {
@@ -25,7 +27,8 @@ class RadauTableauTest {
                     stage += A[i][j] * StrictMath.pow(RadauTableau.c(j), k - 1);
                 }
                 if (k <= 3) {
-                    assertEquals(StrictMath.pow(RadauTableau.c(i), k) / k, stage, 1e-16 * 4, "C(" + k + "), stage " + i);
+                    assertEquals(StrictMath.pow(RadauTableau.c(i), k) / k, stage, 1e-16 * 4,
+                            "C(" + k + "), stage " + i);
                 }
             }
             if (k <= 5) {
@@ -89,7 +92,8 @@ class RadauTableauTest {
     /** The estimate compares with a formula of order 3 that has the derivative at the start for a fourth stage. */
     @Test
     void theErrorEstimateVanishesForPolynomialsOfDegreeThree() {
-        for (int k = 1; k <= 4; k++) {                      // s = u^k: z_i = c_i^k, h f = k at the start for k = 1, else 0
+        // s = u^k: z_i = c_i^k, h f = k at the start for k = 1, else 0
+        for (int k = 1; k <= 4; k++) {
             double[][] z = new double[3][1];
             for (int i = 0; i < 3; i++) {
                 z[i][0] = StrictMath.pow(RadauTableau.c(i), k);

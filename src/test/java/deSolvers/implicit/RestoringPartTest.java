@@ -47,7 +47,9 @@ class RestoringPartTest {
         assertArrayEquals(matrix(axes, negative(eigenvalues)), result, 2e-14 * largest);       // measured 4.9e-15
     }
 
-    /** As forces and their squares are large or small: also along the axes themselves, where there is nothing to turn. */
+    /**
+     * As forces and their squares are large or small: also along the axes themselves, where there is nothing to turn.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e-200, 1e12, 1e200})
     void whatPullsBackIsLeft(double size) {

@@ -44,7 +44,8 @@ class SmallUnknownsTest {
             double exact = root(start, 0.1, f, 0, start);
             assertEquals(1, law.state()[0] / exact, 4e-13);         // measured at most 3.8e-14
             assertEquals(constant, law.state()[1]);
-            assertTrue(law.evaluations() <= 50, law.evaluations() + " evaluations");       // measured 40 to 47, alone 42
+            // measured 40 to 47, alone 42
+            assertTrue(law.evaluations() <= 50, law.evaluations() + " evaluations");
         }
     }
 
@@ -80,7 +81,9 @@ class SmallUnknownsTest {
         }
     }
 
-    /** A chemical step of thirty years: the middle one of three species is 1e-10 of the others, and is right or refused. */
+    /**
+     * A chemical step of thirty years: the middle one of three species is 1e-10 of the others, and is right or refused.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {1e6, 1e8, 1e9, 1e11})
     void aReactionIsSolvedForEachSpeciesOrRefused(double h) {
@@ -134,7 +137,8 @@ class SmallUnknownsTest {
             for (int i = 1; i < start.length; i += 2) {
                 assertEquals(1, law.state()[i] / exact, 1e-12, "entry " + i);
             }
-            // Measured up to 27, and 110 for the large system; where GMRES does not get there by differences, 602 for each full
+            // Measured up to 27, and 110 for the large system; where GMRES does not get there by differences, 602 for
+            // each full
             // matrix: 3336.
             assertTrue(law.evaluations() < (pairs > 1 && large > 1e3 ? 4000 : 200), law.evaluations() + " evaluations");
         }
@@ -161,7 +165,8 @@ class SmallUnknownsTest {
                 dSdt[i] = s[i] - s[(i + 1) % n] + (i == 0 ? 1 : 0);
             }
         }, new double[n]);
-        DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(shift, 1));
+        DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(shift,
+                1));
         assertTrue(e.getMessage().contains("the linear solver failed at Newton's iteration 1"), e.getMessage());
     }
 }

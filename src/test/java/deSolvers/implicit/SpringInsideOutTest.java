@@ -9,8 +9,8 @@ import deSolvers.problems.SecondOrderProblem;
 import org.junit.jupiter.api.Test;
 
 /**
- * A particle on a stiff spring from the origin, which flies inwards so fast that without the spring it would come out beyond.
- * The step's equation has two solutions then: on this side, and on the other with the spring turned inside out.
+ * A particle on a stiff spring from the origin, which flies inwards so fast that without the spring it would come out
+ * beyond. The step's equation has two solutions then: on this side, and on the other with the spring turned inside out.
  */
 class SpringInsideOutTest {
     private static final double LENGTH = 1;
@@ -65,7 +65,9 @@ class SpringInsideOutTest {
         }
     }
 
-    /** Where x = side (l + ...): v = (v0 + g k l (side - 1))/(1 + g^2 k) solves v = v0 - g k (x - side l), x = l + g v. */
+    /**
+     * Where x = side (l + ...): v = (v0 + g k l (side - 1))/(1 + g^2 k) solves v = v0 - g k (x - side l), x = l + g v.
+     */
     private static double velocity(int side) {
         return (SPEED + G * STIFFNESS * LENGTH * (side - 1)) / (1 + G * G * STIFFNESS);
     }
@@ -87,8 +89,8 @@ class SpringInsideOutTest {
     }
 
     /**
-     * Backward Euler goes straight on, as what is not stiff does, and so does its linearised step: along a line the force is
-     * linear.
+     * Backward Euler goes straight on, as what is not stiff does, and so does its linearised step: along a line the
+     * force is linear.
      */
     @Test
     void backwardEulerGoesStraightOn() {

@@ -23,7 +23,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The equation m = s + g f(m), by blocks and entry by entry, where it has one solution, several or none that is a number. */
+/**
+ * The equation m = s + g f(m), by blocks and entry by entry, where it has one solution, several or none that is a
+ * number.
+ */
 class StageSolutionTest {
 
     /** s' = f(s) from a given state. */
@@ -63,7 +66,8 @@ class StageSolutionTest {
 
     /** However much of the Jacobian is known, the equation is solved to rounding; all in few evaluations. */
     @ParameterizedTest
-    @CsvSource({"4, 20, EXACT", "4, 20, APPROXIMATE", "4, 20, NONE", "80, 20, EXACT", "80, 20, APPROXIMATE", "80, 20, NONE",
+    @CsvSource({"4, 20, EXACT", "4, 20, APPROXIMATE", "4, 20, NONE", "80, 20, EXACT", "80, 20, APPROXIMATE",
+            "80, 20, NONE",
         "120, 20, NONE", "1, 0, EXACT"})
     void theStepsOwnEquationHolds(int n, double stiffness, Blocks blocks) {
         for (boolean midpoint : new boolean[] {false, true}) {
@@ -99,9 +103,9 @@ class StageSolutionTest {
     }
 
     /**
-     * m = 1 + g (1 + a atan(m - 1)), to be followed from g = 0; below 1 there are no numbers. At the end, and at half of it,
-     * Newton's steps from 1 go that way; from a quarter on they follow. Each piece begins where the last one ended, and after a
-     * failure there again.
+     * m = 1 + g (1 + a atan(m - 1)), to be followed from g = 0; below 1 there are no numbers. At the end, and at half
+     * of it, Newton's steps from 1 go that way; from a quarter on they follow. Each piece begins where the last one
+     * ended, and after a failure there again.
      */
     @Test
     void aSolutionIsFollowedFromTheStart() {
@@ -114,7 +118,8 @@ class StageSolutionTest {
         new BackwardEulerSolver().stepState(source, 1);
         double m = source.state()[0];
         assertEquals(0, 1 - m + 1 + a * StrictMath.atan(m - 1), 1e-15);     // measured 0
-        // At the start for: Newton's method, the guard's question whether it is finite there, the way down, one half, a quarter.
+        // At the start for: Newton's method, the guard's question whether it is finite there, the way down, one half, a
+        // quarter.
         assertEquals(5, asked.stream().filter(at -> at == 1).count());
         // Where a quarter leads to: when it is found, for three quarters, which fail, and for a half.
         double quarter = 1.508914610868177;
@@ -125,7 +130,8 @@ class StageSolutionTest {
     @Test
     void theCauseIsTold() {
         Scalar wall = new Scalar(1, s -> s > 1 ? Double.NaN : 1);
-        DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(wall, 0.5));
+        DESolverException e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(wall,
+                0.5));
         assertTrue(e.getMessage().contains("the linear solver failed at Newton's iteration 1"), e.getMessage());
         Scalar none = new Scalar(1, s -> Double.NaN);
         e = assertThrows(DESolverException.class, () -> new BackwardEulerSolver().stepState(none, 0.5));
@@ -146,7 +152,8 @@ class StageSolutionTest {
         DenseProblem problem = new DenseProblem(new ImplicitWork.Counter());
         Random random = new Random(3);
         for (double g : new double[] {0.25, -0.125, 2}) {
-            problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(linear, 1), linear, new double[] {2, -1}, g);
+            problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(linear, 1), linear, new double[] {2, -1},
+                    g);
             double[] m = random.doubles(2, -3, 3).toArray();
             double[] residual = new double[2];
             problem.evaluate(m, residual);
@@ -163,7 +170,8 @@ class StageSolutionTest {
             problem.rounding(m, floor);
             double[] terms = {2 + Math.abs(m[0]) + Math.abs(g) * (Math.abs(m[0]) + 2 * Math.abs(m[1])),
                 1 + Math.abs(m[1]) + Math.abs(g) * (3 * Math.abs(m[0]) + 0.5 * Math.abs(m[1]))};
-            assertArrayEquals(new double[] {2 * Math.ulp(1.0) * terms[0], 2 * Math.ulp(1.0) * terms[1]}, floor, 1e-6 * floor[0]);
+            assertArrayEquals(new double[] {2 * Math.ulp(1.0) * terms[0], 2 * Math.ulp(1.0) * terms[1]}, floor,
+                    1e-6 * floor[0]);
             problem.rounding(new double[2], floor);
             assertEquals(2 * Math.ulp(1.0) * 1, floor[1], 1e-25);
         }
@@ -195,9 +203,12 @@ class StageSolutionTest {
         assertEquals(1, work.jacobians);
     }
 
-    /** Full matrices for two particles, and up to a state of 600 where blocks would be no more than a preconditioner. */
+    /**
+     * Full matrices for two particles, and up to a state of 600 where blocks would be no more than a preconditioner.
+     */
     @ParameterizedTest
-    @CsvSource({"2, EXACT, dense", "3, EXACT, blocks", "101, EXACT, blocks", "3, APPROXIMATE, dense", "100, APPROXIMATE, dense",
+    @CsvSource({"2, EXACT, dense", "3, EXACT, blocks", "101, EXACT, blocks", "3, APPROXIMATE, dense",
+            "100, APPROXIMATE, dense",
         "101, APPROXIMATE, blocks", "3, NONE, dense", "100, NONE, dense", "101, NONE, products"})
     void radausSystemsAreChosenBySize(int n, Blocks blocks, String kind) {
         RadauChoice choice = new RadauChoice(new ImplicitWork.Counter());

@@ -25,7 +25,8 @@ class VelocityProblemTest {
 
     private void begin(BlockParticles particles, double g) {
         start = particles.state();
-        problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(particles, G), particles, start, g, TOLERANCE);
+        problem.begin(new StepTransaction(new BackwardEulerSolver()).begin(particles, G), particles, start, g,
+                TOLERANCE);
     }
 
     private double[] random(int n) {
@@ -76,7 +77,9 @@ class VelocityProblemTest {
         return v;
     }
 
-    /** What is left of (M - g C - g^2 K) correction = residual, by the source's own product; as a part of the residual. */
+    /**
+     * What is left of (M - g C - g^2 K) correction = residual, by the source's own product; as a part of the residual.
+     */
     private double left(BlockParticles particles, double[] v, double[] correction, double[] residual) {
         int n = v.length;
         double[] direction = new double[2 * n];
@@ -97,13 +100,14 @@ class VelocityProblemTest {
     }
 
     /**
-     * Up to 64 particles and where it is less work the matrix is factorised; otherwise it takes conjugate gradients, or GMRES
-     * where it is not symmetric. Blocks that are not all of it serve as a preconditioner for products at the place of the
-     * linearisation, wherever the source has been since.
+     * Up to 64 particles and where it is less work the matrix is factorised; otherwise it takes conjugate gradients, or
+     * GMRES where it is not symmetric. Blocks that are not all of it serve as a preconditioner for products at the
+     * place of the linearisation, wherever the source has been since.
      */
     @ParameterizedTest
     @CsvSource({"1, 5, true, EXACT", "2, 5, false, EXACT", "64, 5, false, EXACT", "64, 1e4, true, EXACT",
-        "65, 5, true, EXACT", "65, 5, false, EXACT", "65, 2e5, true, EXACT", "65, 2e5, false, EXACT", "64, 5, false, APPROXIMATE",
+        "65, 5, true, EXACT", "65, 5, false, EXACT", "65, 2e5, true, EXACT", "65, 2e5, false, EXACT",
+                "64, 5, false, APPROXIMATE",
         "65, 5, true, APPROXIMATE", "65, 5, false, APPROXIMATE", "100, 2e5, true, APPROXIMATE", "3, 5, false, EXACT"})
     void correctionsSolveTheLinearisedEquation(int n, double stiffness, boolean symmetric, Blocks blocks) {
         BlockParticles particles = new BlockParticles(n, stiffness, symmetric, blocks);
@@ -117,11 +121,13 @@ class VelocityProblemTest {
             assertTrue(problem.correct(residual, correction));
             particles.products = 0;
             double left = left(particles, v, correction, residual);
-            // Measured 2.4e-8 with conjugate gradients, whose norm is another one, 8.7e-9 with GMRES and 5.6e-15 with factors.
+            // Measured 2.4e-8 with conjugate gradients, whose norm is another one, 8.7e-9 with GMRES and 5.6e-15 with
+            // factors.
             assertTrue(left < TOLERANCE, "left " + left);
             boolean factorised = n <= 64 || stiffness > 1e4;
             assertEquals(factorised ? round : 0, work.factorisations);
-            // Symmetric factors leave out what a held particle that moves does to the others: that takes an iteration or two.
+            // Symmetric factors leave out what a held particle that moves does to the others: that takes an iteration
+            // or two.
             boolean iterates = !factorised || blocks != Blocks.EXACT || round == 2 && symmetric && n > 1;
             assertEquals(iterates, work.krylovIterations > 0);
             assertEquals(blocks != Blocks.EXACT, work.products > 0);
@@ -158,7 +164,9 @@ class VelocityProblemTest {
         assertTrue(problem.correct(residual, new double[210]));
     }
 
-    /** Compressed springs make the matrix indefinite; the one for the way down is definite all the same, small or large. */
+    /**
+     * Compressed springs make the matrix indefinite; the one for the way down is definite all the same, small or large.
+     */
     @ParameterizedTest
     @CsvSource({"10, EXACT", "80, EXACT", "10, APPROXIMATE", "80, APPROXIMATE"})
     void aDefiniteMatrixGoesDownhill(int n, Blocks blocks) {
@@ -199,7 +207,10 @@ class VelocityProblemTest {
         assertEquals(0, work.factorisations);
     }
 
-    /** The terms of the residual are sums and products, each correct to half a unit: four halves of the sum of their sizes. */
+    /**
+     * The terms of the residual are sums and products, each correct to half a unit: four halves of the sum of their
+     * sizes.
+     */
     @ParameterizedTest
     @CsvSource({"0.25", "-0.25"})
     void roundingIsMeasuredByTheTermsOfTheResidual(double g) {

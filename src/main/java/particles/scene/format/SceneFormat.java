@@ -39,7 +39,7 @@ public final class SceneFormat {
             + " same, bit for bit.");
     public static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
             ParticleDescription.TYPE),
-            List.of(), "Particles, one by one.");
+            List.of(), "Particles, one by one; they pass through each other.");
     public static final Key<List<Chosen<ShapeKind>>> SHAPES = Key.withDefault("shapes",
             ListType.of("a shape", new KindType<>("shape", ShapeKind.ALL)), List.of(),
                     "Many particles and springs at once.");

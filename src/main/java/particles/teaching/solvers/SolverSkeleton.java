@@ -37,7 +37,7 @@ public final class SolverSkeleton {
             import deSolvers.DESolver;
             import deSolvers.DEStateSource;
 
-            /** My own solver. To see what it is and what is wrong with it: gradle checkSolver -Psolver=exercises.NAME */
+            /** My own solver. To check it: gradle checkSolver -Psolver=exercises.NAME */
             public class NAME extends DESolver {
 
                 @Override
@@ -49,7 +49,7 @@ public final class SolverSkeleton {
                     source.getStateDerivative(dSdt);            // its derivative at (s, t)
 
             OUTLINE
-                    // at the end: source.setState(the new state), and all moves of the clock by source.incTime make deltaT
+                    // at the end: source.setState(the new state); the calls of source.incTime add up to deltaT
                 }
             }
             """;
@@ -60,7 +60,7 @@ public final class SolverSkeleton {
             import deSolvers.DEStateSource;
             import deSolvers.FixedStepSolver;
 
-            /** My own solver. To see what it is and what is wrong with it: gradle checkSolver -Psolver=exercises.NAME */
+            /** My own solver. To check it: gradle checkSolver -Psolver=exercises.NAME */
             public class NAME extends FixedStepSolver {
 
                 @Override
@@ -70,7 +70,7 @@ public final class SolverSkeleton {
                     // helpers: eulerStep(a, deltaT) is deltaT times the derivative at a; plus(s, 0.5, k) is s + 0.5 k;
                     // source.incTime(deltaT / 2) moves the clock before the next derivative
             OUTLINE
-                    // at the end s is the new state: s[i] = ...; FixedStepSolver hands it over and sets the clock to t + deltaT
+                    // at the end s is the new state: s[i] = ...; FixedStepSolver sets the clock to t + deltaT
                 }
             }
             """;
