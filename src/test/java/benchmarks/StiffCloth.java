@@ -3,7 +3,7 @@ package benchmarks;
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
-import deSolvers.implicit.ImplicitWork;
+import deSolvers.linear.ImplicitWork;
 import hunts.TaskOptions;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.implicit.BackwardEulerSolver;
-import deSolvers.implicit.ImplicitWork;
+import deSolvers.linear.ImplicitWork;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.effects.springs.SpringForce;

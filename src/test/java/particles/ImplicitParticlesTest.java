@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import deSolvers.DESolver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
-import deSolvers.implicit.ImplicitWork;
+import deSolvers.linear.ImplicitWork;
 import deSolvers.problems.PlainSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

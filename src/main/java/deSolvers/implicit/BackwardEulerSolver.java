@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
+import deSolvers.linear.ImplicitWork;
 
 /**
  * The backward Euler method: one straight step along the derivative at its <i>end</i>,

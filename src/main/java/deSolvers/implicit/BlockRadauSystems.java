@@ -1,7 +1,14 @@
 package deSolvers.implicit;
 
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
+import deSolvers.StepTransaction;
+import deSolvers.linear.BlockJacobi;
+import deSolvers.linear.BlockPattern;
+import deSolvers.linear.ForceBlocks;
+import deSolvers.linear.FrontalFactors;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
+import deSolvers.linear.LinearOperator;
 import java.util.Arrays;
 
 /**
@@ -129,7 +136,7 @@ final class BlockRadauSystems implements RadauSystems {
      * the condition are needed for one; infinite where factors would be too large.
      */
     private double costOfFactors() {
-        boolean fits = factors.fits(blocks.pattern(), VelocityProblem.MOST_BLOCKS);
+        boolean fits = factors.fits(blocks.pattern(), ReducedVelocityProblem.MOST_BLOCKS);
         return fits ? 1 + factors.blocks() / (2.0 * blocks.pattern().blocks()) : Double.POSITIVE_INFINITY;
     }
 

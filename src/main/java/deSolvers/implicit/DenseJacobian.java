@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
+import deSolvers.linear.ImplicitWork;
 import java.util.Arrays;
 import org.ejml.data.DMatrixRMaj;
 

@@ -3,6 +3,7 @@ package deSolvers.implicit;
 import deSolvers.DEStateSource;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
+import deSolvers.linear.ImplicitWork;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;
 import org.ejml.interfaces.linsol.LinearSolverDense;

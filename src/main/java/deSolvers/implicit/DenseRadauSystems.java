@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
+import deSolvers.linear.ImplicitWork;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.data.ZMatrixRMaj;
 import org.ejml.dense.row.factory.LinearSolverFactory_DDRM;

@@ -1,8 +1,10 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
+import deSolvers.StepTransaction;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
 import java.util.Arrays;
 
 /**

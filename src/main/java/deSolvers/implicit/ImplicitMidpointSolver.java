@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
+import deSolvers.linear.ImplicitWork;
 
 /**
  * The implicit midpoint rule: one straight step along the derivative at the middle of itself,

@@ -2,9 +2,10 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FiniteCheck;
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
+import deSolvers.StepTransaction;
+import deSolvers.linear.ImplicitWork;
 import java.util.Arrays;
 
 /**
@@ -47,7 +48,7 @@ final class ImplicitStage {
     private final Newton newton = new Newton(work);
     private final DenseProblem dense = new DenseProblem(work);
     private final KrylovProblem krylov = new KrylovProblem(work);
-    private final VelocityProblem velocities = new VelocityProblem(work);
+    private final ReducedVelocityProblem velocities = new ReducedVelocityProblem(work);
     private int largestDense;                           // in this step: more once GMRES has failed
     private double[] unknowns = {};
     private double[] reached = {};

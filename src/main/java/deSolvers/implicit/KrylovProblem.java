@@ -1,6 +1,9 @@
 package deSolvers.implicit;
 
 import deSolvers.StepTransaction;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
+import deSolvers.linear.LinearOperator;
 import java.util.Arrays;
 import java.util.Random;
 
@@ -96,7 +99,7 @@ final class KrylovProblem implements NewtonProblem, LinearOperator {
     /** Without a matrix only the rounding of the sum itself is known, and after {@link #refine} about that of f. */
     @Override
     public void rounding(double[] m, double[] floor) {
-        double smallest = Double.MIN_NORMAL + SMALLEST * Corrections.largest(m);
+        double smallest = Double.MIN_NORMAL + SMALLEST * NewtonUpdate.largest(m);
         for (int i = 0; i < m.length; i++) {
             floor[i] = smallest + ROUNDING * (Math.abs(start[i]) + Math.abs(m[i])
                     + Math.abs(gamma) * Math.max(Math.abs(dSdt[i]), productScale[i])) + Math.abs(gamma) * spread[i];

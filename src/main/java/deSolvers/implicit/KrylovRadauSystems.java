@@ -1,6 +1,9 @@
 package deSolvers.implicit;
 
 import deSolvers.StepTransaction;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
+import deSolvers.linear.LinearOperator;
 
 /** The systems of large sources, solved by GMRES with products J w; the complex one as a real one of twice the size. */
 final class KrylovRadauSystems implements RadauSystems {

@@ -1,5 +1,7 @@
 package deSolvers.implicit;
 
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
 import java.util.Locale;
 
 /**
@@ -56,9 +58,8 @@ final class Newton {
      */
     boolean solve(NewtonProblem problem, double[] u, double[] scale) {
         fit(problem.size());
-        int n = u.length;
         this.scale = scale;
-        System.arraycopy(scale, 0, first, 0, n);
+        System.arraycopy(scale, 0, first, 0, u.length);
         iterations = 0;
         size = Double.POSITIVE_INFINITY;
         fine = false;
@@ -92,7 +93,7 @@ final class Newton {
             // A linear solver that goes by all residuals together may leave small corrections out until large ones are
             // done.
             if (damping == 1 && (nextSize <= POLISHED || !fine && nextSize <= TOLERANCE && !haveCorrection)) {
-                left = Residuals.areBelow(residual, floor, NEAR) ? 0 : Corrections.ownSize(nextCorrection, u, scale);
+                left = Residuals.areBelow(residual, floor, NEAR) ? 0 : NewtonUpdate.ownSize(nextCorrection, u, scale);
                 for (int i = 0; i < u.length; i++) {
                     u[i] += nextCorrection[i];
                 }
@@ -149,13 +150,13 @@ final class Newton {
     }
 
     private double measure(double[] values, double[] at) {
-        return fine ? Corrections.ownSize(values, at, first) : Corrections.size(values, at, first);
+        return fine ? NewtonUpdate.ownSize(values, at, first) : NewtonUpdate.size(values, at, first);
     }
 
     /** Sets the matrix up anew and computes the correction that it asks for; false if there is none. */
     private boolean linearise(NewtonProblem problem, double[] u) {
         problem.linearise(u);
-        noCorrection = !Corrections.compute(problem, residual, correction);
+        noCorrection = !NewtonUpdate.compute(problem, residual, correction);
         if (noCorrection) {
             return false;
         }
@@ -181,7 +182,7 @@ final class Newton {
                 left = 0;
                 return Outcome.SOLVED;
             }
-            nextSize = Residuals.areFinite(residual) && Corrections.compute(problem, residual, nextCorrection)
+            nextSize = Residuals.areFinite(residual) && NewtonUpdate.compute(problem, residual, nextCorrection)
                     ? measure(nextCorrection, trial) : Double.POSITIVE_INFINITY;
             if (nextSize <= (1 - damping / 4) * size) {
                 System.arraycopy(trial, 0, u, 0, n);
@@ -189,7 +190,7 @@ final class Newton {
             }
             if (size <= TOLERANCE) {
                 boolean trusted = fine || Residuals.areBelow(residual, floor, NEAR);
-                left = trusted ? Corrections.ownSize(correction, u, scale) : Double.MAX_VALUE;
+                left = trusted ? NewtonUpdate.ownSize(correction, u, scale) : Double.MAX_VALUE;
                 return Outcome.SOLVED;                  // no correction improves it any more: rounding
             }
         }
@@ -205,16 +206,14 @@ final class Newton {
      * @return whether it converged; false also where the problem has no definite matrix
      */
     boolean descend(NewtonProblem problem, double[] u, double[] scale) {
-        int all = 0;
         double goal = 1e-1;
         problem.evaluate(u, residual);
         for (int i = 0; i < MOST_DESCENTS; i++) {
-            all++;
             work.newtonIterations++;
-            if (!problem.lineariseDefinite(u) || !Corrections.compute(problem, residual, correction)) {
+            if (!problem.lineariseDefinite(u) || !NewtonUpdate.compute(problem, residual, correction)) {
                 return false;
             }
-            double length = Corrections.size(correction, u, first);
+            double length = NewtonUpdate.size(correction, u, first);
             if (length < goal) {
                 System.arraycopy(u, 0, reached, 0, u.length);
                 if (solve(problem, u, scale)) {
@@ -223,17 +222,17 @@ final class Newton {
                 System.arraycopy(reached, 0, u, 0, u.length);
                 problem.evaluate(u, residual);
                 problem.lineariseDefinite(u);
-                if (!Corrections.compute(problem, residual, correction)) {
+                if (!NewtonUpdate.compute(problem, residual, correction)) {
                     return false;
                 }
                 goal = length / 10;
             }
             if (!goDown(problem, u)) {
-                iterations = all;
+                iterations = i + 1;
                 return false;
             }
         }
-        iterations = all;
+        iterations = MOST_DESCENTS;
         return false;
     }
 
@@ -253,8 +252,7 @@ final class Newton {
                 System.arraycopy(trial, 0, u, 0, u.length);
                 return true;
             }
-            double secant = there < 0 ? slope / (slope - there) : 0;
-            part *= Math.max(0.1, Math.min(0.5, secant));
+            part *= Math.max(0.1, Math.min(0.5, there < 0 ? slope / (slope - there) : 0));    // the secant's zero
         }
         return false;
     }
@@ -274,7 +272,7 @@ final class Newton {
             return false;
         }
         problem.linearise(u);
-        noCorrection = !Corrections.compute(problem, residual, correction);
+        noCorrection = !NewtonUpdate.compute(problem, residual, correction);
         if (noCorrection) {
             return false;
         }
@@ -290,12 +288,12 @@ final class Newton {
             return String.format(Locale.ROOT,
                     "the linear solver failed at Newton's iteration %d, with a largest residual of"
                     + " %.2g: the matrix is singular or not finite, or GMRES did not converge", iterations,
-                    Corrections.largest(residual));
+                    NewtonUpdate.largest(residual));
         }
         return String.format(Locale.ROOT,
                 "Newton's iteration did not converge: after %d iterations the correction is %.2g"
                 + " of the unknowns (limit %.0e) and the largest residual %.2g", iterations, size, TOLERANCE,
-                Corrections.largest(residual));
+                NewtonUpdate.largest(residual));
     }
 
     private void fit(int n) {

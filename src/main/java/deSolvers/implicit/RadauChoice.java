@@ -2,6 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
+import deSolvers.linear.ImplicitWork;
 
 /**
  * Which of the ways to solve the linear systems of the Radau method serves a source; each is made when it is first

@@ -3,6 +3,7 @@ package deSolvers.implicit;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
+import deSolvers.linear.ImplicitWork;
 
 /**
  * The Radau IIA method with three stages: the collocation polynomial of degree 3 whose derivative is right at three

@@ -7,6 +7,7 @@ import static deSolvers.implicit.RadauTableau.MU_RE;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
+import deSolvers.linear.ImplicitWork;
 
 /**
  * The simplified Newton iteration for the three stages z<sub>i</sub> = g<sub>i</sub> - s of a sub-step, in the

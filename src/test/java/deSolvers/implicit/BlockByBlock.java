@@ -3,10 +3,10 @@ package deSolvers.implicit;
 import deSolvers.JacobianBlocks;
 
 /** Takes what is named one block at a time: a pair is four of them. */
-abstract class BlockByBlock implements JacobianBlocks {
+public abstract class BlockByBlock implements JacobianBlocks {
 
     /** Adds the blocks of particle i by particle j, times the sign. */
-    abstract void put(int i, int j, double[] dFdX, double[] dFdV, double sign);
+    public abstract void put(int i, int j, double[] dFdX, double[] dFdV, double sign);
 
     @Override
     public final void add(int i, int j, double[] dFdX, double[] dFdV) {

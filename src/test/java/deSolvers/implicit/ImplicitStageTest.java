@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolverException;
 import deSolvers.JacobianStateSource;
+import deSolvers.linear.ImplicitWork;
 import deSolvers.problems.Chain;
 import deSolvers.problems.PlainSource;
 import deSolvers.problems.Pole;

@@ -4,8 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import deSolvers.DEStateSource;
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
+import deSolvers.StepTransaction;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
 import deSolvers.problems.Law;
 import deSolvers.problems.ReferenceProblem;
 import java.util.Random;

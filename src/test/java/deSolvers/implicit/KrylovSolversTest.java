@@ -5,6 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.linear.ConjugateGradients;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
+import deSolvers.linear.LinearOperator;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;

@@ -5,17 +5,17 @@ import deSolvers.JacobianStateSource;
 import java.util.function.Consumer;
 
 /** A source of particles that only names its blocks. */
-class NamedBlocks implements JacobianStateSource {
+public class NamedBlocks implements JacobianStateSource {
     private final int particles;
     private final Consumer<JacobianBlocks> blocks;
 
-    NamedBlocks(int particles, Consumer<JacobianBlocks> blocks) {
+    public NamedBlocks(int particles, Consumer<JacobianBlocks> blocks) {
         this.particles = particles;
         this.blocks = blocks;
     }
 
     /** Of four particles: alone, as pairs in both directions, and rows transformed before and after more is added. */
-    static void addOneOfEach(JacobianBlocks blocks, double[][] b) {
+    public static void addOneOfEach(JacobianBlocks blocks, double[][] b) {
         blocks.add(1, 1, b[0], b[1]);
         blocks.addPair(0, 3, b[2], b[3]);
         blocks.add(0, 1, b[4], b[5]);

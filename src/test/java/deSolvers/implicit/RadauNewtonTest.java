@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
+import deSolvers.linear.ImplicitWork;
 import deSolvers.problems.Law;
 import java.util.ArrayList;
 import java.util.List;

@@ -9,8 +9,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DEStateSource;
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
+import deSolvers.StepTransaction;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
 import deSolvers.problems.Law;
 import java.util.Arrays;
 import java.util.Random;

@@ -10,8 +10,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
+import deSolvers.StepTransaction;
+import deSolvers.linear.ImplicitWork;
 import deSolvers.problems.Law;
 import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;

@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import deSolvers.JacobianStateSource;
 import java.util.Arrays;
@@ -7,7 +7,7 @@ import java.util.Arrays;
  * The sparse matrix A = M - g C - g<sup>2</sup> K of the velocities' equation, with C = dF/dv and K = dF/dx collected
  * block by block from the source. Rows of held particles are those of the unit matrix.
  */
-final class BlockMatrix extends BlockCollector implements LinearOperator {
+public final class BlockMatrix extends BlockCollector implements LinearOperator {
     /**
      * Blocks differ from their mirror images by rounding where the forces have a potential, and by far more elsewhere.
      */
@@ -22,11 +22,11 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
     private final double[] product = new double[9];
     private boolean symmetric;
     private boolean definite;
-    private final RestoringPart clamp = new RestoringPart();
+    private final NegativeSemidefinitePart clamp = new NegativeSemidefinitePart();
     private final double[] clamped = new double[9];
     private double stiffening;
 
-    BlockMatrix(ImplicitWork.Counter work) {
+    public BlockMatrix(ImplicitWork.Counter work) {
         this.work = work;
     }
 
@@ -41,7 +41,7 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
      *                 outwards, as
      *                across a compressed spring, and what is not symmetric
      */
-    void collect(JacobianStateSource source, double[] state, double gamma, double[] masses, boolean definite) {
+    public void collect(JacobianStateSource source, double[] state, double gamma, double[] masses, boolean definite) {
         this.definite = definite;
         this.gamma = gamma;
         this.state = state;
@@ -192,16 +192,16 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
         }
     }
 
-    double[] values() {
+    public double[] values() {
         return value;
     }
 
-    double[] forceScale() {
+    public double[] forceScale() {
         return forceScale;
     }
 
     /** Whether A is its own mirror image, leaving out held particles. */
-    boolean isSymmetric() {
+    public boolean isSymmetric() {
         return symmetric;
     }
 
@@ -209,7 +209,7 @@ final class BlockMatrix extends BlockCollector implements LinearOperator {
      * About the condition number of A after scaling by its diagonal blocks: how many times the springs, seen through
      * the step, are stiffer than the inertia of the particle on which they act most; about (g omega)<sup>2</sup>.
      */
-    double condition() {
+    public double condition() {
         return stiffening;
     }
 }

@@ -1,18 +1,18 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 /**
  * Preconditioned conjugate gradients for a symmetric positive definite matrix.
  *
  * <p>Source: M. R. Hestenes, E. Stiefel (1952), J. Res. Nat. Bur. Standards 49, 409.
  */
-final class ConjugateGradients {
+public final class ConjugateGradients {
     private final ImplicitWork.Counter work;
     private double[] r = {};
     private double[] z = {};
     private double[] p = {};
     private double[] ap = {};
 
-    ConjugateGradients(ImplicitWork.Counter work) {
+    public ConjugateGradients(ImplicitWork.Counter work) {
         this.work = work;
     }
 
@@ -22,7 +22,7 @@ final class ConjugateGradients {
      * @param x begins as the approximation it holds
      * @return false if the matrix turns out not to be positive definite, or the number of iterations did not suffice
      */
-    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
+    public boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
             int mostIterations) {
         int n = b.length;
         if (r.length != n) {

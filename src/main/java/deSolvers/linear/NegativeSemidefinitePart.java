@@ -1,7 +1,7 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 /** The part of a symmetric 3 x 3 matrix whose eigenvalues are negative: of dF/dx, what pulls back to where it was. */
-final class RestoringPart {
+final class NegativeSemidefinitePart {
     private static final int SWEEPS = 8;
 
     private final double[] a = new double[9];

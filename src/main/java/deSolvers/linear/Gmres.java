@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import java.util.Arrays;
 
@@ -7,7 +7,7 @@ import java.util.Arrays;
  *
  * <p>Source: Y. Saad, M. H. Schultz (1986), SIAM J. Sci. Stat. Comput. 7, 856.
  */
-final class Gmres {
+public final class Gmres {
     private static final int RESTART = 40;
     /** What is left of a vector is rounding where it is no more than this part of it. */
     private static final double ROUNDING = 1e-14;
@@ -22,7 +22,7 @@ final class Gmres {
     private final double[] right = new double[RESTART + 1];
     private final double[] y = new double[RESTART];
 
-    Gmres(ImplicitWork.Counter work) {
+    public Gmres(ImplicitWork.Counter work) {
         this.work = work;
     }
 
@@ -32,7 +32,7 @@ final class Gmres {
      * @param preconditioner approximates the inverse of A
      * @return whether that was reached within the number of iterations
      */
-    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
+    public boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
             int mostIterations) {
         int n = b.length;
         if (image.length != n) {
@@ -152,7 +152,7 @@ final class Gmres {
         return basis[k];
     }
 
-    static double dot(double[] a, double[] b) {
+    public static double dot(double[] a, double[] b) {
         double sum = 0;
         for (int i = 0; i < a.length; i++) {
             sum += a[i] * b[i];
@@ -160,7 +160,7 @@ final class Gmres {
         return sum;
     }
 
-    static double norm(double[] a) {
+    public static double norm(double[] a) {
         return Math.sqrt(dot(a, a));
     }
 

@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import java.util.Arrays;
 
@@ -7,7 +7,7 @@ import java.util.Arrays;
  * a symmetric matrix U = L<sup>T</sup>, at half the work. The elimination keeps to its order and does not pivot outside
  * the diagonal blocks; GMRES, which uses the factors as its preconditioner, makes good what little accuracy that costs.
  */
-final class FrontalFactors implements LinearOperator {
+public final class FrontalFactors implements LinearOperator {
     private final ImplicitWork.Counter work;
     private BlockPattern pattern;
     private FrontalPlan plan;
@@ -21,12 +21,12 @@ final class FrontalFactors implements LinearOperator {
     private double[] solution = {};
     private double[] part = {};
 
-    FrontalFactors(ImplicitWork.Counter work) {
+    public FrontalFactors(ImplicitWork.Counter work) {
         this.work = work;
     }
 
     /** Whether the factors of this pattern have no more blocks than the given number; finds the plan if it is new. */
-    boolean fits(BlockPattern pattern, long mostBlocks) {
+    public boolean fits(BlockPattern pattern, long mostBlocks) {
         if (this.pattern != pattern) {
             this.pattern = pattern;
             plan = new FrontalPlan(pattern, mostBlocks / 2);
@@ -53,7 +53,7 @@ final class FrontalFactors implements LinearOperator {
      *                  others in their columns; these are left out then
      * @return false if a diagonal block is singular
      */
-    boolean factorise(double[] a, boolean symmetric) {
+    public boolean factorise(double[] a, boolean symmetric) {
         this.symmetric = symmetric;
         if (front == null) {
             makeRoom();
@@ -164,12 +164,12 @@ final class FrontalFactors implements LinearOperator {
     }
 
     /** Products of a block with three entries that {@link #apply} takes. */
-    long blocks() {
+    public long blocks() {
         return 2 * plan.blocks + pattern.rows;
     }
 
     /** What a factorisation takes, in such products. */
-    long cost() {
+    public long cost() {
         return 3 * operations(symmetric);
     }
 
@@ -177,7 +177,7 @@ final class FrontalFactors implements LinearOperator {
      * Products of blocks that a factorisation takes, and then one {@link #apply}; they take as long as those of
      * iterations.
      */
-    long work(boolean symmetric) {
+    public long work(boolean symmetric) {
         return operations(symmetric) + blocks();
     }
 

@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
 import deSolvers.JacobianBlocks;
+import deSolvers.implicit.BlockByBlock;
+import deSolvers.implicit.NamedBlocks;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -26,7 +28,7 @@ class ForceBlocksTest {
         final double[][] c = new double[3 * ROWS][3 * ROWS];
 
         @Override
-        void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
+        public void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
             for (int e = 0; e < 9; e++) {
                 k[3 * i + e / 3][3 * j + e % 3] += sign * dFdX[e];
                 c[3 * i + e / 3][3 * j + e % 3] += sign * dFdV[e];

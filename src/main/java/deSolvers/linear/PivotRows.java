@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 /**
  * The rows of the pivot block that a {@link Front} eliminates, or of two blocks one after the other: their multiples

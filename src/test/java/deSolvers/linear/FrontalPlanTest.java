@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -40,7 +40,7 @@ class FrontalPlanTest {
     }
 
     @ParameterizedTest(name = "{0}")
-    @MethodSource("deSolvers.implicit.FrontalFactorsTest#nets")
+    @MethodSource("deSolvers.linear.FrontalFactorsTest#nets")
     void theOrderTakesEachSubtreeTogether(String name, BlockPattern pattern) {
         FrontalPlan plan = new FrontalPlan(pattern, Long.MAX_VALUE);
         int n = pattern.rows;
@@ -59,7 +59,7 @@ class FrontalPlanTest {
     }
 
     @ParameterizedTest(name = "{0}")
-    @MethodSource("deSolvers.implicit.FrontalFactorsTest#nets")
+    @MethodSource("deSolvers.linear.FrontalFactorsTest#nets")
     void groupsHoldWhatIsFilledInAndFewZeros(String name, BlockPattern pattern) {
         FrontalPlan plan = new FrontalPlan(pattern, Long.MAX_VALUE);
         BitSet[] below = fill(pattern, plan);
@@ -107,7 +107,7 @@ class FrontalPlanTest {
 
     /** What a group leaves waits until the group of its first row takes it up. */
     @ParameterizedTest(name = "{0}")
-    @MethodSource("deSolvers.implicit.FrontalFactorsTest#nets")
+    @MethodSource("deSolvers.linear.FrontalFactorsTest#nets")
     void whatIsLeftWaitsForItsHeir(String name, BlockPattern pattern) {
         FrontalPlan plan = new FrontalPlan(pattern, Long.MAX_VALUE);
         int[] children = new int[plan.groups];
@@ -128,7 +128,7 @@ class FrontalPlanTest {
     }
 
     @ParameterizedTest(name = "{0}")
-    @MethodSource("deSolvers.implicit.FrontalFactorsTest#nets")
+    @MethodSource("deSolvers.linear.FrontalFactorsTest#nets")
     void aPlanFitsUpToTheBlocksThatFillIn(String name, BlockPattern pattern) {
         FrontalPlan plan = new FrontalPlan(pattern, Long.MAX_VALUE);
         long filled = 0;

@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.JacobianBlocks;
 import deSolvers.JacobianStateSource;
+import deSolvers.implicit.BlockByBlock;
+import deSolvers.implicit.NamedBlocks;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -40,7 +42,7 @@ class BlockMatrixTest {
         }
 
         @Override
-        void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
+        public void put(int i, int j, double[] dFdX, double[] dFdV, double sign) {
             for (int e = 0; e < 9; e++) {
                 k[3 * i + e / 3][3 * j + e % 3] += sign * (G * G * dFdX[e] + G * dFdV[e]);
                 scale[3 * i + e / 3] += Math.abs(dFdX[e] * state[6 * j + e % 3]);

@@ -4,14 +4,14 @@ package deSolvers.implicit;
  * What Newton's method adds to its unknowns: the solution of the linearised equation, and how large that is beside
  * them.
  */
-final class Corrections {
+final class NewtonUpdate {
     /** Entries smaller than this part of the largest are judged as if they were as large as that. */
     private static final double SMALL_ENTRY = 1e-3;
 
     private static final double SMALLEST_UNSCALED = 1e-100;
     private static final double LARGEST_UNSCALED = 1e100;
 
-    private Corrections() {
+    private NewtonUpdate() {
     }
 
     /**

@@ -1,16 +1,16 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 /** The preconditioner that inverts the diagonal blocks of a matrix, one particle at a time. */
-final class BlockJacobi implements LinearOperator {
+public final class BlockJacobi implements LinearOperator {
     private final ImplicitWork.Counter work;
     private double[] inverse = {};
 
-    BlockJacobi(ImplicitWork.Counter work) {
+    public BlockJacobi(ImplicitWork.Counter work) {
         this.work = work;
     }
 
     /** Takes up a matrix, the values in their pattern; false if a diagonal block is singular. */
-    boolean prepare(BlockPattern pattern, double[] values) {
+    public boolean prepare(BlockPattern pattern, double[] values) {
         if (inverse.length != 9 * pattern.rows) {
             inverse = new double[9 * pattern.rows];
         }

@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import java.util.Arrays;
 
@@ -7,17 +7,17 @@ import java.util.Arrays;
  * diagonal and always symmetric. Made from the pairs (i, j) that a source named, in the order in which it named them;
  * since it names them in the same order every time, each pair's places are looked up only once.
  */
-final class BlockPattern {
-    final int rows;
-    final int[] rowStart;
-    final int[] column;
-    final int[] diagonal;
+public final class BlockPattern {
+    public final int rows;
+    public final int[] rowStart;
+    public final int[] column;
+    public final int[] diagonal;
     private final int pairs;
     private final int[] first;
     private final int[] second;
     /** Slots of (i, j) and (j, i) for each pair. */
-    final int[] slot;
-    final int[] mirrorSlot;
+    public final int[] slot;
+    public final int[] mirrorSlot;
 
     /** Finds the pattern of the given pairs; the arrays are read from 0 to pairs - 1 and copied. */
     BlockPattern(int rows, int pairs, int[] first, int[] second) {
@@ -77,7 +77,7 @@ final class BlockPattern {
     }
 
     /** The number of blocks. */
-    int blocks() {
+    public int blocks() {
         return column.length;
     }
 
@@ -87,7 +87,7 @@ final class BlockPattern {
     }
 
     /** Multiplies a row of values from the left with a 3 x 3 matrix; {@code work} has room for 9. */
-    void transformRow(int i, double[] matrix, double[] values, double[] work) {
+    public void transformRow(int i, double[] matrix, double[] values, double[] work) {
         for (int s = rowStart[i]; s < rowStart[i + 1]; s++) {
             Block3.multiply(matrix, 0, values, 9 * s, work, 0);
             System.arraycopy(work, 0, values, 9 * s, 9);

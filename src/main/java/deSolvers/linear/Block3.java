@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 /** Arithmetic of 3 x 3 blocks that lie by rows in longer arrays. */
 final class Block3 {

@@ -1,7 +1,7 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 /** A linear map that can only be applied: a matrix, a Jacobian by products, or a preconditioner. */
-interface LinearOperator {
+public interface LinearOperator {
     /** What stands for a preconditioner where there is none. */
     LinearOperator IDENTITY = (x, y) -> System.arraycopy(x, 0, y, 0, x.length);
 

@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource.Blocks;
+import deSolvers.StepTransaction;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -14,12 +16,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The equation M (v0 - v) + g F(x0 + g v, v) = 0 of particles, and each way in which its corrections are found. */
-class VelocityProblemTest {
+class ReducedVelocityProblemTest {
     private static final double G = 0.25;
     private static final double TOLERANCE = 1e-7;
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
-    private final VelocityProblem problem = new VelocityProblem(work);
+    private final ReducedVelocityProblem problem = new ReducedVelocityProblem(work);
     private final Random random = new Random(8);
     private double[] start;
 

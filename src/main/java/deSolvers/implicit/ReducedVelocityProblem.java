@@ -1,14 +1,22 @@
 package deSolvers.implicit;
 
-import deSolvers.StepTransaction;
 import deSolvers.JacobianStateSource;
+import deSolvers.StepTransaction;
+import deSolvers.linear.BlockJacobi;
+import deSolvers.linear.BlockMatrix;
+import deSolvers.linear.BlockPattern;
+import deSolvers.linear.ConjugateGradients;
+import deSolvers.linear.FrontalFactors;
+import deSolvers.linear.Gmres;
+import deSolvers.linear.ImplicitWork;
+import deSolvers.linear.LinearOperator;
 
 /**
  * The stage equation of particles in space, with the velocities as the only unknowns: since the stage's positions are
  * x + g v, what is left is M (v - v<sub>0</sub>) = g F(x<sub>0</sub> + g v, v), with the sparse matrix
  * M - g dF/dv - g<sup>2</sup> dF/dx.
  */
-final class VelocityProblem implements NewtonProblem, LinearOperator {
+final class ReducedVelocityProblem implements NewtonProblem, LinearOperator {
     /** Up to here a factorisation costs next to nothing and is the most robust. */
     private static final int SMALL = 64;
     /** Conjugate gradients take about so many iterations for eight digits, times the root of the condition. */
@@ -45,7 +53,7 @@ final class VelocityProblem implements NewtonProblem, LinearOperator {
     private boolean factorised;
     private boolean regular;
 
-    VelocityProblem(ImplicitWork.Counter work) {
+    ReducedVelocityProblem(ImplicitWork.Counter work) {
         this.work = work;
         matrix = new BlockMatrix(work);
         blockJacobi = new BlockJacobi(work);

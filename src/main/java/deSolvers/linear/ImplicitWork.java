@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 /**
  * What an implicit solver has done since it was made, beyond the calls of the derivative that the source counts itself.
@@ -15,15 +15,15 @@ public record ImplicitWork(long newtonIterations, long jacobians, long products,
                            long factorisations, long blockOperations) {
 
     /** The same, counting. */
-    static final class Counter {
-        long newtonIterations;
-        long jacobians;
-        long products;
-        long krylovIterations;
-        long factorisations;
-        long blockOperations;
+    public static final class Counter {
+        public long newtonIterations;
+        public long jacobians;
+        public long products;
+        public long krylovIterations;
+        public long factorisations;
+        public long blockOperations;
 
-        ImplicitWork read() {
+        public ImplicitWork read() {
             return new ImplicitWork(newtonIterations, jacobians, products, krylovIterations, factorisations,
                     blockOperations);
         }

@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import deSolvers.JacobianBlocks;
 import deSolvers.JacobianStateSource;
@@ -8,7 +8,7 @@ import java.util.Arrays;
  * Takes up the blocks that a source names, each at its place in a pattern. A source names the same pairs in the same
  * order every time; where it does not, the pattern is found anew.
  */
-abstract class BlockCollector implements JacobianBlocks {
+public abstract class BlockCollector implements JacobianBlocks {
     private BlockPattern pattern = new BlockPattern(0, 0, new int[0], new int[0]);
     private int cursor;
     private boolean matches;
@@ -67,7 +67,7 @@ abstract class BlockCollector implements JacobianBlocks {
         return !recording && matches;
     }
 
-    final BlockPattern pattern() {
+    public final BlockPattern pattern() {
         return pattern;
     }
 }

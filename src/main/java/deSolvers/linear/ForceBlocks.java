@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import deSolvers.JacobianStateSource;
 import java.util.Arrays;
@@ -8,19 +8,19 @@ import java.util.Arrays;
  * that need them with more than one length of step. Rows of held particles are 0, and their masses 1, so that nothing
  * moves them.
  */
-final class ForceBlocks extends BlockCollector {
+public final class ForceBlocks extends BlockCollector {
     private final ImplicitWork.Counter work;
     private double[] stiffness = {};
     private double[] damping = {};
     private double[] masses = {};
     private final double[] product = new double[9];
 
-    ForceBlocks(ImplicitWork.Counter work) {
+    public ForceBlocks(ImplicitWork.Counter work) {
         this.work = work;
     }
 
     /** Collects the blocks at the source's present state. */
-    void collect(JacobianStateSource source, int particles) {
+    public void collect(JacobianStateSource source, int particles) {
         work.jacobians++;
         if (masses.length != particles) {
             masses = new double[particles];
@@ -38,7 +38,7 @@ final class ForceBlocks extends BlockCollector {
     }
 
     /** The mass of a particle (kg); 1 if it is held. */
-    double mass(int i) {
+    public double mass(int i) {
         return masses[i];
     }
 
@@ -47,7 +47,7 @@ final class ForceBlocks extends BlockCollector {
      *
      * @return how many times the largest diagonal block exceeds its mass: about the condition number, 1 or more
      */
-    double combine(double g, double[] values) {
+    public double combine(double g, double[] values) {
         for (int e = 0; e < stiffness.length; e++) {
             values[e] = -g * (damping[e] + g * stiffness[e]);
         }
@@ -65,7 +65,7 @@ final class ForceBlocks extends BlockCollector {
     }
 
     /** The forces K x + C v; three entries a particle in all arrays. */
-    void apply(double[] x, double[] v, double[] force) {
+    public void apply(double[] x, double[] v, double[] force) {
         BlockPattern pattern = pattern();
         work.blockOperations += 2L * pattern.blocks();
         for (int i = 0, to = 0; i < pattern.rows; i++, to += 3) {

@@ -1,4 +1,4 @@
-package deSolvers.implicit;
+package deSolvers.linear;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -10,8 +10,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Of a symmetric matrix with known eigenvalues along known axes what has the negative ones is left. */
-class RestoringPartTest {
-    private final RestoringPart part = new RestoringPart();
+class NegativeSemidefinitePartTest {
+    private final NegativeSemidefinitePart part = new NegativeSemidefinitePart();
     private final Random random = new Random(6);
 
     /** Three unit vectors across each other, by rows. */
