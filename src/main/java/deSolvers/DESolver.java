@@ -8,18 +8,21 @@ package deSolvers;
  * <ul>
  * <li>The source is a cursor (s, t). A solver may move it while it works - {@code setState(trial)},
  *     {@code incTime(deltaT / 2)}, backwards too - and leaves it at (s(t + deltaT), t + deltaT), the clock exactly
- *     there for a dyadic deltaT and within one unit in the last place otherwise.</li>
+ *     there if deltaT is a sum of few powers of two, such as 0.25, and within one unit in the last place
+ *     otherwise.</li>
  * <li>On an exception, its own or the source's, it puts back the state and the time that it found and lets the
- *     exception reach the caller. The next call works as if nothing had happened, or as a new solver's first.</li>
+ *     exception reach the caller. The solver may be used again.</li>
  * <li>Arrays handed to the source are exactly {@link DEStateSource#getStateSize()} long.</li>
  * <li>One solver may step any number of sources, of equal or different sizes, in turn. What it remembers of the last
  *     step serves only while source, time, state and deltaT are bit for bit what it left; anything else restarts
- *     it. A law that changes without the state changing has to be told by {@link #reset()}.</li>
+ *     it. If the equations change while the state stays the same,
+ *     {@link #reset()} makes the solver forget earlier steps.</li>
  * <li>A step allocates no memory once the work arrays have the source's size.</li>
  * <li>{@code deltaT = 0} changes nothing; a negative deltaT integrates backwards; a state of size 0 still moves the
  *     clock. A deltaT, time, state or derivative that is not finite ends in a {@link DESolverException}.</li>
  * </ul>
- * {@link FixedStepSolver} keeps this contract around a method that is written as its formula.
+ * {@link FixedStepSolver} keeps this contract for a solver that writes only its formula. A student's solver need not
+ * do without new arrays, nor put back the state after an exception.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Interface to DE Solver"; {@link #reset()} is an addition to the slide.
  */
@@ -35,8 +38,8 @@ public abstract class DESolver {
     public abstract void stepState(DEStateSource source, double deltaT);
 
     /**
-     * Forgets what was remembered of earlier steps. To be called when the source's law changed although its state did
-     * not, and wherever a run must not depend on what came before. Solvers that remember nothing do nothing here.
+     * Forgets what was remembered of earlier steps. To be called when the equations changed although the state did not.
+     * Solvers that remember nothing do nothing here.
      */
     public void reset() {
     }

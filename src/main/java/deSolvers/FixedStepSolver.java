@@ -1,8 +1,8 @@
 package deSolvers;
 
 /**
- * Base class of the methods that take one step of deltaT. A method writes only {@link #step}, as its formula stands on
- * the slide; this class keeps the rest of the contract of {@link DESolver}.
+ * Base class of solvers that take one step of deltaT. A subclass implements only {@link #step}, as the formula stands
+ * on the slide; this class keeps the rest of the contract of {@link DESolver}.
  *
  * <p>The helpers read like the formulas:
  * <pre>
@@ -10,7 +10,7 @@ package deSolvers;
  *   eulerStep(s, deltaT)   deltaT f(s, t)
  *   plus(s, 0.5, k)        s + 0.5 k
  * </pre>
- * Each call returns an array of its own, which holds its result until the step ends.
+ * Each call returns a separate work array, valid until the end of the step.
  */
 public abstract class FixedStepSolver extends DESolver {
     private final StepTransaction transaction = new StepTransaction(this);

@@ -43,7 +43,7 @@
  * <table>
  * <caption>dictionary</caption>
  * <tr><th>slide</th><th>code</th><th>meaning</th></tr>
- * <tr><td>s</td><td>{@code state}</td><td>the state vector, in R<sup>n</sup></td></tr>
+ * <tr><td>s</td><td>{@code s}; {@code state} in EulerSolver</td><td>the state vector, in R<sup>n</sup></td></tr>
  * <tr><td>s with a dot</td><td>{@code dSdt}</td><td>its derivative with respect to time</td></tr>
  * <tr><td>t, &Delta;t</td><td>{@code time}, {@code deltaT}</td><td>time and time step</td></tr>
  * <tr><td>&Delta;s</td><td>{@code deltaS}</td><td>an Euler step, deltaT times dSdt</td></tr>

@@ -8,8 +8,8 @@ import java.util.List;
 import particles.law.Particles;
 
 /**
- * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends
- * at its duration.
+ * The loop: step, observers, rules, energy limit, until the duration is over. The last step is shortened so that the
+ * run ends at its duration.
  */
 public final class Simulation {
     /** A last step longer than deltaT by no more than this part of it is rounding of the clock, not a step too many. */

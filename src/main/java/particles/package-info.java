@@ -7,19 +7,21 @@
  * classes are called:
  *
  * <ol>
- * <li>{@link particles.Simulation} lets {@link particles.EventSteps} make a step, or several if an event ends it;</li>
+ * <li>{@link particles.Simulation} lets {@link particles.EventSteps} make a step, or several shorter ones if there are
+ * events in it;</li>
  * <li>the solver's {@link deSolvers.DESolver#stepState} asks for the derivative as often as its method needs;</li>
  * <li>{@link particles.ParticleSystem#getStateDerivative} hands the state to the engine;</li>
  * <li>{@link particles.engine.ForceSum} adds up each {@link particles.law.Effect}: gravity, springs, drag;</li>
- * <li>each {@link particles.law.Reaction} then answers the total: contact, friction, rods;</li>
+ * <li>each {@link particles.law.Reaction} adds the forces that depend on this sum: contact, friction, rods;</li>
  * <li>{@link particles.EventLocator} finds the impacts that an {@link particles.EventRule} saw in the step;</li>
- * <li>each {@link particles.Rule} may change the state after the step: a bounce, a birth, a tear;</li>
- * <li>{@link particles.Observers} tells each {@link particles.Observer} of the motion and of every change: frames,
- * plots, the {@link particles.EnergyLedger};</li>
+ * <li>{@link particles.Observers} shows the motion to each {@link particles.Observer}: frames, plots, the
+ * {@link particles.EnergyLedger};</li>
+ * <li>each {@link particles.Rule} may change the state, adding or removing particles and springs too, and observers
+ * are told of each change;</li>
  * <li>{@link particles.EnergyLimit} ends a run that has blown up.</li>
  * </ol>
  *
- * <p>What a scene does not name is not built and costs nothing. Lengths are in metres, masses in kilograms, times in
- * seconds; y points up.
+ * <p>Only what the scene names is created, and nothing else costs anything. Lengths are in metres, masses in kilograms,
+ * times in seconds; y points up.
  */
 package particles;

@@ -28,7 +28,7 @@ class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
     private static final Path TESTS = Path.of("src/test/java");
     private static final int MOST_CODE_LINES = 240;
-    private static final int MOST_FILES = 24;
+    private static final int MOST_FILES = 22;
 
     /** Each package, and what it may use besides itself and the plain JDK. */
     private static final Map<String, Set<String>> MAY_USE = table("""

@@ -56,8 +56,7 @@ class MutationTableTest {
                 () -> MutationTests.packages(new String[] {option})).getMessage();
     }
 
-    /** A new package of solvers is looked at too. */
-    /** Reference problems are not among them: they are what solvers are measured on. */
+    /** A new package of solvers is looked at too; the reference problems are what solvers are measured on. */
     @Test
     void everyPackageOfSolversAndEffectsIsLookedAt() throws IOException {
         Path sources = Path.of("src", "main", "java");

@@ -32,6 +32,7 @@ final class MutationTests {
             Map.entry("deSolvers.catalog", ""),
             Map.entry("deSolvers.extrapolation", ""),
             Map.entry("deSolvers.implicit", ""),
+            Map.entry("deSolvers.linear", ""),
             Map.entry("deSolvers.multistep", ""),
             Map.entry("deSolvers.rungeKutta", "deSolvers.adaptive.DormandPrinceSolverTest"),
             Map.entry("deSolvers.symplectic", ""),

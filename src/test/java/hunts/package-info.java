@@ -7,8 +7,8 @@
  *     executions it goes on for twenty minutes ({@code -Pseconds} sets another time).</li>
  * <li>{@code gradle mutationTests -Ppackage=deSolvers.symplectic} changes the classes of a package, one instruction
  *     at a time, and counts the changes that a test notices: at least 85 % have to be. On two cores this takes one
- *     to ten minutes, and about twenty for {@code deSolvers.implicit}. Without a package it goes through all nine
- *     and prints a table at the end.</li>
+ *     to ten minutes, and about twenty for {@code deSolvers.implicit}. Without a package it goes through all
+ *     of them and prints a table at the end.</li>
  * </ul>
  */
 package hunts;

@@ -66,12 +66,12 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
         return energy;
     }
 
-    /** Gravity in scenes. */
+    /** How scene files describe gravity: its name and its keys. */
     public static final class Keys extends EffectKind {
         private static final Key<Vector3> ACCELERATION = Key.withDefault("acceleration", VectorType.of("m/s^2"),
                 new Vector3(0, -9.81, 0), "g, the acceleration of free fall (m/s^2).");
 
-        /** The one for all scenes. */
+        /** Made once, for {@link EffectCatalog}. */
         public Keys() {
             super("gravity", "The same acceleration for every particle.", ACCELERATION);
         }
@@ -79,7 +79,7 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
         @Override
         public void build(Values values, EffectContext scene) {
             scene.add(new Gravity(scene.particles(), values.get(ACCELERATION)));
-            scene.noteAcceleration(values.get(ACCELERATION));
+            scene.noteAcceleration(values.get(ACCELERATION));      // for the energy scale of a scene at rest
         }
     }
 }

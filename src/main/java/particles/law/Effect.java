@@ -6,15 +6,15 @@ import java.util.Set;
  * A force law: the force on each particle as a function of state and time, and where the energy goes.
  *
  * <p>Arrays have the layout of the state: the position of particle i in the entries 6 i, 6 i + 1 and 6 i + 2, its
- * velocity in the next three. A force stands where the velocity does.
+ * velocity in the next three, its force where the velocity stands.
  *
- * <p>A law that pushes each particle by itself is easier to write as a {@link ParticleForce}. The other interfaces that
- * a law may add are {@link PerParticleEffect}, {@link DivisibleEffect}, {@link DifferentiableEffect} and
- * {@link IndexedEffect}.
+ * <p>To compute the force on one particle at a time, extend {@link ParticleForce}. A law may add interfaces:
+ * {@link PerParticleEffect} and {@link DivisibleEffect} for several threads, {@link DifferentiableEffect} for the exact
+ * derivatives that implicit solvers use, {@link IndexedEffect} if it keeps indices of particles.
  */
 public interface Effect {
 
-    /** What a law claims of itself; tests hold it to each claim. */
+    /** A property that a force law declares; tests check it. */
     enum Trait {
         /** Pairs of particles push each other with opposite forces: momentum is conserved. */
         INTERNAL,
@@ -38,12 +38,12 @@ public interface Effect {
      *
      * @param state the particles' state (m, m/s), 6 doubles a particle; read only
      * @param time  t (s)
-     * @param force adds each particle's force (N) to the three entries where its velocity stands in the state; 6
-     *              doubles a particle, no more
+     * @param force the same layout: add the force (N) on particle i to the entries 6 i + 3 to 6 i + 5, and leave the
+     *              others alone
      */
     void addForces(double[] state, double time, double[] force);
 
-    /** @return what the law claims of itself */
+    /** @return the properties that the law declares */
     default Set<Trait> getTraits() {
         return Set.of();
     }

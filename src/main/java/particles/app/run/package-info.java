@@ -1,4 +1,4 @@
 /**
- * {@code gradle run}: one scene, from its file to a folder of results, and what the console says meanwhile.
+ * {@code gradle run}: one scene, from its file to a folder of results, and the console output.
  */
 package particles.app.run;

@@ -7,7 +7,7 @@ import particles.view.RenderOptions;
  * that can be told apart.
  *
  * @param ball    the radius of a ball (m)
- * @param springs whether springs are drawn as coils, as few of them are
+ * @param coils whether springs are drawn as coils, as they are where there are few
  */
 public record DrawnSizes(double ball, boolean coils) {
     private static final int MOST_COILS = 40;
