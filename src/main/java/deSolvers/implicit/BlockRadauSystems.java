@@ -146,14 +146,10 @@ final class BlockRadauSystems implements RadauSystems {
     }
 
     private boolean factorise(double g) {
-        factorisedFor = 0;
         debt = 0;
         iterationsWhenNew = 0;
-        if (!factors.factorise(values, false)) {
-            return false;
-        }
-        factorisedFor = g;
-        return true;
+        factorisedFor = factors.factorise(values, false) ? g : 0;
+        return factorisedFor != 0;
     }
 
     @Override

@@ -171,21 +171,20 @@ final class Newton {
      * much was taken.
      */
     private Outcome take(NewtonProblem problem, double[] u) {
-        int n = u.length;
         for (damping = 1; damping >= SMALLEST_DAMPING; damping /= 2) {
-            for (int i = 0; i < n; i++) {
+            for (int i = 0; i < u.length; i++) {
                 trial[i] = u[i] + damping * correction[i];
             }
             evaluate(problem, trial);
             if (damping == 1 && Residuals.areBelow(residual, floor, 1)) {
-                System.arraycopy(trial, 0, u, 0, n);
+                System.arraycopy(trial, 0, u, 0, u.length);
                 left = 0;
                 return Outcome.SOLVED;
             }
             nextSize = Residuals.areFinite(residual) && NewtonUpdate.compute(problem, residual, nextCorrection)
                     ? measure(nextCorrection, trial) : Double.POSITIVE_INFINITY;
             if (nextSize <= (1 - damping / 4) * size) {
-                System.arraycopy(trial, 0, u, 0, n);
+                System.arraycopy(trial, 0, u, 0, u.length);
                 return Outcome.TAKEN;
             }
             if (size <= TOLERANCE) {
@@ -284,16 +283,16 @@ final class Newton {
 
     /** What the last failure looked like, for a message. */
     String describeFailure() {
-        if (noCorrection) {
-            return String.format(Locale.ROOT,
-                    "the linear solver failed at Newton's iteration %d, with a largest residual of"
-                    + " %.2g: the matrix is singular or not finite, or GMRES did not converge", iterations,
-                    NewtonUpdate.largest(residual));
-        }
-        return String.format(Locale.ROOT,
-                "Newton's iteration did not converge: after %d iterations the correction is %.2g"
-                + " of the unknowns (limit %.0e) and the largest residual %.2g", iterations, size, TOLERANCE,
-                NewtonUpdate.largest(residual));
+        return noCorrection
+                ? String.format(Locale.ROOT,
+                "the linear solver failed at Newton's iteration %d, with a largest residual of"
+                        + " %.2g: the matrix is singular or not finite, or GMRES did not converge", iterations,
+                        NewtonUpdate.largest(residual))
+                : String.format(Locale.ROOT,
+                "Newton's iteration did not converge: after %d iterations the correction is"
+                        + " %.2g of the unknowns (limit %.0e) and the largest residual %.2g", iterations, size,
+                        TOLERANCE,
+                        NewtonUpdate.largest(residual));
     }
 
     private void fit(int n) {

@@ -222,7 +222,8 @@ class FaultsTest {
 
     /** How long it took, what a slow machine expects, and how far a run of more than two seconds says that it is. */
     private static String withoutTime(String lines) {
-        return lines.replaceAll("run time [0-9.]+ s", "run time").replaceAll("(?m)^(this takes about .*|t = .* to go)\n", "");
+        return lines.replaceAll("run time [0-9.]+ s",
+                "run time").replaceAll("(?m)^(this takes about .*|t = .* to go)\n", "");
     }
 
     @Test

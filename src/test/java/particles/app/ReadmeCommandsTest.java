@@ -31,11 +31,12 @@ import particles.app.run.StopRequest;
  * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as
  * a line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
  * {@code shorter gradle ...} for one with options that README has not, since it would take long without them.
- * A command that only names a scene by its number is run by this test for a short duration and without pictures.
+ * A command that only names a scene by its number, or a solver, is run by this test for a short duration and without
+ * pictures.
  */
 class ReadmeCommandsTest {
     private static final String COMMAND = "gradle [a-z]\\w*(?: -P\\w+(?:=[^\\s`]+)?| '-P[^'`]*')*";
-    private static final String SCENE = "gradle run -Pscene=\\d+";
+    private static final String SCENE = "gradle run(?: -Pscene=\\d+)?(?: -Psolver=[a-z0-9-]+)?";
     private static final Pattern IN_TEXT = Pattern.compile("`(" + COMMAND + ")`");
     private static final Pattern IN_BLOCK = Pattern.compile("(?m)^    (?:.*&& )?(" + COMMAND + ")$");
     private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|refused) (" + COMMAND + ")$");
@@ -52,7 +53,7 @@ class ReadmeCommandsTest {
             "gradle exercises", ExitCode.DONE,
             "gradle exercise -Pnumber=1 -Pstudent=ID", ExitCode.DONE,
             "gradle exercise -Pnumber=5 -Pstudent=ID", ExitCode.DONE,
-            "gradle exercise -Pnumber=5 -Pstudent=ID -Panswer=3,5", ExitCode.BAD_INPUT,
+            "gradle exercise -Pnumber=5 -Pstudent=ID -Panswer=3.42", ExitCode.BAD_INPUT,
             "gradle exercise -Pnumber=10 -Pstudent=ID '-Panswer=0.1 s'", ExitCode.BAD_INPUT);
 
     /** Some seconds each. */
