@@ -284,15 +284,12 @@ final class Newton {
     /** What the last failure looked like, for a message. */
     String describeFailure() {
         return noCorrection
-                ? String.format(Locale.ROOT,
-                "the linear solver failed at Newton's iteration %d, with a largest residual of"
-                        + " %.2g: the matrix is singular or not finite, or GMRES did not converge", iterations,
-                        NewtonUpdate.largest(residual))
-                : String.format(Locale.ROOT,
-                "Newton's iteration did not converge: after %d iterations the correction is"
-                        + " %.2g of the unknowns (limit %.0e) and the largest residual %.2g", iterations, size,
-                        TOLERANCE,
-                        NewtonUpdate.largest(residual));
+                ? String.format(Locale.ROOT, "the linear solver failed at Newton's iteration %d, with a largest"
+                        + " residual of %.2g: the matrix is singular or not finite, or GMRES did not converge",
+                        iterations, NewtonUpdate.largest(residual))
+                : String.format(Locale.ROOT, "Newton's iteration did not converge: after %d iterations the"
+                        + " correction is %.2g of the unknowns (limit %.0e) and the largest residual %.2g",
+                        iterations, size, TOLERANCE, NewtonUpdate.largest(residual));
     }
 
     private void fit(int n) {

@@ -5,6 +5,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
@@ -92,8 +93,18 @@ public final class Wording {
 
     /** In one line, with characters that cannot be seen, or that turn the text around them, as U+200B. */
     static String oneLine(String text) {
-        String line = INVISIBLE.matcher(text.replaceAll("[\\p{Cntrl}\\u0085\\u2028\\u2029]+", " "))
-                .replaceAll(found -> String.format("U+%04X", found.group().codePointAt(0)));
-        return line.length() > LONGEST_MESSAGE ? line.substring(0, LONGEST_MESSAGE) + " ..." : line;
+        String plain = text.replaceAll("[\\p{Cntrl}\\u0085\\u2028\\u2029]+", " ");
+        StringBuilder line = new StringBuilder();
+        for (int i = 0, next; i < plain.length(); i = next) {
+            next = i + Character.charCount(plain.codePointAt(i));
+            String character = plain.substring(i, next);
+            line.append(INVISIBLE.matcher(character).matches() ? codePoint(plain.codePointAt(i)) : character);
+        }
+        return line.length() > LONGEST_MESSAGE ? line.substring(0, LONGEST_MESSAGE) + " ..." : line.toString();
+    }
+
+    private static String codePoint(int c) {
+        String digits = Integer.toHexString(c).toUpperCase(Locale.ROOT);
+        return "U+" + "0".repeat(Math.max(0, 4 - digits.length())) + digits;
     }
 }
