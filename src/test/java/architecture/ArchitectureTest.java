@@ -25,7 +25,7 @@ class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
     private static final int MOST_LINES = 300;
 
-    private static final String ALGEBRA = "org.ejml", ORDERING = "edu.ufl.cise.amd", YAML = "org.snakeyaml",
+    private static final String ALGEBRA = "org.ejml", YAML = "org.snakeyaml",
             JSON = "com.fasterxml.jackson", COMMAND_LINE = "picocli",
             CHARTS = "org.jfree", FILMS = "org.jcodec", XML = "javax.xml", COMPILER = "javax.tools", AWT = "java.awt",
                     IMAGES = "javax.imageio";
@@ -43,7 +43,8 @@ class ArchitectureTest {
             Map.entry("deSolvers.extrapolation", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive")),
             Map.entry("deSolvers.multistep", Set.of("deSolvers", "deSolvers.rungeKutta")),
             Map.entry("deSolvers.symplectic", Set.of("deSolvers")),
-            Map.entry("deSolvers.implicit", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive", ALGEBRA, ORDERING)),
+            Map.entry("deSolvers.linear", Set.of("deSolvers", ALGEBRA)),
+            Map.entry("deSolvers.implicit", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive", "deSolvers.linear")),
             Map.entry("deSolvers.catalog", Set.of("deSolvers", "deSolvers.rungeKutta", "deSolvers.adaptive",
                     "deSolvers.extrapolation", "deSolvers.multistep", "deSolvers.symplectic", "deSolvers.implicit")),
             Map.entry("deSolvers.problems", Set.of("deSolvers")),

@@ -3,6 +3,7 @@ package benchmarks;
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.implicit.ImplicitWork;
 import hunts.TaskOptions;
 import java.io.PrintStream;
@@ -95,7 +96,7 @@ final class StiffCloth {
     }
 
     static ImplicitWork linearisedWork(double stiffness) {
-        BackwardEulerSolver solver = BackwardEulerSolver.linearised();
+        LinearisedEulerSolver solver = new LinearisedEulerSolver();
         solver.stepState(Cloth.hanging(EDGE, stiffness, 0), FRAME);
         return solver.getWork();
     }
@@ -115,7 +116,7 @@ final class StiffCloth {
         double[] further = new double[SOLVERS * FURTHER];
         ImplicitWork work = null;
         for (int i = 0; i < further.length; i += FURTHER) {
-            BackwardEulerSolver linearised = BackwardEulerSolver.linearised();
+            LinearisedEulerSolver linearised = new LinearisedEulerSolver();
             first[i / FURTHER] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
             work = linearised.getWork();
             for (int j = i; j < i + FURTHER; j++) {

@@ -3,7 +3,7 @@ package particles;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.implicit.ImplicitWork;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,7 +16,7 @@ class EliminationTest {
     private static final double FRAME = 1.0 / 60;
 
     private static ImplicitWork work(ParticleSystem system) {
-        BackwardEulerSolver solver = BackwardEulerSolver.linearised();
+        LinearisedEulerSolver solver = new LinearisedEulerSolver();
         solver.stepState(system, FRAME);
         return solver.getWork();
     }

@@ -1,39 +1,94 @@
 package deSolvers.implicit;
 
+import deSolvers.JacobianBlocks;
 import deSolvers.JacobianStateSource;
+import deSolvers.linear.BlockMatrix;
+import deSolvers.linear.BlockPattern;
+import deSolvers.linear.LinearWork;
 import java.util.Arrays;
 
 /**
- * The force derivatives of particles, K = dF/dx and C = dF/dv, block by block as the source names them: for methods that need
- * them with more than one length of step. Rows of held particles are 0, and their masses 1, so that nothing moves them.
+ * The force derivatives of particles, K = dF/dx and C = dF/dv, as sparse matrices. The source names its blocks one by one, in
+ * the same order every time; where it names others than before, the pattern is found anew. The mass of a held particle counts
+ * as 1, and its rows are 0, so that nothing moves it.
  */
-final class ForceBlocks extends BlockCollector {
-    private final ImplicitWork.Counter work;
-    private double[] stiffness = {};
-    private double[] damping = {};
+final class ForceBlocks implements JacobianBlocks {
+    private final LinearWork work;
+    private final NegativeSemidefinitePart projection = new NegativeSemidefinitePart();
+    private final double[] projected = new double[9];
+    private final double[] row = new double[9];
+    private BlockPattern pattern;
+    private BlockMatrix stiffness;
+    private BlockMatrix damping;
     private double[] masses = {};
-    private final double[] product = new double[9];
+    private boolean[] held = {};
+    private boolean projects;
+    private int named;                                  // pairs so far
+    private boolean matches;                            // whether they are those of the pattern
+    private boolean recording;
+    private int[] first = {};
+    private int[] second = {};
 
-    ForceBlocks(ImplicitWork.Counter work) {
+    ForceBlocks(LinearWork work) {
         this.work = work;
+        setPattern(0);
     }
 
-    /** Collects the blocks at the source's present state. */
-    void collect(JacobianStateSource source, int particles) {
-        work.jacobians++;
+    /**
+     * Collects the blocks at the source's present state.
+     *
+     * @param projects whether to take the negative semidefinite part of each pair's dF/dx
+     */
+    void collect(JacobianStateSource source, int particles, boolean projects) {
+        this.projects = projects;
+        receive(source, particles);
+        if (!matches || named != pattern.pairs()) {
+            recording = true;
+            named = 0;
+            source.addJacobianBlocks(this);
+            recording = false;
+            setPattern(particles);
+            receive(source, particles);
+        }
         if (masses.length != particles) {
             masses = new double[particles];
+            held = new boolean[particles];
         }
-        fill(source, particles);
-        BlockPattern pattern = pattern();
         for (int i = 0; i < particles; i++) {
             double inverse = source.getInverseMass(i);
-            masses[i] = inverse == 0 ? 1 : 1 / inverse;
-            if (inverse == 0) {
-                Arrays.fill(stiffness, 9 * pattern.rowStart[i], 9 * pattern.rowStart[i + 1], 0);
-                Arrays.fill(damping, 9 * pattern.rowStart[i], 9 * pattern.rowStart[i + 1], 0);
+            held[i] = inverse == 0;
+            masses[i] = held[i] ? 1 : 1 / inverse;
+            if (held[i]) {
+                Arrays.fill(stiffness.values(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+                Arrays.fill(damping.values(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
             }
         }
+    }
+
+    private void setPattern(int particles) {
+        pattern = new BlockPattern(particles, named, first, second);
+        stiffness = new BlockMatrix(pattern, work);
+        damping = new BlockMatrix(pattern, work);
+    }
+
+    private void receive(JacobianStateSource source, int particles) {
+        Arrays.fill(stiffness.values(), 0);
+        Arrays.fill(damping.values(), 0);
+        named = 0;
+        matches = pattern.rows() == particles;
+        source.addJacobianBlocks(this);
+    }
+
+    BlockPattern pattern() {
+        return pattern;
+    }
+
+    BlockMatrix stiffness() {
+        return stiffness;
+    }
+
+    BlockMatrix damping() {
+        return damping;
     }
 
     /** The mass of a particle (kg); 1 if it is held. */
@@ -42,80 +97,53 @@ final class ForceBlocks extends BlockCollector {
     }
 
     /**
-     * Writes the values of M - g C - g<sup>2</sup> K.
+     * Writes M - g C - g<sup>2</sup> K, without the columns of held particles, whose velocities never change.
      *
-     * @return how many times the largest diagonal block exceeds its mass: about the condition number, 1 or more
+     * @return by how much the largest diagonal block exceeds its mass: about the condition number, 1 or more
      */
-    double combine(double g, double[] values) {
-        for (int e = 0; e < stiffness.length; e++) {
-            values[e] = -g * (damping[e] + g * stiffness[e]);
-        }
-        double stiffening = 1;
+    double combine(double g, BlockMatrix matrix) {
+        double[] value = matrix.values();
+        double condition = 1;
         for (int i = 0; i < masses.length; i++) {
-            int diagonal = 9 * pattern().diagonal[i];
-            double trace = 0;
-            for (int d = diagonal; d < diagonal + 9; d += 4) {
-                values[d] += masses[i];
-                trace += Math.abs(values[d]);
+            for (int s = pattern.rowStart(i); s < pattern.rowStart(i + 1); s++) {
+                boolean zero = held[pattern.column(s)];
+                for (int e = 9 * s; e < 9 * s + 9; e++) {
+                    value[e] = zero ? 0 : -g * (damping.values()[e] + g * stiffness.values()[e]);
+                }
             }
-            stiffening = Math.max(stiffening, trace / (3 * masses[i]));
-        }
-        return stiffening;
-    }
-
-    /** The forces K x + C v; three entries a particle in all arrays. */
-    void apply(double[] x, double[] v, double[] force) {
-        BlockPattern pattern = pattern();
-        work.blockOperations += 2L * pattern.blocks();
-        for (int i = 0, to = 0; i < pattern.rows; i++, to += 3) {
-            double f0 = 0;
-            double f1 = 0;
-            double f2 = 0;
-            for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {
-                int at = 9 * s;
-                int from = 3 * pattern.column[s];
-                double x0 = x[from];
-                double x1 = x[from + 1];
-                double x2 = x[from + 2];
-                double v0 = v[from];
-                double v1 = v[from + 1];
-                double v2 = v[from + 2];
-                f0 += stiffness[at] * x0 + stiffness[at + 1] * x1 + stiffness[at + 2] * x2
-                        + damping[at] * v0 + damping[at + 1] * v1 + damping[at + 2] * v2;
-                f1 += stiffness[at + 3] * x0 + stiffness[at + 4] * x1 + stiffness[at + 5] * x2
-                        + damping[at + 3] * v0 + damping[at + 4] * v1 + damping[at + 5] * v2;
-                f2 += stiffness[at + 6] * x0 + stiffness[at + 7] * x1 + stiffness[at + 8] * x2
-                        + damping[at + 6] * v0 + damping[at + 7] * v1 + damping[at + 8] * v2;
+            int diagonal = 9 * pattern.diagonal(i);
+            for (int e = diagonal; e < diagonal + 9; e += 4) {
+                value[e] += masses[i];
             }
-            force[to] = f0;
-            force[to + 1] = f1;
-            force[to + 2] = f2;
+            condition = Math.max(condition, matrix.trace(i) / (3 * masses[i]));
         }
+        return condition;
     }
 
-    @Override
-    void resize() {
-        stiffness = new double[9 * pattern().blocks()];
-        damping = new double[9 * pattern().blocks()];
-    }
-
-    @Override
-    void clear() {
-        Arrays.fill(stiffness, 0);
-        Arrays.fill(damping, 0);
+    /** The number of the pair that is named now, or -1 if it has no place (yet). */
+    private int next(int i, int j) {
+        if (recording) {
+            if (named == first.length) {
+                first = Arrays.copyOf(first, Math.max(64, 2 * named));
+                second = Arrays.copyOf(second, first.length);
+            }
+            first[named] = i;
+            second[named++] = j;
+            return -1;
+        }
+        matches = matches && pattern.isPair(named, i, j);
+        return matches ? named++ : -1;
     }
 
     @Override
     public void add(int i, int j, double[] dFdX, double[] dFdV) {
-        if (i == j) {                                   // has its place in any pattern
-            if (hasRows()) {
-                addTo(pattern().diagonal[i], dFdX, dFdV, 1);
+        if (i != j) {
+            int p = next(i, j);
+            if (p >= 0) {
+                addTo(pattern.slot(p), dFdX, dFdV, 1);
             }
-            return;
-        }
-        int p = next(i, j);
-        if (p >= 0) {
-            addTo(pattern().slot[p], dFdX, dFdV, 1);
+        } else if (!recording && matches) {             // any pattern has the diagonal: contacts come and go without a new one
+            addTo(pattern.diagonal(i), dFdX, dFdV, 1);
         }
     }
 
@@ -123,25 +151,30 @@ final class ForceBlocks extends BlockCollector {
     public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
         int p = next(i, j);
         if (p >= 0) {
-            addTo(pattern().diagonal[i], dFdX, dFdV, 1);
-            addTo(pattern().diagonal[j], dFdX, dFdV, 1);
-            addTo(pattern().slot[p], dFdX, dFdV, -1);
-            addTo(pattern().mirrorSlot[p], dFdX, dFdV, -1);
+            double[] k = dFdX;
+            if (projects) {
+                projection.compute(dFdX, projected);
+                k = projected;
+            }
+            addTo(pattern.diagonal(i), k, dFdV, 1);
+            addTo(pattern.diagonal(j), k, dFdV, 1);
+            addTo(pattern.slot(p), k, dFdV, -1);
+            addTo(pattern.mirrorSlot(p), k, dFdV, -1);
         }
     }
 
     private void addTo(int slot, double[] dFdX, double[] dFdV, double sign) {
         for (int e = 0, at = 9 * slot; e < 9; e++, at++) {
-            stiffness[at] += sign * dFdX[e];
-            damping[at] += sign * dFdV[e];
+            stiffness.values()[at] += sign * dFdX[e];
+            damping.values()[at] += sign * dFdV[e];
         }
     }
 
     @Override
     public void transformRow(int i, double[] matrix) {
-        if (hasRows()) {
-            pattern().transformRow(i, matrix, stiffness, product);
-            pattern().transformRow(i, matrix, damping, product);
+        if (!recording && matches) {
+            stiffness.transformRow(i, matrix, row);
+            damping.transformRow(i, matrix, row);
         }
     }
 }

@@ -38,8 +38,8 @@ public final class RadauIIASolver extends AdaptiveSolver {
     private static final double WORTH_FACTORISING = 1.2;
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
-    private final RadauChoice choice = new RadauChoice(work);
-    private RadauSystems systems;
+    private final JacobianChoice choice = new JacobianChoice(work);
+    private ShiftedJacobian jacobian;
     private RadauNewton newton = new RadauNewton(work, tolerance(), 0);
     private double[][] z = new double[3][0];
     private double[][] polynomial = new double[3][0];  // of the last sub-step taken: coefficients of u, u^2, u^3
@@ -69,7 +69,6 @@ public final class RadauIIASolver extends AdaptiveSolver {
 
     @Override
     protected void resize(int n) {
-        choice.resize(n);
         newton = new RadauNewton(work, tolerance(), n);
         z = new double[3][n];
         polynomial = new double[3][n];
@@ -80,6 +79,9 @@ public final class RadauIIASolver extends AdaptiveSolver {
 
     @Override
     protected void restart() {
+        if (jacobian != null) {
+            jacobian.forget();
+        }
         jacobianKnown = false;
         preparedFor = 0;
         lastTaken = 0;
@@ -95,6 +97,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
         for (int i = 0; i < state.length; i++) {
             newState[i] = state[i] + z[2][i];
         }
+        source.setOffset(offset);
         double ratio = estimate(state, slope, h, newState);
         if (rejected && ratio > 1) {                    // once more with the derivative at s + error: no stiff part is left
             for (int i = 0; i < state.length; i++) {
@@ -108,28 +111,29 @@ public final class RadauIIASolver extends AdaptiveSolver {
         return ratio;
     }
 
-    /** (mu - h J) error = h f + e . z, in units of the tolerance. */
+    /** (mu - h J) error = h f + e . z, divided by mu, in units of the tolerance. */
     private double estimate(double[] state, double[] slope, double h, double[] newState) {
         for (int i = 0; i < state.length; i++) {
-            right[i] = h * slope[i] + RadauTableau.error(z, i);
+            right[i] = (h * slope[i] + RadauTableau.error(z, i)) / RadauTableau.MU;
         }
-        return systems.solveReal(right, error) ? tolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
+        return jacobian.solve(right, error, RadauNewton.LINEAR_TOLERANCE) ? tolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
     }
 
     /** With the Jacobian at hand, and once more with a new one if that was old and did not do. */
     private boolean findStages(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         while (true) {
-            if (!jacobianKnown || !jacobianFresh && !systems.keepsJacobian()) {
-                systems = choice.systemsFor(source.getClient());
-                systems.setJacobian(source, state, slope, offset, h);
+            if (!jacobianKnown || !jacobianFresh && !jacobian.keepsJacobian()) {
+                jacobian = choice.of(source.getClient());
+                source.setOffset(offset);
+                jacobian.setJacobian(source, state, slope, h, ShiftedJacobian.Kind.EXACT);
                 jacobianKnown = true;
                 jacobianFresh = true;
                 preparedFor = 0;
             }
-            boolean prepared = preparedFor == h || systems.prepare(h, RadauTableau.MU, RadauTableau.MU_RE, RadauTableau.MU_IM);
+            boolean prepared = preparedFor == h || prepare(h);
             preparedFor = prepared ? h : 0;
             guess(h);
-            if (prepared && newton.solve(source, systems, state, offset, h, z)) {
+            if (prepared && newton.solve(source, jacobian, state, offset, h, z)) {
                 return true;
             }
             if (jacobianFresh) {
@@ -137,6 +141,12 @@ public final class RadauIIASolver extends AdaptiveSolver {
             }
             jacobianKnown = false;
         }
+    }
+
+    private boolean prepare(double h) {
+        double square = RadauTableau.MU_RE * RadauTableau.MU_RE + RadauTableau.MU_IM * RadauTableau.MU_IM;
+        return jacobian.prepare(h / RadauTableau.MU)
+                && jacobian.prepareComplex(h * RadauTableau.MU_RE / square, -h * RadauTableau.MU_IM / square);
     }
 
     /** The last sub-step's polynomial, gone on with; 0 for the first. */

@@ -1,0 +1,89 @@
+package deSolvers.implicit;
+
+/** What Newton's method adds to its unknowns: the solution of the linearised equation, and how large that is beside them. */
+final class NewtonUpdate {
+    /** The round-off within f, beside that of the terms of its sums. */
+    private static final double WITHIN = 100;
+    /** Of the largest unit. */
+    private static final double SMALLEST_UNIT = 1e-12;
+    private static final double SMALL_UNIT = 1e-3;
+    private static final double SMALLEST_UNSCALED = 1e-100;
+    private static final double LARGEST_UNSCALED = 1e100;
+
+    private NewtonUpdate() {
+    }
+
+    /**
+     * Solves the linearised equation. A residual whose square would under- or overflow is scaled for the linear solver.
+     *
+     * @param residual r(m); unchanged but for round-off
+     * @param result   receives the update
+     * @return false if there is none
+     */
+    static boolean solve(ShiftedJacobian jacobian, double[] residual, double[] result, double tolerance) {
+        double largest = largest(residual);
+        if (largest > SMALLEST_UNSCALED && largest < LARGEST_UNSCALED || largest == 0) {
+            return jacobian.solve(residual, result, tolerance);
+        }
+        for (int i = 0; i < residual.length; i++) {
+            residual[i] /= largest;
+        }
+        boolean solved = jacobian.solve(residual, result, tolerance);
+        for (int i = 0; i < residual.length; i++) {
+            residual[i] *= largest;
+            result[i] *= largest;
+        }
+        return solved;
+    }
+
+    /**
+     * Measures an update.
+     *
+     * @param m        the unknowns that it is for
+     * @param start    how large they were at the beginning
+     * @param roundOff of each
+     * @return its largest entry relative to the unknown, which counts as no smaller than its round-off over Newton's tolerance;
+     *         infinite where that leaves the numbers
+     */
+    static double size(double[] update, double[] m, double[] start, double[] roundOff) {
+        double size = 0;
+        for (int i = 0; i < m.length; i++) {
+            double unknown = Math.max(Math.max(Math.abs(m[i]), Math.abs(m[i] + update[i])), Math.abs(start[i]));
+            double counted = Math.max(unknown, WITHIN * roundOff[i] / Newton.TOLERANCE);
+            size = Math.max(size, update[i] == 0 ? 0 : Math.abs(update[i]) / counted);
+        }
+        return size <= Double.MAX_VALUE ? size : Double.POSITIVE_INFINITY;
+    }
+
+    /** What each unknown is measured in: its size, and how far it moves in h. */
+    static void units(double[] state, double[] slope, double h, double[] unit) {
+        double smallest = Double.MIN_NORMAL;
+        for (int i = 0; i < unit.length; i++) {
+            unit[i] = Math.abs(state[i]) + Math.abs(h * slope[i]);
+            smallest = Math.max(smallest, SMALLEST_UNIT * unit[i]);
+        }
+        for (int i = 0; i < unit.length; i++) {
+            unit[i] = Math.max(unit[i], smallest);
+        }
+    }
+
+    /** The scalar product of two vectors in such units, none of which counts as less than a thousandth of the largest. */
+    static double product(double[] a, double[] b, double[] unit) {
+        double smallest = SMALL_UNIT * largest(unit);
+        double sum = 0;
+        for (int i = 0; i < unit.length; i++) {
+            double u = Math.max(unit[i], smallest);
+            sum += a[i] / u * (b[i] / u);
+        }
+        return sum;
+    }
+
+    /** The largest entry by its size; NaN if one is. */
+    static double largest(double[] values) {
+        double largest = 0;
+        for (double value : values) {
+            largest = Math.max(largest, Math.abs(value));
+        }
+        return largest;
+    }
+}
