@@ -56,6 +56,16 @@
  *     <td>what a plane does to a particle</td></tr>
  * </table>
  *
+ * <h2>Where the code differs from the slides</h2>
+ * <ul>
+ * <li>Friction has the sign that dissipates: the contact force is N - k<sub>f</sub> v<sub>t</sub>.</li>
+ * <li>The relative velocity in the damped spring is v<sub>j</sub> - v<sub>i</sub>.</li>
+ * <li>The interface has {@code getStateSize}, {@code getTime} and {@code reset} besides the calls on the Euler solver's
+ *     slide.</li>
+ * <li>The simple algorithm computes all forces at t before anything moves.</li>
+ * <li>Wind acts through drag, which takes the velocity relative to the air.</li>
+ * </ul>
+ *
  * <p>The javadoc uses three textbook symbols: h is deltaT, z is lambda h for the test equation s' = lambda s, and the
  * stability function R(z) is the factor by which a method multiplies s in one step.
  */

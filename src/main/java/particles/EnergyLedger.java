@@ -96,7 +96,7 @@ public final class EnergyLedger implements Observer {
     public void changed(ParticleSystem system, Rule rule) {
         double after = system.getEnergy(system.getOwnState(), system.getTime());
         if (!rule.isCorrection()) {
-            jumps.merge(rule.getName(), after - energy, Double::sum);
+            jumps.merge(rule.getName(), after - energy, (before, more) -> before + more);
         }
         energy = after;
         powersKnown = false;
@@ -149,9 +149,9 @@ public final class EnergyLedger implements Observer {
     public Map<String, Double> getWork() {
         Map<String, Double> work = new LinkedHashMap<>();
         for (Account account : accounts) {
-            work.merge(account.name, account.work, Double::sum);
+            work.merge(account.name, account.work, (before, more) -> before + more);
         }
-        jumps.forEach((name, joules) -> work.merge(name, joules, Double::sum));
+        jumps.forEach((name, joules) -> work.merge(name, joules, (before, more) -> before + more));
         return work;
     }
 

@@ -14,7 +14,7 @@ final class ForceSum {
     private final Particles particles;
     private final List<Effect> effects;
     private final List<Reaction> reactions;
-    private Optional<ParallelForces> parallel = Optional.empty();
+    private Optional<ParallelDerivative> parallel = Optional.empty();
     private final List<PerParticleEffect> perParticle = new ArrayList<>();
     private final List<Effect> others = new ArrayList<>();
     private int sorted;                                 // how many effects are in one of the two lists
@@ -51,14 +51,10 @@ final class ForceSum {
         return others;
     }
 
-    /** Sets how many threads evaluate systems of so many forces or more; ends those there were before. */
-    void setThreads(int threads, long paysFrom) {
-        if (threads < 1) {
-            throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
-        }
-        parallel.ifPresent(ParallelForces::close);
-        parallel = threads == 1 ? Optional.empty()
-                : Optional.of(new ParallelForces(this, particles, threads, paysFrom));
+    /** Lets something else evaluate the derivative where that pays; closes what did so before. */
+    void setParallel(Optional<ParallelDerivative> other) {
+        parallel.ifPresent(ParallelDerivative::close);
+        parallel = other;
     }
 
     private void sortEffects() {

@@ -1,13 +1,14 @@
 package particles;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The derivative, evaluated by several threads: each takes a range of the particles, and some of the blocks of each
  * {@link DivisibleEffect}. What each particle's force is added up from, and in which order, is the same as in one thread,
  * and so are the bits.
  */
-final class ParallelForces implements AutoCloseable {
+public final class ParallelForces implements ParallelDerivative {
     /** With fewer forces one thread is faster. Cloths, rk4: two are as fast at 8,000 and take 0.8 of it at 16,000. */
     static final long PAYS_FROM = 16_384;
     private static final int NOBODY = -1;
@@ -26,15 +27,34 @@ final class ParallelForces implements AutoCloseable {
     private final Workers.Work middle = this::addBlocks;
     private final Workers.Work end = this::finishRange;
 
-    ParallelForces(ForceSum forces, Particles particles, int threads, long paysFrom) {
+    private ParallelForces(ForceSum forces, Particles particles, int threads, long paysFrom) {
         this.forces = forces;
         this.particles = particles;
         this.paysFrom = paysFrom;
         workers = new Workers(threads);
     }
 
-    /** Whether there is enough to do for more than one thread. */
-    boolean pays() {
+    /**
+     * Lets several threads evaluate the forces of a system, where that pays, with the same bits.
+     *
+     * @param system  whose forces
+     * @param threads how many, the caller's own included; 1 ends all others
+     */
+    public static void use(ParticleSystem system, int threads) {
+        use(system, threads, PAYS_FROM);
+    }
+
+    /** The same from a number of forces on. */
+    static void use(ParticleSystem system, int threads, long paysFrom) {
+        if (threads < 1) {
+            throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
+        }
+        system.forces.setParallel(threads == 1 ? Optional.empty()
+                : Optional.of(new ParallelForces(system.forces, system.getParticles(), threads, paysFrom)));
+    }
+
+    @Override
+    public boolean pays() {
         long items = (long) forces.perParticle().size() * particles.count();
         List<Effect> others = forces.others();
         for (int e = 0; e < others.size(); e++) {
@@ -43,7 +63,8 @@ final class ParallelForces implements AutoCloseable {
         return items >= paysFrom;
     }
 
-    void derivative(double[] state, double time, double[] dSdt) {
+    @Override
+    public void derivative(double[] state, double time, double[] dSdt) {
         this.state = state;
         this.time = time;
         this.dSdt = dSdt;

@@ -129,11 +129,6 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         reactions.add(reaction);
     }
 
-    /** @param threads how many evaluate forces, where that pays, with the same bits; 1 ends all but the caller's */
-    public void setThreads(int threads) {
-        forces.setThreads(threads, ParallelForces.PAYS_FROM);
-    }
-
     /** @return what the particles are */
     public Particles getParticles() {
         return particles;

@@ -36,7 +36,7 @@ public final class Particles {
     void requireFixed(int particle) {
         if (!isFixed(particle)) {
             throw new IllegalArgumentException("particle '" + id(particle)
-                    + "' is free; only a fixed one can follow a given motion");
+                    + "' is free; only a fixed particle can follow a given motion");
         }
     }
 

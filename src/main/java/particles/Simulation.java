@@ -23,6 +23,7 @@ public final class Simulation {
     private final List<Observer> observers = new ArrayList<>();
     private final Audience audience = new Audience(observers);
     private final EventSteps eventSteps;
+    private double endTime;
     private long steps;
 
     /**
@@ -77,23 +78,45 @@ public final class Simulation {
     /**
      * Runs to the end.
      *
+     * @throws SimulationException as in {@link #advance()}
+     */
+    public void run() {
+        start();
+        while (!isOver()) {
+            advance();
+        }
+        finish();
+    }
+
+    /** Tells rules and observers that the first step is about to come; once, before {@link #advance()}. */
+    public void start() {
+        endTime = system.getTime() + duration;
+        rules.forEach(rule -> rule.start(system));
+        observers.forEach(observer -> observer.started(system));
+    }
+
+    /** @return whether the duration is over */
+    public boolean isOver() {
+        return endTime - system.getTime() <= ROUNDING * deltaT;
+    }
+
+    /**
+     * Makes one step.
+     *
      * @throws SimulationException if the numbers stop being finite or the energy passes its limit; what observers saw
      *                             until then stands
      */
-    public void run() {
-        double endTime = system.getTime() + duration;
-        rules.forEach(rule -> rule.start(system));
-        observers.forEach(observer -> observer.started(system));
+    public void advance() {
         double left = endTime - system.getTime();
-        while (left > ROUNDING * deltaT) {
-            double before = left;
-            step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
-            left = endTime - system.getTime();
-            if (left >= before) {
-                throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at"
-                        + " t = " + system.getTime(), null);
-            }
+        step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
+        if (endTime - system.getTime() >= left) {
+            throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at"
+                    + " t = " + system.getTime(), null);
         }
+    }
+
+    /** Tells observers that the last step was made. */
+    public void finish() {
         observers.forEach(observer -> observer.finished(system));
     }
 

@@ -27,7 +27,7 @@ class ArchitectureTest {
 
     private static final String ALGEBRA = "org.ejml", YAML = "org.snakeyaml",
             JSON = "com.fasterxml.jackson", COMMAND_LINE = "picocli",
-            CHARTS = "org.jfree", FILMS = "org.jcodec", XML = "javax.xml", COMPILER = "javax.tools", AWT = "java.awt",
+            CHARTS = "org.jfree", FILMS = "org.jcodec", XML = "javax.xml", COMPILER = "javax.tools", PAGE = "org.teavm", AWT = "java.awt",
                     IMAGES = "javax.imageio";
     private static final String EVERYTHING_OF_OURS = "*";
 
@@ -61,6 +61,10 @@ class ArchitectureTest {
             Map.entry("particles.teaching", Set.of("deSolvers", "deSolvers.", "particles", "particles.effects",
                     "particles.reactions",
                     "particles.rules", "particles.spec", "particles.scene", "particles.experiments")),
+            Map.entry("particles.messages", Set.of("deSolvers", "deSolvers.adaptive", "deSolvers.catalog", "particles",
+                    "particles.effects", "particles.reactions", "particles.experiments", "particles.scene")),
+            Map.entry("particles.lab", Set.of("deSolvers", "deSolvers.catalog", "particles", "particles.effects",
+                    "particles.experiments", "particles.messages", "particles.scene", "particles.spec", PAGE, COMPILER)),
             Map.entry("particles.app", Set.of(EVERYTHING_OF_OURS, COMMAND_LINE, JSON, COMPILER))));
 
     private final List<SourceFile> sources = SourceFile.readAll(MAIN).stream()

@@ -1,2 +1,42 @@
-/** Programs that measure time, run by tasks of their own and never by the tests; tests hold the counts they rest on. */
+/**
+ * Programs that measure time. Tasks of their own run them, never the tests; tests hold the counts they rest on.
+ *
+ * <h2>All that is timed: {@code gradle benchmark}</h2>
+ * Every solver, effect, reading a scene and drawing a frame, and solvers beside Hipparchus, by JMH, in three
+ * minutes. {@code -Pinclude=chain} measures a part; {@code -Pforks=3 -Piterations=10} gives closer medians; {@code
+ * -Pseconds} is the length of an iteration. Results go to {@code build/out/benchmark}.
+ *
+ * <p>The table says how many times as long as ours Hipparchus takes on the same sources. At equal evaluations both
+ * make the same steps of the same method; at equal error each has the coarsest steps or the loosest tolerance that
+ * ends within 1e-6 of a reference.
+ * <table>
+ * <caption>time of Hipparchus 4.0.3 over ours</caption>
+ * <tr><th>equal</th><th>ours, Hipparchus</th><th>oscillator</th><th>chain of 100</th><th>cloth of 12 x 12</th></tr>
+ * <tr><td>evaluations</td><td>{@code euler}, Euler</td><td>4.2</td><td>11</td><td>4.6</td></tr>
+ * <tr><td>evaluations</td><td>{@code midpoint}, Midpoint</td><td>4.3</td><td>9.0</td><td>3.9</td></tr>
+ * <tr><td>evaluations</td><td>{@code rk4}, ClassicalRungeKutta</td><td>4.5</td><td>7.6</td><td>3.4</td></tr>
+ * <tr><td>error</td><td>{@code rk4}, ClassicalRungeKutta</td><td>4.8</td><td>8.5</td><td>3.3</td></tr>
+ * <tr><td>error</td><td>{@code dormand-prince}, DormandPrince54</td><td>3.6</td><td>4.1</td><td>2.6</td></tr>
+ * <tr><td>error</td><td>{@code bulirsch-stoer}, GraggBulirschStoer</td><td>8.2</td><td>3.8</td><td>3.3</td></tr>
+ * <tr><td>error</td><td>{@code adams}, AdamsMoulton</td><td>51</td><td>24</td><td>19</td></tr>
+ * </table>
+ * Measured on 2026-11-22 in one run with the defaults, JDK 17, one thread, on two cores of a shared server without
+ * other work of ours: medians of five iterations of 0.06 s, in a process for each, after as many that do not count.
+ * With other work beside it, single rows differed by up to a factor of two. Adams-Moulton of Hipparchus chooses its
+ * steps, ours does not.
+ *
+ * <h2>Stiff cloth: {@code gradle stiffCloth}</h2>
+ * Prints the CPU time of a frame of 1/60 s of ever stiffer cloth of 64 x 64 particles: RK4, with up to 5,000 steps,
+ * against one step of backward Euler. That step takes as long as some 60 steps of {@code rk4}: a cloth for which
+ * {@code rk4} needs fewer is cheaper with it, and one for which it needs 5,000 takes 85 times as long with it. Over
+ * all of that the implicit step's own time varies by a factor of 3.7 (medians of fifteen steps, on the same
+ * machine).
+ *
+ * <h2>Pictures and starting up</h2>
+ * A thread of its own draws and writes the pictures of a run: for a cloth of 64 x 64 particles at 1280 x 720
+ * pixels, 32 a second on two cores with the simulation running beside it, and 27 with the animation. A film is
+ * compressed in pure Java, some tenths of a second for a frame of that size. The installed program takes 2.5 s of
+ * CPU time, user and system, for {@code run --scene=2 --frames=false} with its two charts: the median of five
+ * starts, with other work on both cores.
+ */
 package benchmarks;

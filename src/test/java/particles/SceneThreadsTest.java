@@ -56,11 +56,11 @@ class SceneThreadsTest {
         Scene scene = SceneBuilder.build(description, new Overrides().with("duration", "" + duration, "--duration"));
         Witness witness = new Witness();
         scene.system().addEffect(witness);
-        scene.system().forces.setThreads(threads, 0);
+        ParallelForces.use(scene.system(), threads, 0);
         try {
             scene.simulation().run();
         } finally {
-            scene.system().setThreads(1);
+            ParallelForces.use(scene.system(), 1);
         }
         helpers[0] = (int) witness.threads.stream().filter(name -> name.startsWith("forces-")).count();
         double[] state = Arrays.copyOf(scene.system().getOwnState(), scene.system().getStateSize() + 1);

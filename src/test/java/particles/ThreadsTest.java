@@ -69,12 +69,12 @@ class ThreadsTest {
     }
 
     private static String hashAfter(ParticleSystem system, int threads, int steps) {
-        system.setThreads(threads);
+        ParallelForces.use(system, threads);
         RK4Solver solver = new RK4Solver();
         for (int i = 0; i < steps; i++) {
             solver.stepState(system, 1.0 / 1024);
         }
-        system.setThreads(1);
+        ParallelForces.use(system, 1);
         return hash(system.getStateArray());
     }
 
@@ -188,14 +188,14 @@ class ThreadsTest {
 
     @Test
     void threadsAreOneOrMore() {
-        assertThrows(IllegalArgumentException.class, () -> cloth().setThreads(0));
+        assertThrows(IllegalArgumentException.class, () -> ParallelForces.use(cloth(), 0));
     }
 
     @Test
     void threadsEndAndAllocateNothing() {
         Set<Thread> before = Thread.getAllStackTraces().keySet();
         ParticleSystem cloth = cloth();
-        cloth.setThreads(3);
+        ParallelForces.use(cloth, 3);
         RK4Solver solver = new RK4Solver();
         for (int i = 0; i < STEPS; i++) {
             solver.stepState(cloth, 1.0 / 1024);
@@ -211,7 +211,7 @@ class ThreadsTest {
         // Measured 0 and 0; one object an evaluation would be 12,800.
         assertEquals(0, threads.getCurrentThreadAllocatedBytes() - allocated[0], 4000);
         assertEquals(0, threads.getThreadAllocatedBytes(helpers[0].getId()) - allocated[1], 4000);
-        cloth.setThreads(1);
+        ParallelForces.use(cloth, 1);
         for (Thread helper : helpers) {
             assertTrue(!helper.isAlive());
         }

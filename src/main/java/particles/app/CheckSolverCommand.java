@@ -11,9 +11,9 @@ import particles.output.ResultPage;
 import particles.output.ResultPage.Picture;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
-import particles.teaching.SolverCheck;
-import particles.teaching.SolverFigures;
-import particles.teaching.SolverVerdict;
+import particles.teaching.solvers.SolverCheck;
+import particles.teaching.figures.SolverFigures;
+import particles.teaching.solvers.SolverVerdict;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

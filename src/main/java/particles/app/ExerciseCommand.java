@@ -1,10 +1,10 @@
 package particles.app;
 
 import java.io.PrintWriter;
-import particles.teaching.exercises.Draw;
-import particles.teaching.exercises.Exercise;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.exercises.Mark;
+import particles.teaching.marking.Mark;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

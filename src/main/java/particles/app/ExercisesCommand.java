@@ -2,7 +2,7 @@ package particles.app;
 
 import java.io.PrintWriter;
 import java.util.List;
-import particles.teaching.exercises.Exercise;
+import particles.teaching.marking.Exercise;
 import particles.teaching.exercises.Exercises;
 import picocli.CommandLine.Command;
 

@@ -16,10 +16,10 @@ import particles.output.OutputFolder;
 import particles.output.ResultPage;
 import particles.output.ResultPageWriter;
 import particles.teaching.exercises.AnswersFile;
-import particles.teaching.exercises.Draw;
-import particles.teaching.exercises.Exercise;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
 import particles.teaching.exercises.Exercises;
-import particles.teaching.exercises.Mark;
+import particles.teaching.marking.Mark;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

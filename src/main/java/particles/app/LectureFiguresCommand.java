@@ -10,6 +10,7 @@ import particles.experiments.LectureFigures;
 import particles.experiments.LectureFigures.Figure;
 import particles.experiments.LectureFigures.Result;
 import particles.experiments.ProgressListener;
+import particles.messages.Digits;
 import particles.output.OutputFolder;
 import particles.output.ResultPage;
 import particles.output.ResultPage.Panel;

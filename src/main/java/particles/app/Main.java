@@ -34,7 +34,8 @@ public final class Main {
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
     static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
-        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new SolversCommand(),
+        return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new GalleryCommand(SCENES),
+                new SolversCommand(),
                 new LectureFiguresCommand(style),
                 new EnergyDriftCommand(style),
                 new WorkPrecisionCommand(style),
@@ -44,6 +45,7 @@ public final class Main {
                 new EffectCostCommand(style),
                 new RaceCommand(style),
                 new ReportCommand(style, experiments(style)),
+                new LabCommand(SCENES, exercises(), style),
                 new CheckSolverCommand(),
                 new NewClassCommand.NewSolver(exercises(), style),
                 new NewClassCommand.NewEffect(exercises(), style),

@@ -7,7 +7,8 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import particles.teaching.Skeleton;
+import particles.teaching.effects.EffectSkeleton;
+import particles.teaching.solvers.SolverSkeleton;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -41,7 +42,7 @@ abstract class NewClassCommand extends ProgramCommand {
     @Override
     final void run(PrintWriter out) throws IOException {
         String name = className.replaceFirst("^exercises[.]", "");
-        if (!Skeleton.isClassName(name)) {
+        if (!SolverSkeleton.isClassName(name)) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
                     + "' is no name for a class; a capital and then letters and digits are, as in HeunSolver");
         }
@@ -61,7 +62,7 @@ abstract class NewClassCommand extends ProgramCommand {
     /** A solver. */
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     static final class NewSolver extends NewClassCommand {
-        @Option(names = "--from", paramLabel = "CLASS", defaultValue = Skeleton.SLIDES_WAY,
+        @Option(names = "--from", paramLabel = "CLASS", defaultValue = SolverSkeleton.SLIDES_WAY,
                 description = "What it extends: DESolver, as on the slides, or FixedStepSolver, which has helpers for formulas.")
         private String from;
 
@@ -74,11 +75,11 @@ abstract class NewClassCommand extends ProgramCommand {
 
         @Override
         String text(String name) {
-            if (!Skeleton.SOLVER_BASES.contains(from)) {
+            if (!SolverSkeleton.SOLVER_BASES.contains(from)) {
                 throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("from") + ": '" + from
-                        + "' cannot be extended here; allowed are: " + String.join(", ", Skeleton.SOLVER_BASES));
+                        + "' cannot be extended here; allowed are: " + String.join(", ", SolverSkeleton.SOLVER_BASES));
             }
-            return Skeleton.solver(name, from);
+            return SolverSkeleton.solver(name, from);
         }
 
         @Override
@@ -101,7 +102,7 @@ abstract class NewClassCommand extends ProgramCommand {
 
         @Override
         String text(String name) {
-            return Skeleton.effect(name);
+            return EffectSkeleton.effect(name);
         }
 
         @Override

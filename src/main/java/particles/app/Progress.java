@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
+import particles.messages.Digits;
 
 /**
  * Says how far a long run has come: never more than a line a second, fewer when little happens, and none where the run is

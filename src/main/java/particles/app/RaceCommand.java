@@ -7,6 +7,7 @@ import particles.experiments.Race;
 import particles.experiments.Race.Result;
 import particles.experiments.RaceCharts;
 import particles.experiments.SolverChoice;
+import particles.messages.Digits;
 import particles.output.GifAnimation;
 import particles.output.OutputFolder;
 import particles.output.ResultPage;

@@ -16,6 +16,7 @@ import particles.experiments.Race.Lane;
 import particles.experiments.Race.Result;
 import particles.experiments.RaceCharts;
 import particles.experiments.SolverChoice;
+import particles.messages.Digits;
 import particles.output.CameraFraming;
 import particles.output.OutputFolder;
 import particles.output.RaceFilm;

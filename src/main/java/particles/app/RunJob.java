@@ -3,7 +3,11 @@ package particles.app;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.ParallelForces;
 import particles.SimulationException;
+import particles.messages.BlowUpMessage;
+import particles.messages.Digits;
+import particles.messages.FrictionMessage;
 import particles.output.OutputFolder;
 import particles.output.RunSummaryWriter;
 import particles.scene.OutputDescription.Video;
@@ -51,6 +55,7 @@ final class RunJob {
      */
     void run(PrintWriter out) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
+        String hash = FileHash.of(file);
         TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
             out.println(line);
             out.flush();
@@ -71,7 +76,7 @@ final class RunJob {
                 observers.add(new StopObserver(stop));
                 early = simulate(scene);
             }
-            Summary summary = new Summary(SceneName.of(file).whole(), scene, observers.energy(), observers.books(),
+            Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(), observers.books(),
                     progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
             observers.drawCharts();
@@ -85,17 +90,17 @@ final class RunJob {
 
     /** @return why it ended early, if it did */
     private Optional<String> simulate(Scene scene) {
-        scene.system().setThreads(scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
+        ParallelForces.use(scene.system(), scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
-            return FrictionMessage.of(scene, style, e).or(() -> Optional.of(new BlowUpMessage(scene, style).of(e)));
+            return FrictionMessage.of(scene, style::option, e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
         } catch (StoppedException e) {
             return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
                     + Digits.few(scene.simulation().getDuration()) + " s");
         } finally {
-            scene.system().setThreads(1);
+            ParallelForces.use(scene.system(), 1);
         }
     }
 }

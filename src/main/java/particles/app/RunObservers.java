@@ -13,6 +13,7 @@ import particles.experiments.EnergyBooks;
 import particles.experiments.EnergyHistory;
 import particles.experiments.PhaseHistory;
 import particles.experiments.VectorFields;
+import particles.messages.Digits;
 import particles.output.ChartWriter;
 import particles.output.Film;
 import particles.output.FrameObserver;

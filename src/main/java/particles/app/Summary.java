@@ -5,6 +5,7 @@ import java.util.List;
 import particles.Simulation;
 import particles.experiments.EnergyBooks;
 import particles.experiments.EnergyHistory;
+import particles.messages.Digits;
 import particles.output.RunSummary;
 import particles.scene.Scene;
 
@@ -18,15 +19,16 @@ final class Summary {
 
     /**
      * @param name    of the scene
+     * @param hash    of its file
      * @param scene   after its run
      * @param energy  what was seen of its energy
      * @param books   its ledger
      * @param seconds how long the run took (s)
      */
-    Summary(String name, Scene scene, EnergyHistory energy, EnergyBooks books, double seconds) {
+    Summary(String name, String hash, Scene scene, EnergyHistory energy, EnergyBooks books, double seconds) {
         this.scene = scene;
         Simulation simulation = scene.simulation();
-        record = new RunSummary(name, scene.description().sha256(), scene.description().solver(), simulation.getDeltaT(),
+        record = new RunSummary(name, hash, scene.description().solver(), simulation.getDeltaT(),
                 simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
                 scene.system().getEvaluations(), seconds, energy.getStart(), energy.getEnd(), energy.getScale(),
                 energy.getLargestDrift(), books.getWork(), books.getNumericalError(), books.getLargestNumericalError());

@@ -5,6 +5,7 @@ import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
 import particles.SimulationException;
+import particles.messages.Digits;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;

@@ -16,6 +16,7 @@ import particles.experiments.WorkPrecision.Curve;
 import particles.experiments.WorkTables;
 import particles.experiments.problems.WorkProblem;
 import particles.experiments.problems.WorkProblems;
+import particles.messages.Digits;
 import particles.output.OutputFolder;
 import particles.output.ResultPage;
 import particles.output.ResultPage.Picture;

@@ -2,7 +2,7 @@
  * The command line behind the gradle tasks: the only package that prints and that ends with an exit code.
  *
  * <p>Each command is one class, a {@link particles.app.ProgramCommand} with its options declared as annotated fields, and
- * one entry of {@link particles.app.Main#commands()}; its gradle task is one line of {@code build.gradle}. A command
+ * one entry of {@code Main.commands}; its gradle task is one line of {@code build.gradle}. A command
  * that cannot do what was asked throws: {@link particles.app.Failures} alone makes lines and exit codes of it.
  */
 package particles.app;

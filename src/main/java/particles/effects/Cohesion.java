@@ -50,11 +50,13 @@ public final class Cohesion implements DifferentiableEffect {
      */
     public Cohesion(Particles particles, double range, double distance, double depth, double damping) {
         if (!(distance > 0 && distance < range && range <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("cohesion's distance of balance has to be over 0 and less than its range, not "
+            throw new IllegalArgumentException("cohesion's distance of balance has to be over 0 and less than"
+                    + " its range, not "
                     + distance + " with a range of " + range);
         }
         if (!(depth > 0 && depth <= Double.MAX_VALUE && damping >= 0 && damping <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("cohesion needs a positive depth and a damping of 0 or more, not " + depth + ", "
+            throw new IllegalArgumentException("cohesion needs a positive depth and a damping of 0 or more,"
+                    + " not " + depth + ", "
                     + damping);
         }
         this.particles = particles;
@@ -200,18 +202,18 @@ public final class Cohesion implements DifferentiableEffect {
     /** Cohesion in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Double> RANGE = Key.required("range", NumberType.positive("m"),
-                "The distance beyond which two particles do not feel each other (m).");
+                "The distance beyond which two particles exert no force on each other (m).");
         private static final Key<Double> BALANCE = Key.withDefault("balance", NumberType.between(0.05, 0.95, ""), 0.6,
-                "At which part of the range two particles neither attract nor repel each other.");
+                "The fraction of the range at which two particles neither attract nor repel each other.");
         private static final Key<Double> DEPTH = Key.required("depth", NumberType.positive("J"),
-                "The energy that it takes to separate two particles (J).");
+                "The energy needed to separate two particles (J).");
         private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
-                "What slows two near particles that approach each other or part (N s/m).");
+                "Damping of the relative speed of two near particles (N s/m).");
 
         /** The one for all scenes. */
         public Keys() {
-            super("cohesion", "Near particles repel and less near ones attract each other, so that many hold together"
-                    + " like a drop.", RANGE, BALANCE, DEPTH, DAMPING);
+            super("cohesion", "Particles attract each other at a distance and repel each other close by, so"
+                    + " that many hold together like a drop.", RANGE, BALANCE, DEPTH, DAMPING);
         }
 
         @Override

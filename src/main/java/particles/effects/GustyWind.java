@@ -24,7 +24,8 @@ public final class GustyWind implements Wind {
      */
     public GustyWind(Vector3 mean, Vector3 gust, double period) {
         if (!mean.isFinite() || !gust.isFinite() || !(period > 0) || !(period <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a wind needs finite velocities and a positive period, not " + mean + ", " + gust
+            throw new IllegalArgumentException("a wind needs finite velocities and a positive period,"
+                    + " not " + mean + ", " + gust
                     + ", " + period);
         }
         this.mean = mean;
@@ -63,13 +64,13 @@ public final class GustyWind implements Wind {
         private static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"),
                 "The wind's steady part (m/s).");
         private static final Key<Vector3> GUST = Key.withDefault("gust", VectorType.of("m/s"), Vector3.ZERO,
-                "The amplitude of its varying part, gust sin(2 pi t / period) (m/s).");
+                "The amplitude of the gusts, gust sin(2 pi t / period) (m/s).");
         private static final Key<Double> PERIOD = Key.withDefault("period", NumberType.positive("s"), 1.0,
-                "From gust to gust (s).");
+                "The time between gusts (s).");
 
         /** The one for all scenes. */
         public Keys() {
-            super("wind", "The air moves, and drag carries particles with it.", MEAN, GUST, PERIOD);
+            super("wind", "Moves the air; drag then carries particles along.", MEAN, GUST, PERIOD);
         }
 
         @Override

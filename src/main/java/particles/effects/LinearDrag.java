@@ -58,11 +58,11 @@ public final class LinearDrag extends AirDrag {
     /** Linear drag in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("N s/m"),
-                "c, the force on a particle for each m/s of its motion through the air (N s/m).");
+                "c, the force per m/s of speed through the air (N s/m).");
 
         /** The one for all scenes. */
         public Keys() {
-            super("drag", "Air resists every particle in proportion to its velocity through the air.", COEFFICIENT);
+            super("drag", "Air resistance proportional to the speed through the air.", COEFFICIENT);
         }
 
         @Override

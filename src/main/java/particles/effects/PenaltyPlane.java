@@ -65,11 +65,11 @@ public final class PenaltyPlane extends Penalty {
         private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
                 "Any point of the plane (m).");
         private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""),
-                new Vector3(0, 1, 0), "N, the direction out of the solid; of any length.");
+                new Vector3(0, 1, 0), "N, the direction out of the solid; its length does not matter.");
 
         /** The one for all scenes. */
         public Keys() {
-            super("penaltyPlane", "A stiff plane pushes particles back that are below it.", SharedKeys.STIFFNESS,
+            super("penaltyPlane", "A stiff plane that pushes back particles below it.", SharedKeys.STIFFNESS,
                     SharedKeys.LOSS, POINT, NORMAL);
         }
 

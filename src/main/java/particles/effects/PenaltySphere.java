@@ -78,7 +78,7 @@ public final class PenaltySphere extends Penalty {
     public static final class Keys extends EffectKind {
         /** The one for all scenes. */
         public Keys() {
-            super("penaltySphere", "A stiff ball pushes particles out, or a hollow one pushes them in.",
+            super("penaltySphere", "A stiff ball that pushes particles out, or a hollow one that pushes them in.",
                     SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, SharedKeys.STIFFNESS, SharedKeys.LOSS);
         }
 

@@ -44,7 +44,8 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
      */
     public PointAttraction(Particles particles, Vector3 centre, double strength, double softening) {
         if (!centre.isFinite() || !Double.isFinite(strength) || !(softening >= 0) || !(softening <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("an attraction needs a finite centre and strength and a softening of 0 or more,"
+            throw new IllegalArgumentException("an attraction needs a finite centre and strength and a"
+                    + " softening of 0 or more,"
                     + " not " + centre + ", " + strength + ", " + softening);
         }
         this.particles = particles;
@@ -123,12 +124,12 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         private static final Key<Vector3> CENTRE = Key.withDefault("centre", VectorType.of("m"), Vector3.ZERO,
                 "The point that attracts (m).");
         private static final Key<Double> SOFTENING = Key.withDefault("softening", NumberType.notNegative("m"), 0.0,
-                "s: the force is that of a point at the distance sqrt(r^2 + s^2), and particles may pass through the"
-                + " point (m).");
+                "s: the force is that at the distance sqrt(r^2 + s^2), so that particles may pass through the"
+                        + " centre (m).");
 
         /** The one for all scenes. */
         public Keys() {
-            super("attraction", "A point attracts every particle as the sun does.", STRENGTH, CENTRE, SOFTENING);
+            super("attraction", "Attracts every particle to a point, as the sun does.", STRENGTH, CENTRE, SOFTENING);
         }
 
         @Override

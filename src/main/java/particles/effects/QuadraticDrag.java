@@ -55,12 +55,12 @@ public final class QuadraticDrag extends AirDrag {
     /** Quadratic drag in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("kg/m"),
-                "c, the force on a particle over the square of its speed through the air: half the air's density times"
+                "c, the force divided by the square of the speed through the air: half of air density times"
                         + " cross-section times drag coefficient (kg/m).");
 
         /** The one for all scenes. */
         public Keys() {
-            super("quadraticDrag", "Air resists every particle in proportion to the square of its speed through the"
+            super("quadraticDrag", "Air resistance proportional to the square of the speed through the"
                     + " air.", COEFFICIENT);
         }
 

@@ -13,23 +13,23 @@ import particles.spec.WholeNumberType;
 public final class SharedKeys {
     /** Which random numbers. */
     public static final Key<Integer> SEED = Key.withDefault("seed", new WholeNumberType(0, 1_000_000_000), 1,
-            "Which of all random sequences; the same seed gives the same run on every machine.");
+            "The seed of the random numbers; the same seed gives the same run on every machine.");
 
     /** The middle of a sphere. */
-    public static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Where its middle is (m).");
+    public static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Its centre (m).");
     /** The radius of a sphere. */
     public static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "Its radius (m).");
     /** Which side of a sphere is solid. */
     public static final Key<Boolean> HOLLOW = Key.withDefault("hollow", FlagType.FLAG, false,
-            "Whether particles belong inside it, as in a bowl or a bubble, and not outside.");
+            "Whether particles belong inside, as in a bowl or a bubble, instead of outside.");
 
     /** The stiffness of a penalty force. */
     static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.notNegative("N/m"),
-            "k, the push for each metre of depth (N/m).");
+            "k, the push per metre of depth (N/m).");
     /** The damping of a penalty force. */
     static final Key<Double> LOSS = Key.withDefault("loss", NumberType.notNegative("s/m"), 0.0,
-            "By what part the push is larger for each m/s of speed inwards, and smaller outwards (s/m); 0 loses no"
-            + " energy.");
+            "Relative increase of the force per m/s of inward speed, and decrease per m/s of outward speed"
+                    + " (s/m); 0 loses no energy.");
 
     private SharedKeys() {
     }

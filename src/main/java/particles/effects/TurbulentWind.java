@@ -43,7 +43,8 @@ public final class TurbulentWind implements Wind {
     public TurbulentWind(Vector3 mean, double strength, double eddySize, long seed) {
         if (!mean.isFinite() || !(strength >= 0) || !(strength <= Double.MAX_VALUE) || !(eddySize > 0)
                 || !(eddySize <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("turbulence needs a finite mean, a strength of 0 or more and a positive size of"
+            throw new IllegalArgumentException("turbulence needs a finite mean, a strength of 0 or more and a"
+                    + " positive size of"
                     + " eddies, not " + mean + ", " + strength + ", " + eddySize);
         }
         this.mean = mean;
@@ -116,15 +117,15 @@ public final class TurbulentWind implements Wind {
     /** Turbulence in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Double> STRENGTH = Key.required("strength", NumberType.notNegative("m/s"),
-                "The root mean square of the eddies' speed (m/s).");
+                "The root mean square speed of the eddies (m/s).");
         private static final Key<Double> EDDY_SIZE = Key.withDefault("eddySize", NumberType.positive("m"), 1.0,
-                "How large the largest eddies are (m); the smallest are an eighth of that.");
+                "The size of the largest eddies (m); the smallest are an eighth of that.");
         private static final Key<Vector3> MEAN = Key.withDefault("mean", VectorType.of("m/s"), Vector3.ZERO,
                 "The steady wind that carries the eddies along (m/s).");
 
         /** The one for all scenes. */
         public Keys() {
-            super("turbulence", "The air moves in eddies of many sizes, and drag carries particles with it.", STRENGTH,
+            super("turbulence", "Moves the air in eddies of many sizes; drag then carries particles along.", STRENGTH,
                     EDDY_SIZE, MEAN, SharedKeys.SEED);
         }
 

@@ -1,6 +1,79 @@
 /**
- * Force laws: one law, one file. Each says what energy it stores, dissipates or brings in and what it claims of itself
- * ({@link particles.Effect.Trait}); tests hold it to that. Its nested class {@code Keys} says what scenes can say of
- * it, and {@link particles.effects.EffectCatalog} is the list of all.
+ * Force laws: one law, one file. Each law says what energy it stores, dissipates or brings in, and which properties
+ * it claims ({@link particles.Effect.Trait}); tests hold it to that. Its nested class {@code Keys} declares its
+ * keys in a scene, and {@link particles.effects.EffectCatalog} lists all laws.
+ *
+ * <h2>A law of your own</h2>
+ * {@code gradle newEffect -Pclass=MyForce} writes a class to start from, and {@code gradle checkEffect
+ * -Peffect=exercises.MyForce} checks it. This is a complete law, {@code src/main/java/exercises/Coriolis.java}; a
+ * test compiles and runs it:
+ * <pre>{@code
+ * package exercises;
+ *
+ * import java.util.Set;
+ * import particles.ParticleForce;
+ * import particles.Particles;
+ * import particles.Vector3;
+ * import particles.effects.EffectContext;
+ * import particles.effects.EffectKind;
+ * import particles.spec.Key;
+ * import particles.spec.Values;
+ * import particles.spec.VectorType;
+ *
+ * // The Coriolis force of a frame that turns with the angular velocity w: F = 2 m v x w. It does no work.
+ * public final class Coriolis extends ParticleForce {
+ *     private final Vector3 w;
+ *
+ *     public Coriolis(Particles particles, Vector3 w) {
+ *         super(particles);
+ *         this.w = w;
+ *     }
+ *
+ *     @Override
+ *     public Set<Trait> getTraits() {
+ *         return Set.of(Trait.TRANSLATION_INVARIANT);
+ *     }
+ *
+ *     @Override
+ *     protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+ *         return velocity.cross(w).times(2 * mass);
+ *     }
+ *
+ *     // In a scene: - exercises.Coriolis: {angularVelocity: [0, 0, 1.57]}
+ *     public static final class Keys extends EffectKind {
+ *         private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity",
+ *                 VectorType.of("rad/s"), "How fast the frame turns, about which axis (rad/s).");
+ *
+ *         public Keys() {
+ *             super("exercises.Coriolis", "The Coriolis force of a turning frame.", ANGULAR_VELOCITY);
+ *         }
+ *
+ *         @Override
+ *         public void build(Values values, EffectContext scene) {
+ *             scene.add(new Coriolis(scene.particles(), values.get(ANGULAR_VELOCITY)));
+ *         }
+ *     }
+ * }
+ * }</pre>
+ * A scene names the class:
+ * <pre>{@code
+ * title: A puck on a turntable
+ * teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table turns once.
+ * solver: rk4
+ * deltaT: 0.01
+ * duration: 2
+ * particles:
+ *   - {id: puck, position: [0, 0, 0], velocity: [1, 0, 0]}
+ * effects:
+ *   - exercises.Coriolis: {angularVelocity: [0, 0, 1.5707963267948966]}
+ * }</pre>
+ * If a force on one particle is not enough, implement {@link particles.Effect}, which adds up the forces on all
+ * particles, as springs do.
+ *
+ * <h2>Adding a law to the program</h2>
+ * Move the class into this package, give its {@code Keys} a short name, and add a line to {@link
+ * particles.effects.EffectCatalog}. The test {@code SceneSchemaTest} then writes the new schema to {@code
+ * build/scene.schema.json}: copy it over {@code scenes/scene.schema.json}. {@code gradle gallery} writes the
+ * reference in {@code scenes/README.md} again.
  */
 package particles.effects;

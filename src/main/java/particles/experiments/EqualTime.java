@@ -135,10 +135,9 @@ final class EqualTime {
         return median(times);
     }
 
-    /** In one thread, so that no time is spent waiting for others. */
+    /** In one thread, as long as nobody hands in more, so that no time is spent waiting for others. */
     private Outcome run(Setting setting, long mostEvaluations) {
         Scene built = SceneRun.build(scene, setting, scene.duration());
-        built.system().setThreads(1);
         return SceneRun.run(built, mostEvaluations, List.of());
     }
 

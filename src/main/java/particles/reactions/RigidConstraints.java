@@ -96,7 +96,8 @@ public final class RigidConstraints implements Reaction, SpringView {
      */
     public void addBead(int particle, Curve wire) {
         if (particles.isFixed(particle)) {
-            throw new IllegalArgumentException("particle '" + particles.id(particle) + "' is fixed; a bead has to be free");
+            throw new IllegalArgumentException("particle '" + particles.id(particle) + "' is fixed; a bead must"
+                    + " be free to move");
         }
         rows.addBead(particle, wire);
         arranged = false;
@@ -201,7 +202,8 @@ public final class RigidConstraints implements Reaction, SpringView {
         if (left > CONTRADICTION * linkage.scale(right, accelerations)) {
             int particle = rows.first(linkage.members()[0]);
             throw new SimulationException(time, particle, "the rods and wires that hang together with particle '"
-                    + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can keep them all", null);
+                    + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can"
+                    + " keep them all", null);
         }
     }
 

@@ -19,9 +19,10 @@ final class BirthAndDeath {
     }
 
     private static final Key<Double> STRAIN = Key.required("strain", NumberType.positive(""),
-            "The stretch over the rest length beyond which a spring tears: 0.5 at one and a half times its rest length.");
+            "The strain, stretch over rest length, at which a spring tears: 0.5 is one and a half times its"
+                    + " rest length.");
 
-    static final RuleKind TEAR = new RuleKind("tear", "Springs that are stretched too far are gone.", STRAIN) {
+    static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.", STRAIN) {
         @Override
         void build(Values values, SceneAssembly assembly) {
             assembly.add(new SpringTear(assembly.springs(), values.get(STRAIN)));
@@ -34,20 +35,23 @@ final class BirthAndDeath {
     };
 
     private static final Key<String> ID = Key.required("id", ParticleDescription.NEW_ID,
-            "Its name, with which its particles' ids begin: fountain[0], fountain[1] ...; no particle or shape has it.");
-    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where particles begin (m).");
+            "Its name. Its particles get ids that begin with it: fountain[0], fountain[1] ... It must differ"
+                    + " from the ids of particles and shapes.");
+    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where particles"
+            + " are born (m).");
     private static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
-            "How far from there at most (m).");
+            "The largest distance from that position at birth (m).");
     private static final Key<Vector3> DIRECTION = Key.withDefault("direction", VectorType.notZero(""), new Vector3(0, 1, 0),
-            "Where they go; of any length.");
+            "The direction they leave in; its length does not matter.");
     private static final Key<Double> SPREAD = Key.withDefault("spread", NumberType.between(0, 180, "degrees"), 0.0,
-            "The largest angle between a particle's direction and that (degrees).");
-    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"), "How fast they go (m/s).");
+            "The largest angle between a particle's velocity and the direction (degrees).");
+    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"), "Their speed"
+            + " at birth (m/s).");
     private static final Key<Double> RATE = Key.required("rate", NumberType.between(1e-6, 1e6, "1/s"),
-            "How many are born in a second (1/s).");
+            "Particles born in a second (1/s).");
     private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0, "The mass of each (kg).");
     private static final Key<Double> LIFETIME = Key.optional("lifetime", NumberType.positive("s"),
-            "How long each lives (s); for ever where it is not given.");
+            "How long each lives (s); for ever if left out.");
 
     static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION,
             SPREAD, SPEED,
@@ -77,11 +81,12 @@ final class BirthAndDeath {
         }
     };
 
-    private static final Key<Vector3> POINT = Key.required("point", VectorType.of("m"), "Any point of the plane (m).");
+    private static final Key<Vector3> POINT = Key.required("point", VectorType.of("m"), "Any point of the plane"
+            + " (m).");
     private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""), new Vector3(0, 1, 0),
-            "The side on which particles live; of any length.");
+            "Points to the side where particles survive; its length does not matter.");
 
-    static final RuleKind KILL = new RuleKind("kill", "Particles that get behind a plane are gone.", POINT, NORMAL) {
+    static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.", POINT, NORMAL) {
         @Override
         void build(Values values, SceneAssembly assembly) {
             assembly.add(new KillPlane(new Plane(values.get(POINT), values.get(NORMAL))));
@@ -94,15 +99,17 @@ final class BirthAndDeath {
     };
 
     private static final Key<String> SAMPLE_ID = Key.withDefault("id", ParticleDescription.NEW_ID, "sample",
-            "The name with which the ids of new particles begin; no particle, shape or emitter has it.");
+            "The ids of new particles begin with this name. It must differ from the ids of particles, shapes"
+                    + " and emitters.");
     private static final Key<Double> FARTHEST = Key.required("farthest", NumberType.positive("m"),
-            "A particle that has no other within this distance becomes two (m).");
+            "A particle with no other within this distance splits in two (m).");
     private static final Key<Double> CLOSEST = Key.withDefault("closest", NumberType.between(0.01, 0.49, ""), 0.3,
-            "Two that are closer than this part of the farthest distance become one.");
+            "Two particles closer than this fraction of 'farthest' merge.");
     private static final Key<Double> LIGHTEST = Key.required("lightest", NumberType.positive("kg"),
-            "No particle becomes lighter than this by becoming two (kg).");
+            "No split makes a particle lighter than this (kg).");
 
-    static final RuleKind SAMPLES = new RuleKind("samples", "Particles merge and split so that they are spread evenly.", FARTHEST,
+    static final RuleKind SAMPLES = new RuleKind("samples", "Merges and splits particles to keep them evenly"
+            + " spaced.", FARTHEST,
             CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED) {
         @Override
         void build(Values values, SceneAssembly assembly) {

@@ -18,16 +18,16 @@ final class CameraFormat {
 
     static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where the camera stands (m).");
     static final Key<Vector3> TARGET = Key.required("target", VectorType.of("m"),
-            "The point in the middle of the picture (m).");
+            "The point at the centre of the picture (m).");
     static final Key<Vector3> UP = Key.withDefault("up", VectorType.notZero(""), new Vector3(0, 1, 0),
             "The direction that is up in the picture.");
     static final Key<String> PROJECTION = Key.withDefault("projection",
             NameType.of("projection", List.of(PERSPECTIVE, "orthographic")), PERSPECTIVE,
-            "perspective: what is far is small; orthographic: parallel lines stay parallel.");
+            "perspective: distant things look smaller; orthographic: parallel lines stay parallel.");
     static final Key<Double> FIELD_OF_VIEW = Key.withDefault("fieldOfView", NumberType.between(1, 170, "degrees"), 35.0,
-            "The vertical angle that a perspective picture covers (degrees).");
-    static final Key<Double> HEIGHT = Key.optional("height", NumberType.positive("m"), "The height that an orthographic"
-            + " picture covers (m); where it is not given, what a perspective one would cover at the target.");
+            "The vertical angle of a perspective picture (degrees).");
+    static final Key<Double> HEIGHT = Key.optional("height", NumberType.positive("m"), "The height of an"
+            + " orthographic picture (m); by default the height of a perspective one at the target.");
 
     static final MappingType TYPE = MappingType.of("the camera", POSITION, TARGET, UP, PROJECTION, FIELD_OF_VIEW, HEIGHT);
 
@@ -37,7 +37,8 @@ final class CameraFormat {
     static Optional<Camera> of(Values values, Problems problems) {
         Vector3 away = values.get(POSITION).minus(values.get(TARGET));
         if (away.length() == 0) {
-            problems.add(values.place(TARGET), "the camera's target is where the camera stands; it has to be another point");
+            problems.add(values.place(TARGET), "the camera's target is at the camera's position; choose another"
+                    + " point");
             return Optional.empty();
         }
         if (away.normalized().cross(values.get(UP).normalized()).length() < 1e-6) {

@@ -60,19 +60,21 @@ final class ConstraintChecks {
         Place place = values.place(RodDescription.TO);
         Vector3 way = index.position(rod.to()).minus(index.position(rod.from()));
         if (rod.from().equals(rod.to())) {
-            problems.add(place, "a rod from " + Wording.quote(rod.from()) + " to itself; its ends have to be two particles");
+            problems.add(place, "a rod from " + Wording.quote(rod.from()) + " to itself; its ends must be two"
+                    + " different particles");
         } else if (way.isZero()) {
             problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
-                    + " are at the same place; a rod needs a length");
+                    + " are at the same place; a rod between them would have no length");
         } else if (index.isFixed(rod.from()) && index.isFixed(rod.to())) {
             problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
-                    + " are fixed; a rod between them holds nothing");
+                    + " are fixed; a rod between them has no effect");
         } else {
             double rate = index.velocity(rod.to()).minus(index.velocity(rod.from())).dot(way) / way.length();
             if (Math.abs(rate) > STILL) {
-                problems.add(place, "the ends of the rod from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
+                problems.add(place, "the ends of the rod"
+                        + " from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
                         + " move " + (rate > 0 ? "apart" : "together") + " at " + Wording.number(Math.abs(rate))
-                        + " m/s; they may only turn about each other");
+                        + " m/s; their relative velocity must be across the rod");
             }
         }
         rods.add(rod);
@@ -83,7 +85,8 @@ final class ConstraintChecks {
         Vector3 x = index.position(bead);
         Vector3 v = index.velocity(bead);
         if (index.isFixed(bead)) {
-            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + " is fixed; a bead has to be free");
+            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + " is fixed; a bead must be"
+                    + " free to move");
         } else {
             Curve curve = wire.kind().curve(wire.values(), x);
             double[] off = new double[Curve.ROWS];
@@ -93,8 +96,10 @@ final class ConstraintChecks {
                 double leaving = gradients[3 * r] * v.x() + gradients[3 * r + 1] * v.y() + gradients[3 * r + 2] * v.z();
                 if (Math.abs(off[r]) > ON_WIRE || Math.abs(leaving) > STILL) {
                     problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (Math.abs(off[r]) > ON_WIRE
-                            ? " begins about " + Wording.number(Math.abs(off[r])) + " m off its wire; it has to begin on it"
-                            : " leaves its wire at " + Wording.number(Math.abs(leaving)) + " m/s; it may only move along it"));
+                            ? " begins about " + Wording.number(Math.abs(off[r])) + " m off its wire; place it"
+                                    + " on the wire"
+                            : " leaves its wire at " + Wording.number(Math.abs(leaving)) + " m/s; its velocity"
+                                    + " must be along the wire"));
                     break;
                 }
             }
@@ -111,7 +116,8 @@ final class ConstraintChecks {
             if (deltaT.isPresent() && rate * deltaT.get() > MOST_FEEDBACK) {
                 problems.add(scene.find(SceneFormat.CONSTRAINTS).isPresent() ? constraints.place()
                         : scene.place(SceneFormat.DELTA_T), "the feedback of rods and wires, " + Wording.number(rate)
-                        + " /s, is too fast for steps of " + Wording.number(deltaT.get()) + " s; feedback times deltaT may be "
+                        + " /s, is too strong for a deltaT of " + Wording.number(deltaT.get()) + " s; feedback"
+                        + " times deltaT must be "
                         + Wording.number(MOST_FEEDBACK) + " at most");
             }
         }

@@ -26,9 +26,10 @@ import particles.spec.Values;
 public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireKind>> wires, double feedback,
         boolean projection) {
     static final Key<Double> FEEDBACK = Key.withDefault("feedback", NumberType.notNegative("1/s"),
-            RigidConstraints.USUAL_FEEDBACK, "The rate at which errors of lengths decay (1/s); much more than 0.1/deltaT does harm.");
+            RigidConstraints.USUAL_FEEDBACK, "The rate at which errors of length decay (1/s); values far above"
+                    + " 0.1/deltaT make the run less accurate.");
     static final Key<Boolean> PROJECTION = Key.withDefault("projection", FlagType.FLAG, false,
-            "Whether particles are put back onto rods and wires after every step.");
+            "Whether to move particles back onto rods and wires after every step.");
     static final MappingType TYPE = MappingType.of("'constraints'", FEEDBACK, PROJECTION);
 
     static ConstraintDescription of(List<RodDescription> rods, List<Chosen<WireKind>> wires, Values values) {

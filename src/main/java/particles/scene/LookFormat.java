@@ -27,28 +27,29 @@ final class LookFormat {
     static final Key<String> PARTICLES = Key.withDefault("particles", NameType.of("choice", SHOWN),
             nameOf(STANDARD.particles()), "Which particles are drawn.");
     static final Key<String> PARTICLES_AS = Key.withDefault("particlesAs", NameType.of("way of drawing", KINDS),
-            nameOf(Style.STANDARD.kind()), "As what those that are not fixed are drawn. balls: shaded; points: dots that are as"
-            + " large far away as near by; blobs: drops that flow together, with a smooth surface around all of them; glow: spots"
-            + " of light that add up, and fade with age where particles have a lifetime.");
-    static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR), "The colours of a"
-            + " glow from a particle's birth to its death, evenly spread; those of a flame where they are not given.");
+            nameOf(Style.STANDARD.kind()), "How free particles are drawn. balls: shaded; points: dots of the"
+                    + " same size at any distance; blobs: drops that merge into one smooth surface; glow: spots"
+                    + " of light that add up and fade with age if particles have a lifetime.");
+    static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR), "The colours of a glow from birth to death, evenly spaced; by default those of a flame.");
     static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.between(0, 1000, "s"), Style.STANDARD.trail(),
-            "For how long the way that a particle came is seen as a line that fades (s); 0 for none.");
+            "How long the path of a particle stays visible as a fading line (s); 0 for no trail.");
     static final Key<String> SKY = Key.optional("sky", NameType.of("sky", SKIES),
-            "day or night; where it is not given, night for a glow, which does not show by day, and day for all else.");
+            "day or night; by default night for a glow, which does not show by day, and day otherwise.");
     static final Key<String> SPRINGS = Key.withDefault("springs", NameType.of("choice", SHOWN),
-            nameOf(STANDARD.springs()), "Which springs are drawn, coloured by their strain, and which rods.");
+            nameOf(STANDARD.springs()), "Which springs and rods are drawn; the colour of a spring shows its strain.");
     static final Key<Double> PARTICLE_RADIUS = Key.withDefault("particleRadius", NumberType.notNegative("m"),
-            STANDARD.particleRadius(), "The radius of a ball, a lonely blob or a spot of light (m); 0 for one that suits the"
-            + " scene's size.");
+            STANDARD.particleRadius(), "The radius of a ball, a single blob or a spot of light (m); 0 to choose"
+                    + " it from the scene's size.");
     static final Key<Double> STRAIN_RANGE = Key.withDefault("strainRange", NumberType.positive(""), STANDARD.strainRange(),
-            "The stretch, as a part of the rest length, at which a spring has its full colour.");
+            "The strain, stretch over rest length, at which a spring has its full colour.");
     static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.particleColour(),
             "The colour of particles and trails; a glow has its own.");
-    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(), "The colour of fixed particles.");
+    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(), "The colour of fixed"
+            + " particles.");
     static final Key<String> FRONT_COLOUR = colour("frontColour", STANDARD.frontColour(),
             "The colour of a surface's front.");
-    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a surface's back.");
+    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a"
+            + " surface's back.");
 
     static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
             SPRINGS, PARTICLE_RADIUS, STRAIN_RANGE,
@@ -78,11 +79,13 @@ final class LookFormat {
         }
         int count = values.find(AGE_COLOURS).orElse(List.of()).size();
         if (count < 1 || count > MOST_COLOURS) {
-            problems.add(values.place(AGE_COLOURS), "'ageColours' has " + count + " colours; from 1 to " + MOST_COLOURS
+            problems.add(values.place(AGE_COLOURS), "'ageColours' has " + count + " colours; allowed are 1"
+                    + " to " + MOST_COLOURS
                     + " are possible");
         }
         if (values.find(PARTICLES_AS).filter(as -> !as.equals(GLOW)).isPresent()) {
-            problems.add(values.place(AGE_COLOURS), "'ageColours' are those of a glow; add 'particlesAs: glow', or leave them out");
+            problems.add(values.place(AGE_COLOURS), "'ageColours' only works with a glow; add 'particlesAs:"
+                    + " glow' or remove it");
         }
     }
 

@@ -14,10 +14,11 @@ import particles.spec.VectorType;
 
 /** The given motions of fixed particles; {@link RuleKind#ALL} lists them. */
 abstract class MotionKinds extends RuleKind {
-    private static final Key<String> PARTICLE = Key.required("particle", TextType.of("the id of a fixed particle", "\\S"),
-            "Which fixed particle moves in this way, from where it is at the start.");
+    private static final Key<String> PARTICLE = Key.required("particle", TextType.of("the id of a fixed"
+            + " particle", "\\S"),
+            "The fixed particle that moves in this way, starting from its position.");
     private static final Key<Double> PERIOD = Key.required("period", NumberType.positive("s"),
-            "How long it takes to come round (s).");
+            "The time of one round trip (s).");
 
     private MotionKinds(String name, String sentence, Key<?>... keys) {
         super(name, sentence, keys);
@@ -41,9 +42,10 @@ abstract class MotionKinds extends RuleKind {
     }
 
     private static final Key<Vector3> AMPLITUDE = Key.required("amplitude", VectorType.notZero("m"),
-            "How far it goes to one side, and in which direction (m).");
+            "The largest displacement to one side, as a vector (m).");
 
-    static final RuleKind SHAKE = new MotionKinds("shake", "A fixed particle swings to and fro: amplitude sin(2 pi t / period).",
+    static final RuleKind SHAKE = new MotionKinds("shake", "Moves a fixed particle to and fro: amplitude sin(2"
+            + " pi t / period).",
             PARTICLE, AMPLITUDE, PERIOD) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {
@@ -56,11 +58,13 @@ abstract class MotionKinds extends RuleKind {
         }
     };
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Any point of the axis (m).");
+    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Any point of the"
+            + " axis (m).");
     private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
-            "The axis about which it turns, counter-clockwise seen against it; of any length.");
+            "The axis of rotation, counter-clockwise when it points at you; its length does not matter.");
 
-    static final RuleKind CIRCLE = new MotionKinds("circle", "A fixed particle goes round an axis like a crank.", PARTICLE,
+    static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a fixed particle round an axis like a"
+            + " crank.", PARTICLE,
             CENTRE,
             AXIS, PERIOD) {
         @Override
@@ -74,12 +78,13 @@ abstract class MotionKinds extends RuleKind {
         }
     };
 
-    private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "Where it ends (m).");
-    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"), "How long it takes (s).");
+    private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "Where it stops (m).");
+    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"), "How long it"
+            + " takes (s).");
 
     static final RuleKind GLIDE = new MotionKinds("glide",
-            "A fixed particle moves straight to another place, starting and stopping"
-            + " smoothly.", PARTICLE, TO, DURATION) {
+            "Moves a fixed particle straight to another place, starting and stopping"
+                    + " smoothly.", PARTICLE, TO, DURATION) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {
             return new GlideMotion(start, values.get(TO), values.get(DURATION));

@@ -63,9 +63,9 @@ public record OutputDescription(double frameRate, int width, int height, boolean
      */
     public record Phase(String particle, int axis, Place place) {
         static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
-                "The particle that is looked at.");
+                "The particle to plot.");
         static final Key<String> AXIS = Key.withDefault("axis", NameType.of("axis", List.of("x", "y", "z")), "y",
-                "The component of its position and velocity.");
+                "The component of position and velocity to plot.");
 
         static final MappingType TYPE = MappingType.of("the phase-space plot", PARTICLE, AXIS);
 
@@ -75,22 +75,21 @@ public record OutputDescription(double frameRate, int width, int height, boolean
     }
 
     static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.between(0.001, 1000, "1/s"), 25.0,
-            "Pictures for a second of simulated time (1/s).");
+            "Pictures per second of simulated time (1/s).");
     static final Key<Integer> WIDTH = Key.withDefault("width", new WholeNumberType(16, 4096), 960,
             "The pictures' width (pixels).");
     static final Key<Integer> HEIGHT = Key.withDefault("height", new WholeNumberType(16, 4096), 540,
             "The pictures' height (pixels).");
     static final Key<Boolean> ANIMATION = Key.withDefault("animation", FlagType.FLAG, true,
-            "Whether the pictures are put together to animation.gif.");
+            "Whether to make animation.gif from the pictures.");
     static final Key<String> VIDEO = Key.withDefault("video", NameType.of("kind of film", Video.names()), Video.NONE.label(),
-            "Whether the pictures become a film too: mp4 for film.mp4, none for no film.");
+            "mp4 to make film.mp4 from the pictures, none for no film.");
     static final Key<Boolean> ENERGY = Key.withDefault("energy", FlagType.FLAG, true,
-            "Whether energies are plotted to energy.png.");
+            "Whether to plot the energies to energy.png.");
     static final Key<Values> PHASE = Key.optional("phase", Phase.TYPE,
-            "Velocity over position of one particle, plotted to phase.png; none where it is not given.");
+            "Plots velocity over position of one particle to phase.png; no plot if left out.");
     static final Key<Integer> TRAJECTORY_STRIDE = Key.optional("trajectoryStride", new WholeNumberType(1, 1_000_000),
-            "Every how many steps the state is written to trajectory.csv; where it is not given, as often as the file stays"
-            + " below about 200,000 lines.");
+            "Write every n-th step to trajectory.csv; by default n keeps the file below about 200,000 lines.");
 
     static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, VIDEO, ENERGY,
             PHASE, TRAJECTORY_STRIDE);

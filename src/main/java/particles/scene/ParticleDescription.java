@@ -25,13 +25,15 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
     static final TextType NEW_ID = TextType.of("a name without spaces, brackets, commas and quotes",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}$");
 
-    static final Key<String> ID = Key.required("id", NEW_ID, "The particle's name; no other particle or shape has it.");
-    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where it is at the start (m).");
+    static final Key<String> ID = Key.required("id", NEW_ID, "The particle's name; it must differ from the ids"
+            + " of other particles and shapes.");
+    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Its position at the"
+            + " start (m).");
     static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
-            "How it moves at the start (m/s).");
+            "Its velocity at the start (m/s).");
     static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0, "Its mass (kg).");
     static final Key<Boolean> FIXED = Key.withDefault("fixed", FlagType.FLAG, false,
-            "Whether it stays where it is, whatever the forces.");
+            "Whether it stays in place, whatever the forces.");
 
     static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED);
 

@@ -55,7 +55,8 @@ final class RuleChecks {
         String id = values.get(key);
         Place first = moved.putIfAbsent(id, values.place(key));
         if (first != null) {
-            problems.add(values.place(key), "particle " + Wording.quote(id) + " is moved twice, first at line " + first.line());
+            problems.add(values.place(key), "particle " + Wording.quote(id) + " already has a motion, at"
+                    + " line " + first.line());
         }
         boolean fixed = particles.stream().anyMatch(particle -> particle.id().equals(id) && particle.fixed());
         for (ShapeDescription shape : shapes) {
@@ -64,7 +65,7 @@ final class RuleChecks {
         }
         if (!fixed) {
             problems.add(values.place(key), "particle " + Wording.quote(id)
-                    + " is free; only a fixed one can follow a given motion");
+                    + " is free; only a fixed particle can follow a given motion");
         }
     }
 }

@@ -24,8 +24,8 @@ public abstract class RuleKind implements Kind {
     private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative(""),
             "k_f of slide (s/m), or mu of coulomb (a pure number).");
     private static final Key<Double> STATIC = Key.optional("static", NumberType.notNegative(""),
-            "What holds a particle at rest,"
-            + " as a multiple of the normal force; where it is not given, mu for coulomb and 0 for slide.");
+            "The largest force that holds a particle at rest, as a multiple of the normal force; by default mu"
+                    + " for coulomb and 0 for slide.");
     private static final Key<Double> THRESHOLD = Key.withDefault("threshold", NumberType.notNegative("m/s"), 0.01,
             "Below this speed a sliding particle comes to rest if static friction can hold it (m/s).");
 
@@ -33,9 +33,9 @@ public abstract class RuleKind implements Kind {
             "r: a bounce turns the normal velocity v into -r v; 0 does not bounce, 1 loses nothing.");
     static final Key<Values> FRICTION = Key.optional("friction", MappingType.of("'friction'", LAW, COEFFICIENT, STATIC,
             THRESHOLD),
-            "How the plane rubs particles that rest on it; not at all where it is not given.");
+            "Friction on particles that rest on the plane; no friction if left out.");
     static final Key<Double> REST_SPEED = Key.withDefault("restSpeed", NumberType.notNegative("m/s"), 0.01,
-            "A particle that would bounce off slower than this stays on the plane (m/s).");
+            "A bounce slower than this leaves the particle on the plane (m/s).");
 
     private final String name;
     private final String sentence;
@@ -120,10 +120,10 @@ public abstract class RuleKind implements Kind {
     }
 
     private static final Key<Double> HEIGHT = Key.withDefault("height", NumberType.any("m"), 0.0,
-            "How high it lies (m).");
+            "Its height (m).");
 
     private static final RuleKind GROUND = new OfSolid("ground",
-            "A level ground that particles bounce off, rest on and slide along.",
+            "Level ground: particles bounce off it, rest on it and slide along it.",
             HEIGHT, RESTITUTION, FRICTION, REST_SPEED) {
         @Override
         Optional<Obstacle> obstacle(Values values) {
@@ -134,11 +134,11 @@ public abstract class RuleKind implements Kind {
     private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
             "Any point of the plane (m).");
     private static final Key<Vector3> NORMAL = Key.required("normal", VectorType.notZero(""),
-            "N, the direction out of the solid, to the side where particles are; of any length.");
+            "N, the direction out of the solid, to the side where particles are; its length does not matter.");
 
     private static final RuleKind PLANE = new OfSolid("plane",
-            "A plane in any direction, a ramp or a wall, that particles bounce"
-            + " off, rest on and slide along.", POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED) {
+            "A ramp or a wall: particles bounce off it, rest on it and slide along"
+                    + " it.", POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED) {
         @Override
         Optional<Obstacle> obstacle(Values values) {
             return Optional.of(new Plane(values.get(POINT), values.get(NORMAL)));
@@ -146,7 +146,7 @@ public abstract class RuleKind implements Kind {
     };
 
     private static final RuleKind SPHERE = new OfSolid("sphere",
-            "A ball, or the inside of a hollow one, that particles bounce off, rest on and slide along.",
+            "A ball, or the inside of a hollow one: particles bounce off it, rest on it and slide along it.",
             SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
         @Override
         Optional<Obstacle> obstacle(Values values) {

@@ -17,13 +17,12 @@ final class RunLimits {
     static void check(double deltaT, double duration, double frameRate, Map<Key<?>, Place> places, Problems problems) {
         if (duration / deltaT > MOST_STEPS) {
             problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
-                    + " s takes more than 1e10 steps of deltaT = "
+                    + " s needs more than 1e10 steps of deltaT = "
                     + Wording.number(deltaT) + " s");
         }
         if (duration * frameRate > MOST_FRAMES) {
             problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
-                    + " s takes more than a million pictures at"
-                    + " frameRate = " + Wording.number(frameRate));
+                    + " s needs more than a million pictures at frameRate = " + Wording.number(frameRate));
         }
     }
 }

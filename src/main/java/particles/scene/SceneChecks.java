@@ -35,14 +35,14 @@ final class SceneChecks {
     }
 
     /** @return the description, if nothing at all is wrong */
-    Optional<SceneDescription> describe(String source, String sha256) {
+    Optional<SceneDescription> describe(String source) {
         checkParticles();
         checkShapes();
         RuleChecks.newIds(scene, this::take);
         index = new ParticleIndex(particles, shapes);
         SizeCheck.check(scene, particles, shapes, problems);
         if (particles.isEmpty() && shapes.isEmpty() && problems.count() == 0) {
-            problems.add(scene.place(), "the scene has no particle; name some under 'particles' or 'shapes'");
+            problems.add(scene.place(), "the scene has no particle; add some under 'particles' or 'shapes'");
         }
         checkSprings();
         ConstraintChecks constraints = new ConstraintChecks(scene, problems, index, this::isKnown);
@@ -67,7 +67,7 @@ final class SceneChecks {
             return Optional.empty();
         }
         Values noWords = Values.none(scene.place());
-        return Optional.of(new SceneDescription(source, sha256, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
+        return Optional.of(new SceneDescription(source, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
                 scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
                         scene.get(SceneFormat.DURATION),
                 List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
@@ -88,8 +88,7 @@ final class SceneChecks {
             ParticleDescription particle = ParticleDescription.of(values);
             if (particle.fixed() && !particle.velocity().isZero()) {
                 problems.add(values.place(ParticleDescription.VELOCITY), "'" + particle.id()
-                        + "' is fixed and has a velocity;"
-                        + " leave out one of the two");
+                        + "' is fixed and has a velocity; remove one of the two");
             }
             particles.add(particle);
         }
@@ -115,7 +114,8 @@ final class SceneChecks {
     private void take(String id, Place place) {
         Place first = ids.putIfAbsent(id, place);
         if (first != null) {
-            problems.add(place, "the id " + Wording.quote(id) + " is taken, at line " + first.line() + "; give another");
+            problems.add(place, "the id " + Wording.quote(id) + " is already used at"
+                    + " line " + first.line() + "; give another");
         }
     }
 
@@ -128,12 +128,11 @@ final class SceneChecks {
             SpringDescription spring = SpringDescription.of(values);
             if (spring.from().equals(spring.to())) {
                 problems.add(values.place(SpringDescription.TO), "a spring from " + Wording.quote(spring.from())
-                        + " to itself;"
-                        + " its ends have to be two particles");
+                        + " to itself; its ends must be two different particles");
             } else if (index.position(spring.from()).minus(index.position(spring.to())).isZero()) {
                 problems.add(values.place(SpringDescription.TO), Wording.quote(spring.from()) + " and "
                         + Wording.quote(spring.to())
-                        + " are at the same place; a spring between them has no direction to push in");
+                        + " are at the same place; a spring between them would have no direction");
             }
             springs.add(spring);
         }
@@ -179,15 +178,16 @@ final class SceneChecks {
         for (Chosen<EffectKind> effect : effects) {
             Place first = named.putIfAbsent(effect.kind().name(), effect.place());
             if (first != null && !effect.kind().isRepeatable()) {
-                problems.add(effect.place(), "'" + effect.kind().name() + "' is named twice, first at line " + first.line());
+                problems.add(effect.place(), "'" + effect.kind().name() + "' is already named at"
+                        + " line " + first.line());
             }
         }
         for (Chosen<EffectKind> effect : effects) {
             List<String> needs = effect.kind().needs();
             if (!needs.isEmpty() && needs.stream().noneMatch(named::containsKey)) {
-                problems.add(effect.place(), "'" + effect.kind().name() + "' acts only through '"
+                problems.add(effect.place(), "'" + effect.kind().name() + "' only acts together with '"
                         + String.join("' or '", needs)
-                        + "', which the scene does not name; add '- " + needs.get(0) + ": ...' to 'effects'");
+                        + "', which is missing; add '- " + needs.get(0) + ": ...' to 'effects'");
             }
             effect.kind().excludes().stream().filter(named::containsKey).forEach(other ->
                     problems.add(effect.place(), "'"

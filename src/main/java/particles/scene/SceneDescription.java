@@ -14,7 +14,6 @@ import particles.spec.Place;
  * What a scene file says, checked as a whole.
  *
  * @param source       the file, as it was named
- * @param sha256       the hash of the file's bytes, in hexadecimal digits
  * @param title        what the scene shows
  * @param teaches      what one learns from it
  * @param solver       the name of the solver
@@ -35,7 +34,7 @@ import particles.spec.Place;
  * @param threads      how many threads may evaluate forces, if it says so
  * @param places       where the solver, deltaT and duration stand
  */
-public record SceneDescription(String source, String sha256, String title, String teaches, String solver,
+public record SceneDescription(String source, String title, String teaches, String solver,
                                Optional<Tolerances> tolerances, double deltaT, double duration,
                                        List<ParticleDescription> particles, List<ShapeDescription> shapes,
                                List<SpringDescription> springs, ConstraintDescription constraints,
@@ -61,7 +60,7 @@ public record SceneDescription(String source, String sha256, String title, Strin
 
     SceneDescription with(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
             double otherDuration, Optional<Integer> otherThreads, Map<Key<?>, Place> otherPlaces) {
-        return new SceneDescription(source, sha256, title, teaches, otherSolver, otherTolerances,
+        return new SceneDescription(source, title, teaches, otherSolver, otherTolerances,
                 otherDeltaT, otherDuration, particles,
                 shapes,
                 springs, constraints, effects, rules, exactImpacts, camera, look,

@@ -32,8 +32,7 @@ public final class SceneFiles {
             return files.filter(file -> name(file).isPresent()).sorted().toList();
         } catch (IOException | UncheckedIOException e) {
             throw new SceneException(List.of("the folder of scenes, " + folder
-                    + ", cannot be read; start where the scenes are,"
-                    + " or give a scene's path"));
+                    + ", cannot be read; run this in the project's folder, or give the path of a scene"));
         }
     }
 
@@ -62,7 +61,8 @@ public final class SceneFiles {
             }
         }
         if (found.size() > 1) {
-            throw new SceneException(List.of(Wording.quote(wanted) + " may be any of " + String.join(", ",
+            throw new SceneException(List.of(Wording.quote(wanted) + " matches more than one"
+                    + " scene: " + String.join(", ",
                     found.stream().map(Path::toString).toList()) + "; give the whole name"));
         }
         if (found.isEmpty()) {

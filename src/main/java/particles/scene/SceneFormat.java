@@ -20,13 +20,15 @@ import particles.spec.WholeNumberType;
 public final class SceneFormat {
     static final Key<String> TITLE = Key.required("title", TextType.prose(), "What the scene shows, in a few words.");
     static final Key<String> TEACHES = Key.required("teaches", TextType.prose(),
-            "What one learns from it, in a sentence or two.");
+            "What it teaches, in a sentence or two.");
     static final Key<Values> SOLVER = Key.required("solver", SolverFormat.TYPE,
             "The method that solves the equations of motion.");
     static final Key<Double> DELTA_T = Key.required("deltaT", NumberType.positive("s"), "The time step (s).");
-    static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"), "How long the run lasts (s).");
-    static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64), "How many threads may evaluate the"
-            + " forces of a large system; as many as there are processors where it is not given. They change no bits.");
+    static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"), "How long the run"
+            + " lasts (s).");
+    static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64), "How many threads"
+            + " evaluate the forces of a large system; by default one for each processor. The result is the"
+            + " same, bit for bit.");
     static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
             ParticleDescription.TYPE),
             List.of(), "Particles, one by one.");
@@ -39,24 +41,26 @@ public final class SceneFormat {
     static final Key<List<Values>> RODS = Key.withDefault("rods", ListType.of("a rod", RodDescription.TYPE), List.of(),
             "Rigid rods between any two particles, as long as their initial distance.");
     static final Key<List<Chosen<WireKind>>> WIRES = Key.withDefault("wires",
-            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(), "Wires that particles slide along.");
+            ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(), "Wires that particles slide"
+                    + " along.");
     static final Key<Values> CONSTRAINTS = Key.optional("constraints", ConstraintDescription.TYPE,
-            "How rods and wires are kept.");
+            "How rods and wires are enforced.");
     static final Key<List<Chosen<EffectKind>>> EFFECTS = Key.withDefault("effects",
             ListType.of("an effect", new KindType<>("effect", EffectCatalog.ALL)
                     .orByClass(EffectKind.class, "exercises.MyForce")), List.of(),
-            "Forces that act on all particles; what is not named does not act.");
+            "Forces on all particles; only those named here act.");
     static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
             ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)), List.of(),
-            "What happens between steps; what is not named does not happen.");
+            "What happens between steps; only rules named here act.");
     static final Key<String> IMPACT = Key.withDefault("impact", NameType.of("kind of impact", List.of("clamp", "exact")),
             "clamp",
-            "clamp: who is below a surface after a step is put onto it with the speed it had there, up to deltaT late,"
-                    + " and in a groove may go on to jump by about g deltaT^2; exact: the step is divided at the impact.");
+            "clamp: after each step, particles below a surface are moved onto it and bounce with the speed they"
+                    + " have then, up to deltaT late; in a groove they may keep jumping by about g deltaT^2."
+                    + " exact: the step is divided at the impact.");
     static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
-            "From where the scene is seen; where it is not given, so that everything fits into the picture.");
+            "Where the scene is seen from; by default so that everything fits into the picture.");
     static final Key<Values> LOOK = Key.optional("look", LookFormat.TYPE, "How things are drawn.");
-    static final Key<Values> OUTPUT = Key.optional("output", OutputDescription.TYPE, "What is written.");
+    static final Key<Values> OUTPUT = Key.optional("output", OutputDescription.TYPE, "Which files are written.");
     static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
             "The run ends when the kinetic energy exceeds the scene's own energy scale by this factor.");
 

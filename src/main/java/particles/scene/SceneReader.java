@@ -1,9 +1,6 @@
 package particles.scene;
 
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Optional;
 import particles.spec.ClassNames;
 import particles.spec.Problems;
@@ -62,20 +59,12 @@ public final class SceneReader {
     public static SceneDescription read(String source, byte[] bytes, ClassNames classes) {
         Problems problems = new Problems();
         return readValues(bytes, new Reading(source, problems, classes))
-                .flatMap(values -> new SceneChecks(values, problems).describe(source, sha256(bytes)))
+                .flatMap(values -> new SceneChecks(values, problems).describe(source))
                 .orElseThrow(() -> new SceneException(problems.lines()));
     }
 
     /** As far as the format says what is allowed, without what has to hold between the parts: this the schema knows too. */
     static Optional<Values> readValues(byte[] bytes, Reading in) {
         return YamlText.compose(bytes, in).map(root -> SceneFormat.SCENE.readRoot(root, in));
-    }
-
-    private static String sha256(byte[] bytes) {
-        try {
-            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes));
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
     }
 }

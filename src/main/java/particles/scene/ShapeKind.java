@@ -25,13 +25,13 @@ public abstract class ShapeKind implements Kind {
     private static final WholeNumberType COUNT = new WholeNumberType(2, 1_000_000);
 
     static final Key<Double> MASS = Key.optional("mass", NumberType.positive("kg"),
-            "The mass of each of its particles (kg); give this or totalMass.");
+            "The mass of each particle (kg); give this or totalMass.");
     static final Key<Double> TOTAL_MASS = Key.optional("totalMass", NumberType.positive("kg"),
-            "The mass of all its particles together, shared evenly (kg); give this or mass.");
+            "The mass of all particles together, shared evenly (kg); give this or mass.");
     static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
-            "How all particles that are not fixed move at the start (m/s).");
+            "The velocity of all free particles at the start (m/s).");
     static final Key<Boolean> SURFACE = Key.withDefault("surface", FlagType.FLAG, true,
-            "Whether it is drawn as a shaded surface.");
+            "Whether to draw it as a shaded surface.");
 
     private final String name;
     private final String sentence;
@@ -51,12 +51,12 @@ public abstract class ShapeKind implements Kind {
         this.sentence = sentence;
         this.sides = sides;
         id = Key.withDefault("id", ParticleDescription.NEW_ID, name,
-                "The shape's name, with which its particles' ids begin.");
+                "The shape's name; its particles' ids begin with it.");
         List<String> parts = new ArrayList<>();
         sides.forEach(parts::addAll);
         parts.addAll(more);
         fixed = Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)), List.of(),
-                "Which particles stay where they are: names of parts, ids of its particles, or a list of both.");
+                "Which particles stay in place: names of parts, ids of its particles, or a list of both.");
         List<Key<?>> all = new ArrayList<>(List.of(id));
         all.addAll(Arrays.asList(own));
         all.addAll(List.of(MASS, TOTAL_MASS, VELOCITY, fixed));
@@ -98,9 +98,11 @@ public abstract class ShapeKind implements Kind {
         return keys;
     }
 
-    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"), "Where its first particle is (m).");
-    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"), "Where its last particle is (m).");
-    private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "How many particles it has.");
+    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"), "The position of its"
+            + " first particle (m).");
+    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"), "The position of its last"
+            + " particle (m).");
+    private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "The number of particles.");
 
     private static final ShapeKind ROPE = new ShapeKind("rope",
             "Particles rope[0], rope[1] ... at regular distances along a line.",
@@ -113,13 +115,14 @@ public abstract class ShapeKind implements Kind {
     };
 
     private static final Key<Vector3> TOP_LEFT = Key.required("corner", VectorType.of("m"),
-            "Where its top left particle is (m).");
+            "The position of its top left particle (m).");
     private static final Key<Vector3> ACROSS = Key.required("across", VectorType.notZero("m"),
             "From its top left to its top right particle (m).");
     private static final Key<Vector3> DOWN = Key.required("down", VectorType.notZero("m"),
             "From its top left to its bottom left particle (m).");
-    private static final Key<Integer> COLUMNS = Key.required("columns", COUNT, "How many particles it has across.");
-    private static final Key<Integer> ROWS = Key.required("rows", COUNT, "How many particles it has from top to bottom.");
+    private static final Key<Integer> COLUMNS = Key.required("columns", COUNT, "The number of particles across.");
+    private static final Key<Integer> ROWS = Key.required("rows", COUNT, "The number of particles from top to"
+            + " bottom.");
 
     private static final ShapeKind CLOTH = new ShapeKind("cloth",
             "Particles cloth[column,row] in a rectangle or parallelogram;"
@@ -133,15 +136,15 @@ public abstract class ShapeKind implements Kind {
         }
     };
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Where its middle is (m).");
+    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Its centre (m).");
     private static final Key<Vector3> SIZE = Key.required("size", VectorType.positive("m"),
-            "How wide, high and deep it is before it is turned (m).");
+            "Its width, height and depth before it is turned (m).");
     private static final Key<Vector3> TURN = Key.withDefault("turn", VectorType.of("degrees"), Vector3.ZERO,
-            "By how much it is turned about its middle: first about the x, then the y, then the z axis (degrees).");
+            "Its rotation about its centre: first about the x, then the y, then the z axis (degrees).");
     private static final Key<Integer> LAYERS = Key.required("layers", COUNT,
-            "How many particles it has from back to front.");
+            "The number of particles from back to front.");
     private static final Key<Integer> JELLY_ROWS = Key.required("rows", COUNT,
-            "How many particles it has from bottom to top.");
+            "The number of particles from bottom to top.");
 
     private static final ShapeKind JELLY = new ShapeKind("jelly",
             "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is"

@@ -19,10 +19,10 @@ final class SolverFormat {
             ClassNames.form("exercises.MySolver")),
             "The method that solves the equations of motion.");
     static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 0.1, ""), 
-            "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 where only the other is"
-                    + " given. Over 1e-3 what vibrates fast may grow.");
+            "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 if only the"
+                    + " other is given. Above 1e-3, fast vibrations may become unstable.");
     static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
-            "The error that it allows besides, in m and m/s; 1e-9 where only the other is given.");
+            "The error that it allows in addition, in m and m/s; 1e-9 if only the other is given.");
 
     static final MappingType TYPE = MappingType.of("the solver", NAME, RELATIVE, ABSOLUTE).shortFor(NAME);
 
@@ -36,8 +36,8 @@ final class SolverFormat {
         String name = values.get(NAME);
         if (SolverCatalog.names().contains(name) && !SolverCatalog.info(name).adaptive()) {
             problems.add(values.place(values.isGiven(RELATIVE) ? RELATIVE : ABSOLUTE), "solver '" + name
-                    + "' takes steps of deltaT"
-                    + " and no tolerances; those that do: " + String.join(", ", SolverCatalog.names().stream()
+                    + "' takes steps of deltaT and has no tolerances; solvers with"
+                    + " tolerances: " + String.join(", ", SolverCatalog.names().stream()
                             .filter(known -> SolverCatalog.info(known).adaptive()).toList()));
         }
         return Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)));

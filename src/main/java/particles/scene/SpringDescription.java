@@ -27,11 +27,11 @@ public record SpringDescription(String from, String to, double stiffness, Option
     static final Key<String> FROM = Key.required("from", ANY_ID, "The particle where the spring begins.");
     static final Key<String> TO = Key.required("to", ANY_ID, "The particle where it ends.");
     static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.positive("N/m"),
-            "k, the force for each metre of stretch (N/m).");
+            "k, the force per metre of stretch (N/m).");
     static final Key<Double> REST_LENGTH = Key.optional("restLength", NumberType.notNegative("m"),
-            "l, the length at which it exerts no force (m); where it is not given, the initial distance.");
+            "l, the length at which it exerts no force (m); by default the initial distance.");
     static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
-            "k_d, the force for each m/s of stretching (N s/m).");
+            "k_d, the force per m/s of stretching (N s/m).");
 
     static final MappingType TYPE = MappingType.of("a spring", FROM, TO, STIFFNESS, REST_LENGTH, DAMPING);
 

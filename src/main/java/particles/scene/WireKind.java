@@ -46,9 +46,10 @@ public abstract class WireKind implements Kind {
     }
 
     private static final Key<Vector3> DIRECTION = Key.required("direction", VectorType.notZero(""),
-            "Along the wire; of any length.");
+            "Along the wire; its length does not matter.");
 
-    private static final WireKind LINE = new WireKind("line", "A straight wire through the bead's initial position.", BEAD,
+    private static final WireKind LINE = new WireKind("line", "A straight wire through the bead's initial"
+            + " position.", BEAD,
             DIRECTION) {
         @Override
         Curve curve(Values values, Vector3 start) {
@@ -56,10 +57,12 @@ public abstract class WireKind implements Kind {
         }
     };
 
-    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "The middle of the ring (m).");
+    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "The centre of the"
+            + " ring (m).");
     private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
-            "Across the plane of the ring; of any length.");
-    private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "The ring's radius (m).");
+            "Perpendicular to the ring; its length does not matter.");
+    private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "The ring's"
+            + " radius (m).");
 
     private static final WireKind CIRCLE = new WireKind("circle", "A ring.", BEAD, CENTRE, AXIS, RADIUS) {
         @Override
@@ -78,14 +81,14 @@ public abstract class WireKind implements Kind {
             "From crest to crest (m).");
 
     private static final WireKind PARABOLA = new WireKind("parabola",
-            "A wire in the shape of a valley, or of a hill, in the plane of x and y.", BEAD, ORIGIN, CURVATURE) {
+            "A parabola, a valley or a hill, in the x-y plane.", BEAD, ORIGIN, CURVATURE) {
         @Override
         Curve curve(Values values, Vector3 start) {
             return graph(values, GraphWire.parabola(values.get(CURVATURE)));
         }
     };
 
-    private static final WireKind SINE = new WireKind("sine", "A wire of hills and valleys, in the plane of x and y.", BEAD,
+    private static final WireKind SINE = new WireKind("sine", "A sine wave in the x-y plane.", BEAD,
             ORIGIN, AMPLITUDE, WAVELENGTH) {
         @Override
         Curve curve(Values values, Vector3 start) {

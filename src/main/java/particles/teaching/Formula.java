@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** Writes coefficients as people do: 1/6, deltaT/2, s + k1/2. */
-final class Formula {
+public final class Formula {
     private static final double SAME = 1e-9;
     private static final int LARGEST_DENOMINATOR = 48;
 
@@ -12,12 +12,12 @@ final class Formula {
     }
 
     /** @return whether two coefficients of order 1 are the same but for rounding */
-    static boolean same(double x, double y) {
+    public static boolean same(double x, double y) {
         return Math.abs(x - y) <= SAME * Math.max(1, Math.abs(y));
     }
 
     /** @return the number as a fraction where it is a simple one, else with four digits */
-    static String number(double x) {
+    public static String number(double x) {
         for (int q = 1; q <= LARGEST_DENOMINATOR; q++) {
             double p = Math.rint(x * q);
             if (Math.abs(p) < 1e6 && Math.abs(x * q - p) <= SAME * q * Math.max(1, Math.abs(x))) {
@@ -28,7 +28,7 @@ final class Formula {
     }
 
     /** @return such as {@code t + deltaT/2}; c is in units of deltaT */
-    static String time(double c) {
+    public static String time(double c) {
         return same(c, 0) ? "t" : "t" + term(c, "deltaT");
     }
 
@@ -38,7 +38,7 @@ final class Formula {
      * @param names  of what they belong to
      * @return such as {@code s + k1/2}
      */
-    static String state(double kept, double[] weight, List<String> names) {
+    public static String state(double kept, double[] weight, List<String> names) {
         StringBuilder text = new StringBuilder(same(kept, 1) ? "s" : same(kept, 0) ? "" : number(kept) + " s");
         for (int j = 0; j < weight.length; j++) {
             if (!same(weight[j], 0)) {

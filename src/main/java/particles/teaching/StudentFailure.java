@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Optional;
 
 /** Says where in a student's class something went wrong. */
-final class StudentFailure {
+public final class StudentFailure {
     private StudentFailure() {
     }
 
     /** @return the exception and the line of the student's class that led to it, if there is one */
-    static String describe(Throwable thrown) {
+    public static String describe(Throwable thrown) {
         return thrown + place(thrown.getStackTrace());
     }
 
@@ -20,7 +20,7 @@ final class StudentFailure {
      *         JDK's nor the program's; if there is none, the innermost of the program outside the checker;
      *         empty without either
      */
-    static String place(StackTraceElement[] stack) {
+    public static String place(StackTraceElement[] stack) {
         List<StackTraceElement> written = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && isWritten(frame)).toList();
         Optional<StackTraceElement> found = written.stream().filter(frame -> !isOurs(frame)).findFirst()
                 .or(() -> written.stream().filter(frame ->

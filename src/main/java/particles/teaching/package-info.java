@@ -1,10 +1,9 @@
 /**
- * Looks at what students wrote and names the mistake: checks of their own solvers and of their own force laws.
+ * What all checks of students' work share: {@link particles.teaching.Finding} is one mistake or note,
+ * {@link particles.teaching.GuardedRun} runs a student's class with a limit to its computing time, and
+ * {@link particles.teaching.StudentFailure} names the line of it that failed.
  *
- * <p>A one-step method is not tried out but read off: {@link particles.teaching.Probe} answers the j-th evaluation of the
- * derivative with the j-th unit vector, so that every state which the solver sets afterwards shows how much of each
- * evaluation is in it. What is read off is compared with the tableaux of known methods, and each difference is said in the
- * words of the slides. Methods without a tableau - adaptive, implicit,
- * multistep - are judged by what they do on known motions.
+ * <p>Solvers are checked in {@code solvers}, on the test problems of {@code sources}, and measured in {@code figures}; force
+ * laws are checked in {@code effects}. The tasks are in {@code exercises}, and how an answer is marked in {@code marking}.
  */
 package particles.teaching;

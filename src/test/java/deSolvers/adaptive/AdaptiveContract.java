@@ -17,6 +17,7 @@ import deSolvers.problems.SlowAndFastSpring;
 import deSolvers.problems.StiffPair;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** What a solver that chooses its own sub-steps promises besides the contract of all solvers. */
@@ -198,6 +199,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         assertTrue(e.getMessage().contains("the resolution of the clock is 4.8828125E-4 s"), e.getMessage());
     }
 
+    @Tag("slow")
     @Test
     void atLeast300000SubStepsAreAllowedAndNoEndIsAnException() {
         Oscillator problem = new Oscillator();

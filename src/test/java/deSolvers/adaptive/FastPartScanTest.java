@@ -10,6 +10,7 @@ import deSolvers.problems.SlowAndFastSpring;
 import deSolvers.problems.StiffPair;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -74,6 +75,7 @@ class FastPartScanTest {
     }
 
     /** Slow and fast in every entry. */
+    @Tag("slow")
     @ParameterizedTest(name = "{0}")
     @MethodSource("solvers")
     void aFastPartBesideASlowOneStaysAway(String name, double decay, double spring, double bound, Maker maker) {

@@ -13,6 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Element;
@@ -108,6 +109,7 @@ class GradeCommandTest {
         assertEquals("option -Pstudent: the id is empty", run(ExitCode.BAD_INPUT, "grade", "--student= ").strip());
     }
 
+    @Tag("slow")
     @Test
     void everyAnswerAndSolverGetsItsMark() throws Exception {
         String text = run(ExitCode.DONE, "exercise", "--number=2", "--student=" + STUDENT);

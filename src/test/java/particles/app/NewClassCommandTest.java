@@ -20,10 +20,10 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.Effect;
 import particles.ParticleSystem;
 import particles.Particles;
-import particles.teaching.EffectCheck;
-import particles.teaching.EffectSample;
+import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectSample;
 import particles.teaching.Finding;
-import particles.teaching.SolverCheck;
+import particles.teaching.solvers.SolverCheck;
 
 /** Skeletons compile without a warning, do nothing yet, say how to go on, and never replace what is there. */
 class NewClassCommandTest {

@@ -20,11 +20,11 @@ import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
-import particles.teaching.EffectCheck;
-import particles.teaching.EffectSample;
-import particles.teaching.Skeleton;
+import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectSample;
+import particles.teaching.effects.EffectSkeleton;
 
-/** A law of one's own is one class, which a scene names. The class and the scene here are README's. */
+/** A law of one's own is one class, which a scene names: the example in the javadoc of {@code particles.effects}. */
 class OwnEffectTest {
     private static final String LAW = """
             package exercises;
@@ -39,7 +39,7 @@ class OwnEffectTest {
             import particles.spec.Values;
             import particles.spec.VectorType;
 
-            /** The Coriolis force of a frame that turns with the angular velocity w: F = 2 m v x w. It does no work. */
+            // The Coriolis force of a frame that turns with the angular velocity w: F = 2 m v x w. It does no work.
             public final class Coriolis extends ParticleForce {
                 private final Vector3 w;
 
@@ -58,7 +58,7 @@ class OwnEffectTest {
                     return velocity.cross(w).times(2 * mass);
                 }
 
-                /** In a scene: - exercises.Coriolis: {angularVelocity: [0, 0, 1.57]} */
+                // In a scene: - exercises.Coriolis: {angularVelocity: [0, 0, 1.57]}
                 public static final class Keys extends EffectKind {
                     private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity",
                             VectorType.of("rad/s"), "How fast the frame turns, about which axis (rad/s).");
@@ -118,10 +118,11 @@ class OwnEffectTest {
     }
 
     @Test
-    void readmeShowsThem() throws IOException {
-        String readme = Files.readString(Path.of("README.md"));
+    void theJavadocOfEffectsShowsThem() throws IOException {
+        String javadoc = Files.readString(Path.of("src/main/java/particles/effects/package-info.java"))
+                .replaceAll("(?m)^ \\* ?", "");
         for (String part : List.of(LAW, SCENE)) {
-            assertTrue(readme.contains(part), () -> "README lacks:\n" + part);
+            assertTrue(javadoc.contains(part), () -> "the package-info of particles.effects lacks:\n" + part);
         }
     }
 
@@ -179,7 +180,7 @@ class OwnEffectTest {
 
     @Test
     void whatNewEffectWritesRunsInAScene() throws IOException {
-        write("MyForce", Skeleton.effect("MyForce"));
+        write("MyForce", EffectSkeleton.effect("MyForce"));
         assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*",
                 "exercises.MyForce: {strength: 2}")).system().getEffects()
                 .get(0).getName());

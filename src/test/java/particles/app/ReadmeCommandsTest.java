@@ -20,19 +20,25 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through
  * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as a
  * line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
  * {@code shorter gradle ...} for one with options that README has not, since it would take long without them.
+ * A command that only names a scene by its number is run by this test for a short duration and without pictures.
  */
 class ReadmeCommandsTest {
-    private static final String COMMAND = "gradle [a-z]\\w*(?: -P\\w+(?:=[^\\s`]+)?)*";
+    private static final String COMMAND = "gradle [a-z]\\w*(?: -P\\w+(?:=[^\\s`]+)?| '-P[^'`]*')*";
+    private static final String SCENE = "gradle run -Pscene=\\d+";
     private static final Pattern IN_TEXT = Pattern.compile("`(" + COMMAND + ")`");
     private static final Pattern IN_BLOCK = Pattern.compile("(?m)^    (?:.*&& )?(" + COMMAND + ")$");
     private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|refused) (" + COMMAND + ")$");
     private static final Pattern SHORTER_IN_CI = Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^']*'? ?)+$");
+
+    private static final Pattern WORD = Pattern.compile("'[^']*'|\\S+");
+    private static final Path README = Path.of("README.md");
 
     /** Less than a second each. */
     private static final Map<String, ExitCode> FAST = Map.of(
@@ -41,7 +47,8 @@ class ReadmeCommandsTest {
             "gradle exercises", ExitCode.DONE,
             "gradle exercise -Pnumber=1 -Pstudent=ID", ExitCode.DONE,
             "gradle exercise -Pnumber=5 -Pstudent=ID", ExitCode.DONE,
-            "gradle exercise -Pnumber=5 -Pstudent=ID -Panswer=3,5", ExitCode.BAD_INPUT);
+            "gradle exercise -Pnumber=5 -Pstudent=ID -Panswer=3,5", ExitCode.BAD_INPUT,
+            "gradle exercise -Pnumber=10 -Pstudent=ID '-Panswer=0.1 s'", ExitCode.BAD_INPUT);
 
     /** Some seconds each. */
     private static final Map<String, ExitCode> SLOW = Map.of(
@@ -63,13 +70,14 @@ class ReadmeCommandsTest {
 
     @Test
     void everyCommandIsRunSomewhere() throws IOException {
-        Set<String> typed = commands(Path.of("README.md"), IN_TEXT, IN_BLOCK);
+        Set<String> typed = commands(README, IN_TEXT, IN_BLOCK);
         Set<String> run = commands(Path.of(".ci/run"), IN_CI, SHORTER_IN_CI);
         assertTrue(run.contains("gradle test") && run.contains("gradle run"), run.toString());
         run.addAll(FAST.keySet());
         run.addAll(SLOW.keySet());
         Set<String> neverRun = new TreeSet<>(typed);
         neverRun.removeAll(run);
+        neverRun.removeAll(scenes());
         assertEquals(Set.of(), neverRun, "in README, and run neither by this test nor by .ci/run");
         Set<String> here = new TreeSet<>(FAST.keySet());
         here.addAll(SLOW.keySet());
@@ -80,8 +88,8 @@ class ReadmeCommandsTest {
     /** Whatever mentions a task of ours is taken for a command, so that none hides behind an unusual form. */
     @Test
     void noCommandIsOverlooked() throws IOException {
-        String rest = Files.readString(Path.of("README.md"));
-        for (String command : commands(Path.of("README.md"), IN_TEXT, IN_BLOCK)) {
+        String rest = Files.readString(README);
+        for (String command : commands(README, IN_TEXT, IN_BLOCK)) {
             rest = rest.replaceAll(Pattern.quote(command) + "(?=`|\\n)", "");
         }
         List<String> left = new ArrayList<>();
@@ -98,6 +106,20 @@ class ReadmeCommandsTest {
         return tests(FAST);
     }
 
+    private static Set<String> scenes() throws IOException {
+        Set<String> scenes = commands(README, IN_TEXT, IN_BLOCK);
+        scenes.removeIf(command -> !command.matches(SCENE) || SLOW.containsKey(command));
+        return scenes;
+    }
+
+    @TestFactory
+    Stream<DynamicTest> scenesRunForAShortWhile(@TempDir Path folder) throws IOException {
+        Set<String> scenes = scenes();
+        assertTrue(scenes.size() > 5, scenes.toString());
+        return scenes.stream().map(command -> DynamicTest.dynamicTest(command,
+                () -> run(command + " -Pframes=false -Pduration=0.01 -Pout=" + folder, ExitCode.DONE)));
+    }
+
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> slowCommandsDoWhatTheyShould() {
@@ -112,7 +134,8 @@ class ReadmeCommandsTest {
     private static void run(String command, ExitCode expected) {
         StringWriter out = new StringWriter();
         PrintWriter both = new PrintWriter(out);
-        String[] args = command.replaceFirst("gradle ", "").replace(" -P", " --").split(" ");
+        String[] args = WORD.matcher(command).results().skip(1)
+                .map(word -> word.group().replace("'", "").replaceFirst("^-P", "--")).toArray(String[]::new);
         ExitCode code = new Program(Main.commands(OptionStyle.GRADLE, new StopRequest()), OptionStyle.GRADLE, both,
                 both).execute(args);
         assertEquals(expected, code, out.toString());

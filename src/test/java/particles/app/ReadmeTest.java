@@ -16,9 +16,6 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
-import particles.scene.SceneFiles;
-import particles.scene.SceneFormat;
-import particles.scene.SceneReader;
 import particles.teaching.exercises.Exercises;
 import picocli.CommandLine;
 
@@ -39,21 +36,25 @@ class ReadmeTest {
 
     @Test
     void everyGradleCommandIsATask() throws IOException {
-        Set<String> tasks = new TreeSet<>(Set.of("tasks", "installDist"));
+        Set<String> tasks = new TreeSet<>(Set.of("tasks", "installDist", "javadoc"));
         tasks.addAll(matches(TASK, Files.readString(Path.of("build.gradle"))));
-        List<String> typed = matches(GRADLE, README);
+        List<String> typed = matches(GRADLE, README + read("scenes/README.md"));
         assertTrue(typed.contains("test") && typed.contains("run"), "README tells how to run and to test");
         typed.removeAll(tasks);
         assertEquals(List.of(), typed);
     }
 
     @Test
-    void theScenesAreThoseOfTheFolder() throws IOException {
-        List<String> rows = new ArrayList<>();
-        for (Path file : SceneFiles.list(Path.of("scenes"))) {
-            rows.add("| `" + SceneName.of(file).whole() + "` | " + SceneReader.read(file).title() + " |");
-        }
-        assertEquals(rows, README.lines().filter(line -> line.matches("\\| `\\d.*")).toList());
+    void itIsShortAndFitsTheScreen() {
+        assertTrue(README.lines().count() <= 270, README.lines().count() + " lines");
+        assertEquals(List.of(), README.lines().filter(line -> line.length() > 120).toList());
+    }
+
+    @Test
+    void linksLeadToFiles() {
+        List<String> links = matches(Pattern.compile("\\]\\(([^)]*)\\)"), README);
+        assertTrue(links.contains("scenes/README.md"), links.toString());
+        assertEquals(List.of(), links.stream().filter(link -> !Files.exists(Path.of(link))).toList());
     }
 
     @Test
@@ -75,34 +76,20 @@ class ReadmeTest {
     void theSolversAreThoseOfTheCatalogue() {
         List<String> rows = new ArrayList<>();
         for (SolverInfo info : SolverCatalog.all()) {
-            rows.add(String.join(" | ", "| `" + info.name() + "`", Integer.toString(info.order()), info.family(),
-                    info.evaluations(), limit(info.realLimit()), limit(info.imaginaryLimit()), info.sentence() + " |"));
+            rows.add(String.join(" | ", "| `" + info.name() + "`", Integer.toString(info.order()), info.evaluations(),
+                    limit(info.realLimit()), limit(info.imaginaryLimit()), info.sentence() + " |"));
         }
         assertEquals(rows, README.lines().filter(line -> line.matches("\\| `[a-z0-9-]+` \\| \\d+ \\|.*")).toList());
     }
 
     private static String limit(double limit) {
-        String number = limit == 0 ? "0: grows" : limit == Double.POSITIVE_INFINITY ? "none" : Double.toString(limit);
+        String number = limit == 0 ? "grows" : limit == Double.POSITIVE_INFINITY ? "none" : Double.toString(limit);
         return Double.isNaN(limit) ? "-" : number.replaceFirst("\\.0$", "");
     }
 
     private static List<String> rowsOf(String section) {
         String text = README.substring(README.indexOf("\n## " + section + "\n") + 1);
         return text.substring(0, text.indexOf("\n## ", 3)).lines().filter(line -> line.startsWith("| `")).toList();
-    }
-
-    @Test
-    void theEffectsAreThoseOfTheSceneFormat() {
-        String reference = SceneFormat.reference("###");
-        List<String> rows = new ArrayList<>();
-        for (String list : matches(Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|"), reference)) {
-            for (String name : list.replaceFirst(", or the full name.*", "").replace("`", "").split(", ")) {
-                rows.add("| `" + name + "` | " + matches(Pattern.compile("(?m)^### `" + name + "`\n(.*)$"), reference).get(0)
-                        + " |");
-            }
-        }
-        assertTrue(rows.size() > 5, rows.toString());
-        assertEquals(rows, rowsOf("Effects"));
     }
 
     @Test
@@ -119,14 +106,10 @@ class ReadmeTest {
     @Test
     void theExercisesAreThoseOfTheProgram() {
         List<String> titles = new ArrayList<>();
-        Exercises.all().forEach(exercise -> titles.add(titles.size() + 1 + ". " + exercise.title()));
+        Exercises.all().forEach(exercise -> titles.add("(" + (titles.size() + 1) + ") " + exercise.title()));
         assertEquals(12, titles.size());
-        assertTrue(README.contains("\n\n" + String.join("\n", titles) + "\n\n"), titles.toString());
-    }
-
-    @Test
-    void theSceneFileIsDescribedAsItIsRead() {
-        assertTrue(README.contains(SceneFormat.reference("###")), "README's part on the scene file is SceneFormat.reference");
+        String list = ": " + String.join("; ", titles) + ".";
+        assertTrue(README.replaceAll("\\s+", " ").contains(list), "README lacks" + list);
     }
 
     @Test

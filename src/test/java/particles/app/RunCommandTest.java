@@ -18,6 +18,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -188,6 +189,7 @@ class RunCommandTest {
         }
     }
 
+    @Tag("slow")
     @Test
     void theTrajectoryIsThinnedByTheScenesWordOrByItsLength() throws IOException {
         replaceInScene("{frameRate: 10", "{trajectoryStride: 20, frameRate: 10");

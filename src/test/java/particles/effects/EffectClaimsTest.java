@@ -17,8 +17,8 @@ import particles.Particles;
 import particles.Plane;
 import particles.Sphere;
 import particles.Vector3;
-import particles.teaching.EffectClaims;
-import particles.teaching.EffectSample;
+import particles.teaching.effects.EffectClaims;
+import particles.teaching.effects.EffectSample;
 
 /** Every effect keeps what it claims, and effects with a planted error do not. */
 class EffectClaimsTest {

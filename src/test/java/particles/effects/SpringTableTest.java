@@ -10,6 +10,7 @@ import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -185,6 +186,7 @@ class SpringTableTest {
     }
 
     /** Ranges of particles as the springs divide them: each block is all that lies within one, each joint what else in its two. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(ints = {8192, 20_000, 40_000})
     void aBlockIsAllThatLiesWithinItsRange(int count) {

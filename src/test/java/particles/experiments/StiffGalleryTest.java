@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.problems.StiffSpringPair;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,6 +20,7 @@ class StiffGalleryTest {
     }
 
     /** The limits of h omega are the catalogue's; 10 s of omega = sqrt(1 + 4e8) take 10 omega / limit steps. */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"rk4, 4", "verlet, 1"})
     void explicitCostGrowsAsTheRootOfTheStiffnessOverEightDecades(String solver, int evaluations) {
@@ -73,6 +75,7 @@ class StiffGalleryTest {
      * What grows as (h omega)^q / c a step stays small over a time as long as h^(q-1) omega^q does: steps as k^(q / (2q -
      * 2)).
      */
+    @Tag("slow")
     @ParameterizedTest
     @CsvSource({"midpoint, 4, 0.01", "adams, 5, 0.02"})
     void theRaceOfThoseThatGrowIsDearerThanStability(String solver, int q, double bound) {

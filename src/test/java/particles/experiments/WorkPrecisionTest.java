@@ -15,6 +15,7 @@ import java.util.stream.IntStream;
 import org.hipparchus.special.elliptic.jacobi.CopolarN;
 import org.hipparchus.special.elliptic.jacobi.JacobiEllipticBuilder;
 import org.hipparchus.special.elliptic.legendre.LegendreEllipticIntegral;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -47,6 +48,7 @@ class WorkPrecisionTest {
     }
 
     /** Measured: at most 0.07 off (adams on the pendulum, 3.93). No end time is a multiple of a period. */
+    @Tag("slow")
     @ParameterizedTest
     @ValueSource(strings = {"oscillator", "pendulum", "kepler", "network"})
     void slopesOfFixedStepsAreTheOrders(String problem) {
@@ -100,6 +102,7 @@ class WorkPrecisionTest {
         assertEquals(2 * k * there.cn(), reference[1], 1e-14);
     }
 
+    @Tag("slow")
     @Test
     void evaluationsAndErrorsAreTheSameInTwoRuns() {
         for (String problem : List.of("network", "stiff-chain")) {

@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.Camera;
 import particles.ParticleSystem;
@@ -46,6 +47,7 @@ class ParticleStylesTest {
     }
 
     /** One ball, two that touch, two whose necks have just met, two that are apart. */
+    @Tag("slow")
     @Test
     void blobsCoverTheLevelSetOfTheirField() {
         double radius = 1.5;
@@ -243,6 +245,7 @@ class ParticleStylesTest {
     }
 
     /** What blows up is drawn as long as it lasts, whatever it is drawn as. */
+    @Tag("slow")
     @Test
     void anyNumbersCanBeDrawnAsAnything() {
         double huge = 1e200;

@@ -46,14 +46,17 @@ class BrokenScenesTest {
                 added("efects: []\n",
                         "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: " + KEYS),
                 added("effects:\n  gravity: {}\n",
-                        "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after a dash: "
+                        "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after"
+                                + " a dash: "
                                 + "one of " + EFFECTS + ", or the full name of a class, such as exercises.MyForce,"
                                 + " with its keys below it"),
                 added("effects:\n  - gravity:\n",
-                        "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration; or write "
+                        "x.yaml:9:5: 'gravity' has no value; it has to be a mapping with keys of acceleration;"
+                                + " or write "
                                 + "'- gravity', without the colon"),
                 added("effects:\n  - gravity:\n    acceleration: [0, -1, 0]\n",
-                        "x.yaml:10:5: an entry names one effect, here 'gravity'; what follows is either a key of it, to "
+                        "x.yaml:10:5: an entry names one effect, here 'gravity'; what follows is either a key"
+                                + " of it, to "
                                 + "be indented further, or another effect, which needs a dash of its own"),
                 added("effects:\n  - drag\n",
                         "x.yaml:9:5: 'drag' alone is not enough; after a colon it needs a mapping with keys of "
@@ -61,22 +64,24 @@ class BrokenScenesTest {
                 added("effects:\n  - drag: {coefficient: -1}\n",
                         "x.yaml:9:25: 'coefficient' is -1; it has to be a number from 0 up (N s/m)"),
                 added("effects:\n  - gravity\n  - gravity\n",
-                        "x.yaml:10:5: 'gravity' is named twice, first at line 9"),
+                        "x.yaml:10:5: 'gravity' is already named at line 9"),
                 added("effects:\n  - wind: {mean: [1, 0, 0]}\n",
-                        "x.yaml:9:5: 'wind' acts only through 'drag' or 'quadraticDrag', which the scene does not name; add '- drag: ...' "
+                        "x.yaml:9:5: 'wind' only acts together with 'drag' or 'quadraticDrag', which is"
+                                + " missing; add '- drag: ...' "
                                 + "to 'effects'"),
-                added("effects:\n  - turbulence: {strength: 1}\n  - wind: {mean: [1, 0, 0]}\n  - drag: {coefficient: 1}\n",
+                added("effects:\n  - turbulence: {strength: 1}\n  - wind: {mean: [1, 0, 0]}\n  - drag:"
+                        + " {coefficient: 1}\n",
                         "x.yaml:9:5: 'turbulence' and 'wind' cannot be combined; keep one of them"),
                 added("rules:\n  - shake: {particle: bob, amplitude: [1, 0, 0], period: 1}\n",
-                        "x.yaml:9:23: particle 'bob' is free; only a fixed one can follow a given motion"),
+                        "x.yaml:9:23: particle 'bob' is free; only a fixed particle can follow a given motion"),
                 added("rules:\n  - glide: {particle: tim, to: [1, 0, 0], duration: 1}\n",
                         "x.yaml:9:23: unknown particle 'tim'; known: bob"),
                 added("rules:\n  - tear: {strain: 0.5}\n",
                         "x.yaml:9:5: 'tear' acts on springs, and the scene has none"),
                 added("rules:\n  - emitter: {id: bob, position: [0, 0, 0], speed: 1, rate: 1}\n",
-                        "x.yaml:9:19: the id 'bob' is taken, at line 7; give another"),
+                        "x.yaml:9:19: the id 'bob' is already used at line 7; give another"),
                 added("  - {id: bob, position: [1, 0, 0]}\n",
-                        "x.yaml:8:10: the id 'bob' is taken, at line 7; give another"),
+                        "x.yaml:8:10: the id 'bob' is already used at line 7; give another"),
                 added("  - {id: tom, position: [1, 0]}\n",
                         "x.yaml:8:25: 'position' has 2 entries; it has to be three numbers [x, y, z] (m)"),
                 added("  - {id: tom, position: [1, a, .inf], mass: 0}\n",
@@ -85,43 +90,47 @@ class BrokenScenesTest {
                         "x.yaml:8:45: 'mass' is 0; it has to be a number over 0 (kg)"),
                 added("  - {id: 7, postion: [1, 2, 3]}\n",
                         "x.yaml:8:5: a particle needs 'position': three numbers [x, y, z] (m)",
-                        "x.yaml:8:10: 'id' is 7; it has to be a name without spaces, brackets, commas and quotes: put "
+                        "x.yaml:8:10: 'id' is 7; it has to be a name without spaces, brackets, commas and"
+                                + " quotes: put "
                                 + "quotes around it, '7'",
-                        "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id, position, "
+                        "x.yaml:8:13: unknown key 'postion'; did you mean 'position'? known in a particle: id,"
+                                + " position, "
                                 + "velocity, mass, fixed"),
                 added("  - {id: a b, position: [1, 2, 3], fixed: yes}\n",
-                        "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name without spaces, brackets, commas and "
+                        "x.yaml:8:10: 'id' is the text 'a b'; it has to be a name without spaces, brackets,"
+                                + " commas and "
                                 + "quotes",
                         "x.yaml:8:43: 'fixed' is the text 'yes'; it has to be true or false"),
                 added("  - {id: tom, position: [1, 2, 3], fixed: true, velocity: [0, 1, 0]}\n",
-                        "x.yaml:8:59: 'tom' is fixed and has a velocity; leave out one of the two"),
+                        "x.yaml:8:59: 'tom' is fixed and has a velocity; remove one of the two"),
                 added("  - {id: tom, position: [1, 2, 3], mass: 1, mass: 2}\n",
                         "x.yaml:8:45: 'mass' is there twice in a particle"),
                 added("  - tom\n",
                         "x.yaml:8:5: a particle is the text 'tom'; it has to be a mapping with keys of id, position, "
                                 + "velocity, mass, fixed"),
                 added("springs:\n  - {from: bob, to: bob, stiffness: 1}\n",
-                        "x.yaml:9:21: a spring from 'bob' to itself; its ends have to be two particles"),
+                        "x.yaml:9:21: a spring from 'bob' to itself; its ends must be two different particles"),
                 added("springs:\n  - {from: bob, to: bbo, stiffness: 1}\n",
                         "x.yaml:9:21: unknown particle 'bbo'; did you mean 'bob'? known: bob"),
                 added("  - {id: tom, position: [0, 1, 0]}\nsprings:\n  - {from: bob, to: tom, stiffness: 1}\n",
-                        "x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them has no direction to "
-                                + "push in"),
+                        "x.yaml:10:21: 'bob' and 'tom' are at the same place; a spring between them would have"
+                                + " no direction"),
                 added("rods:\n  - {from: bob, to: bob}\n",
-                        "x.yaml:9:21: a rod from 'bob' to itself; its ends have to be two particles"),
+                        "x.yaml:9:21: a rod from 'bob' to itself; its ends must be two different particles"),
                 added("  - {id: tom, position: [0, 3, 0], velocity: [1, 2, 0]}\nrods:\n  - {from: bob, to: tom}\n",
-                        "x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; they may only turn about "
-                                + "each other"),
+                        "x.yaml:10:21: the ends of the rod from 'bob' to 'tom' move apart at 2 m/s; their"
+                                + " relative velocity must be across the rod"),
                 added("wires:\n  - circle: {bead: bob, centre: [0, 3, 0], radius: 1}\n",
-                        "x.yaml:9:20: 'bob' begins about 1.5 m off its wire; it has to begin on it"),
+                        "x.yaml:9:20: 'bob' begins about 1.5 m off its wire; place it on the wire"),
                 added("wires:\n  - line: {bead: bob, direction: [1, 0, 0]}\nconstraints: {feedback: 100}\n",
-                        "x.yaml:10:14: the feedback of rods and wires, 100 /s, is too fast for steps of 0.01 s; feedback times "
-                                + "deltaT may be 0.5 at most"),
+                        "x.yaml:10:14: the feedback of rods and wires, 100 /s, is too strong for a deltaT of"
+                                + " 0.01 s; feedback times deltaT must be 0.5 at most"),
                 added("springs:\n  - {from: bob}\n",
                         "x.yaml:9:5: a spring needs 'to': the id of a particle, such as bob or cloth[3,4]",
                         "x.yaml:9:5: a spring needs 'stiffness': a number over 0 (N/m)"),
                 added("springs:\n  - {from: bob, to: rope[1], stiffness: 1}\n",
-                        "x.yaml:9:25: not valid YAML: expected ',' or '}', but got [, in what begins at line 9 (inside [ "
+                        "x.yaml:9:25: not valid YAML: expected ',' or '}', but got [, in what begins at line 9"
+                                + " (inside [ "
                                 + "] and { } an id such as cloth[3,4] needs quotes around it)"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1}\nsprings:\n"
                         + "  - {from: bob, to: \"rope[5]\", stiffness: 1}\n",
@@ -130,16 +139,16 @@ class BrokenScenesTest {
                         "x.yaml:9:11: 'rope' needs exactly one of 'mass', 'totalMass'",
                         "x.yaml:9:57: 'particles' is 1; it has to be a whole number from 2 to 1000000"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [0, 0, 0], particles: 5, mass: 1}\n",
-                        "x.yaml:9:5: 'rope' has no extent in one of its directions: its particles would lie on top of each "
-                                + "other"),
+                        "x.yaml:9:5: 'rope' has no extent in one direction: its particles would lie on top of"
+                                + " each other"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1, "
                         + "fixed: [strat, \"rope[9]\"]}\n",
                         "x.yaml:9:77: unknown part 'strat'; did you mean 'start'? known: start, end, or an id of a "
                                 + "particle of the shape, such as cloth[3,4]"),
                 added("shapes:\n  - cloth: {corner: [0, 1, 0], across: [1, 0, 0], down: [2, 0, 0], "
                         + "columns: 3, rows: 3, mass: 1}\n",
-                        "x.yaml:9:5: 'cloth' has no extent in one of its directions: its particles would lie on top of each "
-                                + "other"),
+                        "x.yaml:9:5: 'cloth' has no extent in one direction: its particles would lie on top of"
+                                + " each other"),
                 added("shapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1], "
                         + "columns: 1000, rows: 1000, layers: 1000, mass: 1}\n",
                         "x.yaml:9:5: 'jelly' has 1000000000 particles; a scene may have at most 1000000"),
@@ -154,20 +163,23 @@ class BrokenScenesTest {
                         "x.yaml:9:42: 'friction' needs 'coefficient': a number from 0 up",
                         "x.yaml:9:48: unknown friction law 'columb'; did you mean 'coulomb'? known: slide, coulomb"),
                 added("look: {particlesAs: blob}\n",
-                        "x.yaml:8:21: unknown way of drawing 'blob'; did you mean 'blobs'? known: balls, points, blobs, glow"),
+                        "x.yaml:8:21: unknown way of drawing 'blob'; did you mean 'blobs'? known: balls,"
+                                + " points, blobs, glow"),
                 added("look: {ageColours: ['#ffffff']}\n",
-                        "x.yaml:8:20: 'ageColours' are those of a glow; add 'particlesAs: glow', or leave them out"),
+                        "x.yaml:8:20: 'ageColours' only works with a glow; add 'particlesAs: glow' or remove it"),
                 added("look: {particlesAs: glow, ageColours: []}\n",
-                        "x.yaml:8:39: 'ageColours' has 0 colours; from 1 to 16 are possible"),
+                        "x.yaml:8:39: 'ageColours' has 0 colours; allowed are 1 to 16 are possible"),
                 added("look: {trail: -1}\n",
                         "x.yaml:8:15: 'trail' is -1; it has to be a number from 0 to 1000 (s)"),
                 added("camera: {position: [0, 1, 0], target: [0, 1, 0]}\n",
-                        "x.yaml:8:39: the camera's target is where the camera stands; it has to be another point"),
+                        "x.yaml:8:39: the camera's target is at the camera's position; choose another point"),
                 added("camera: {position: [0, 1, 0], target: [0, 0, 0]}\n",
-                        "x.yaml:8:9: the camera looks along its 'up' direction; give another 'up', such as [0, 0, -1]"),
+                        "x.yaml:8:9: the camera looks along its 'up' direction; give another 'up', such as [0,"
+                                + " 0, -1]"),
                 added("look: {particleColour: red, springs: allways}\n",
                         "x.yaml:8:24: 'particleColour' is the text 'red'; it has to be a colour '#rrggbb' in quotes",
-                        "x.yaml:8:38: unknown choice 'allways'; did you mean 'always'? known: always, beside-surfaces, "
+                        "x.yaml:8:38: unknown choice 'allways'; did you mean 'always'? known: always,"
+                                + " beside-surfaces, "
                                 + "never"),
                 added("output: {width: 8, frameRate: 0, phase: {particle: tim, axis: w}}\n",
                         "x.yaml:8:17: 'width' is 8; it has to be a whole number from 16 to 4096",
@@ -179,28 +191,35 @@ class BrokenScenesTest {
                 added("title: again\n",
                         "x.yaml:8:1: 'title' is there twice in the scene"),
                 added("more: &a [1]\nless: *a\n",
-                        "x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
+                        "x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the"
+                                + " values out, or "
                                 + "put quotes around a text that begins with & or *",
-                        "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the values out, or "
+                        "x.yaml:9:7: anchors and aliases (&name, *name) are not used in scenes; write the"
+                                + " values out, or "
                                 + "put quotes around a text that begins with & or *"),
                 added("camera: {position: 1, 0, 0}\n",
                         "x.yaml:8:9: the camera needs 'target': three numbers [x, y, z] (m)",
                         "x.yaml:8:20: 'position' is 1; it has to be three numbers [x, y, z] (m)",
-                        "x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal point, not a comma, "
+                        "x.yaml:8:23: a number where a key of the camera should be; numbers have a decimal"
+                                + " point, not a comma, "
                                 + "and several of them stand in [ ]",
-                        "x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal point, not a comma, "
+                        "x.yaml:8:26: a number where a key of the camera should be; numbers have a decimal"
+                                + " point, not a comma, "
                                 + "and several of them stand in [ ]"),
                 added("? [a]\n: 1\n",
-                        "x.yaml:8:3: a key of the scene is [a]; it has to be one of '" + KEYS.replace(", ", "', '") + "'"),
+                        "x.yaml:8:3: a key of the scene is [a]; it has to be one of"
+                                + " '" + KEYS.replace(", ", "', '") + "'"),
                 added("---\ntitle: second\n",
                         "x.yaml:8:1: a second document begins; a file holds one scene"),
                 added("\tx: 1\n",
                         "x.yaml:8:1: not valid YAML: a tab; YAML is indented by spaces"),
                 added("rules: [a\n",
-                        "x.yaml:9:1: not valid YAML: expected ',' or ']', but got <stream end>, in what begins at line 8 "
+                        "x.yaml:9:1: not valid YAML: expected ',' or ']', but got <stream end>, in what begins"
+                                + " at line 8 "
                                 + "(inside [ ] and { } an id such as cloth[3,4] needs quotes around it)"),
                 whole(HEAD.replace("rk4", "{name: rk4, relativeTolerance: 1e-3}"),
-                        "x.yaml:3:40: solver 'rk4' takes steps of deltaT and no tolerances; those that do: "
+                        "x.yaml:3:40: solver 'rk4' takes steps of deltaT and has no tolerances; solvers with"
+                                + " tolerances: "
                                 + String.join(", ", SolverCatalog.names().stream()
                                         .filter(name -> SolverCatalog.info(name).adaptive()).toList())),
                 whole(HEAD.replace("rk4", "{name: dormand-prince, tolerance: 2}"),
@@ -213,7 +232,8 @@ class BrokenScenesTest {
                 whole("# nothing\n",
                         "x.yaml: the file is empty"),
                 whole("just a text\n",
-                        "x.yaml:1:1: the scene is the text 'just a text'; it has to be a mapping with keys of " + KEYS),
+                        "x.yaml:1:1: the scene is the text 'just a text'; it has to be a mapping with keys"
+                                + " of " + KEYS),
                 whole("title: A: B\n",
                         "x.yaml:1:9: not valid YAML: mapping values are not allowed here (a text with a colon in it "
                                 + "needs quotes around it)"),
@@ -226,11 +246,11 @@ class BrokenScenesTest {
                         "x.yaml:3:9: 'deltaT' is 0; it has to be a number over 0 (s)",
                         "x.yaml:4:11: 'duration' is the text 'soon'; it has to be a number from 0 up (s)"),
                 whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n",
-                        "x.yaml:1:1: the scene has no particle; name some under 'particles' or 'shapes'"),
+                        "x.yaml:1:1: the scene has no particle; add some under 'particles' or 'shapes'"),
                 whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 1e-9\nduration: 1e7\n"
                         + "particles: [{id: a, position: [0, 0, 0]}]\n",
-                        "x.yaml:5:11: a duration of 1e7 s takes more than 1e10 steps of deltaT = 1e-9 s",
-                        "x.yaml:5:11: a duration of 1e7 s takes more than a million pictures at frameRate = 25"));
+                        "x.yaml:5:11: a duration of 1e7 s needs more than 1e10 steps of deltaT = 1e-9 s",
+                        "x.yaml:5:11: a duration of 1e7 s needs more than a million pictures at frameRate = 25"));
     }
 
     @ParameterizedTest

@@ -18,8 +18,10 @@ class MemoryEstimateTest {
     private static final double MEGABYTE = 1 << 20;
 
     private static SceneDescription cloth(int side, String solver) {
-        return read("solver: " + solver + "\nshapes:\n  - cloth: {corner: [-1, 1, 0], across: [2, 0, 0], down: [0, -1, 0], columns: "
-                + side + ", rows: " + side + ", totalMass: 1, structural: {stiffness: 10}, shear: {stiffness: 10}}\n");
+        return read("solver: " + solver + "\nshapes:\n  - cloth: {corner: [-1, 1, 0], across: [2, 0, 0], down:"
+                + " [0, -1, 0], columns: "
+                + side + ", rows: " + side + ", totalMass: 1, structural: {stiffness: 10}, shear: {stiffness:"
+                + " 10}}\n");
     }
 
     private static SceneDescription read(String text) {
@@ -48,8 +50,10 @@ class MemoryEstimateTest {
     void whatDoesNotFitIsSaidWithNumbers() {
         Problems problems = new Problems();
         MemoryEstimate.check(cloth(300, "rk4"), 100 * MEGABYTE, problems);
-        assertEquals(List.of("x.yaml:7:3: the scene needs about 152 MiB of memory for up to 90000 particles and 358202 springs"
-                + " with rk4, and Java may use 100 MiB; take fewer particles, or give Java more: JAVA_TOOL_OPTIONS=-Xmx1g"),
+        assertEquals(List.of("x.yaml:7:3: the scene needs about 152 MiB of memory for 90000 particles and"
+                + " 358202 springs"
+                + " with rk4, and Java may use 100 MiB; use fewer particles, or give Java more memory:"
+                + " JAVA_TOOL_OPTIONS=-Xmx1g"),
                 problems.lines());
         MemoryEstimate.check(cloth(300, "rk4"), 153 * MEGABYTE, problems);
         assertEquals(1, problems.count());
@@ -61,7 +65,8 @@ class MemoryEstimateTest {
      */
     @Test
     void trailsCount() {
-        String points = "solver: rk4\nlook: {particlesAs: points%s}\nshapes:\n  - jelly: {centre: [0, 0, 0], size: [1, 1, 1],"
+        String points = "solver: rk4\nlook: {particlesAs: points%s}\nshapes:\n  - jelly: {centre: [0, 0, 0],"
+                + " size: [1, 1, 1],"
                 + " columns: 63, rows: 63, layers: 63, totalMass: 1, surface: false}\n";
         double with = MemoryEstimate.of(read(points.formatted(", trail: 0.5"))).bytes();
         double without = MemoryEstimate.of(read(points.formatted(""))).bytes();
@@ -79,6 +84,7 @@ class MemoryEstimateTest {
                 + "  - emitter: {id: drop, position: [0, 0, 0], speed: 1, rate: 100%s}\n";
         assertEquals(52, MemoryEstimate.of(read(emitter.formatted(", lifetime: 0.5"))).particles());
         assertEquals(1001, MemoryEstimate.of(read(emitter.formatted(""))).particles());
-        assertEquals(2, MemoryEstimate.of(read(emitter.formatted("") + "  - kill: {point: [0, -1, 0]}\n")).particles());
+        assertEquals(2, MemoryEstimate.of(read(emitter.formatted("") + "  - kill: {point: [0, -1,"
+                + " 0]}\n")).particles());
     }
 }

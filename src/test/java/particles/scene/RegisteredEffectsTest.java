@@ -18,9 +18,9 @@ import particles.ParticleSystem;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 import particles.spec.ClassNames;
-import particles.teaching.EffectCheck;
-import particles.teaching.EffectClaims;
-import particles.teaching.EffectSample;
+import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectClaims;
+import particles.teaching.effects.EffectSample;
 
 /**
  * Every effect that a scene can name keeps what it claims: force and potential, Newton's third law, symmetries, energy and

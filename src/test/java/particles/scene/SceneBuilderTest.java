@@ -72,7 +72,7 @@ class SceneBuilderTest {
                 refusal(new Overrides().with("solver", "rk44", "-Psolver")).get(0).replaceFirst(" known:.*", ""));
         assertEquals("-Psolver: no class is called 'my.Solver', and no solver;",
                 refusal(new Overrides().with("solver", "my.Solver", "-Psolver")).get(0).replaceFirst(" known .*", ""));
-        assertEquals(List.of("x.yaml:5:11: a duration of 2 s takes more than 1e10 steps of deltaT = 1e-11 s"),
+        assertEquals(List.of("x.yaml:5:11: a duration of 2 s needs more than 1e10 steps of deltaT = 1e-11 s"),
                 refusal(new Overrides().with("deltaT", "1e-11", "--deltaT")));
     }
 
@@ -88,7 +88,8 @@ class SceneBuilderTest {
                 + "gust: [0, 2, 0]}]\n").energyScale(), 1e-12);
         assertEquals(7 * 4 / 2.0, build(TWO + "springs: [{from: bob, to: tom, stiffness: 7, restLength: 1}]\n")
                 .energyScale(), 1e-12);
-        assertEquals(2 * 16 / 2.0, build(BOB.replace("mass: 2", "mass: 2, velocity: [0, 0, 4]")).energyScale(), 1e-12);
+        assertEquals(2 * 16 / 2.0, build(BOB.replace("mass: 2", "mass: 2, velocity: [0, 0,"
+                + " 4]")).energyScale(), 1e-12);
     }
 
     @Test
@@ -97,7 +98,8 @@ class SceneBuilderTest {
         assertEquals(2 * 0.5 * 0.5 / 2, build(BOB).energyScale(), 1e-12, "no extent: 1 m in 2 s");
         assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyScale());
         assertTrue(build(BOB, new Overrides().with("duration", "0", "-P")).energyScale() > 0);
-        assertEquals(1e3 * build(BOB).energyScale(), build(BOB + "blowUpFactor: 1e3\n").simulation().getEnergyLimit(), 1e-9);
+        assertEquals(1e3 * build(BOB).energyScale(), build(BOB + "blowUpFactor:"
+                + " 1e3\n").simulation().getEnergyLimit(), 1e-9);
     }
 
     @Test
@@ -122,7 +124,8 @@ class SceneBuilderTest {
     /** A glow shows by night only, so that it is night where nothing else is asked for. */
     @Test
     void particlesAreDrawnAsTheSceneSays() {
-        Style fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail: 0.5}\n").look().style();
+        Style fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail:"
+                + " 0.5}\n").look().style();
         assertEquals(new Style(Style.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
         Style day = build(BOB + "look: {particlesAs: glow, sky: day}\n").look().style();
         assertEquals(new Style(Style.Kind.GLOW, Style.STANDARD.ageColours(), 0, false), day);

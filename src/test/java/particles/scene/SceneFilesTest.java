@@ -58,7 +58,8 @@ class SceneFilesTest {
     @Test
     void twoScenesOfOneNumberHaveToBeNamed() throws IOException {
         Files.writeString(folder.resolve("3-other.yaml"), "");
-        assertEquals("'3' may be any of " + folder.resolve("03-one-spring.yaml") + ", " + folder.resolve("3-other.yaml")
+        assertEquals("'3' matches more than one"
+                + " scene: " + folder.resolve("03-one-spring.yaml") + ", " + folder.resolve("3-other.yaml")
                 + "; give the whole name", refusal("3"));
         assertEquals(folder.resolve("3-other.yaml"), SceneFiles.find(folder, "other"));
     }

@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.teaching.solvers.SolverCheck;
 
 /** A class that does not come back ends its check with a clear line, and with the place where it was. */
 class GuardedRunTest {

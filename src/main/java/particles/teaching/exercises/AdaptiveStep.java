@@ -1,7 +1,11 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** Adaptive steps as on the slide: two steps of deltaT, one of twice that, compare, adjust. */
 final class AdaptiveStep extends NumericExercise {
@@ -13,7 +17,7 @@ final class AdaptiveStep extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double m = picks.of(0.4, 0.5, 0.8, 1.25, 1.6, 2, 2.5, 4);
         double k = picks.decimal(20, 90, 1);
         double x = picks.decimal(50, 150, 2);
@@ -30,23 +34,23 @@ final class AdaptiveStep extends NumericExercise {
                 + " difference of the two x is the error.\nWhich deltaT would make this error " + Draw.text(bound)
                 + " m, if it goes as it does for a short step: with the power of deltaT that belongs to one step of a method of order 4?", "s",
                 FOUR_DIGITS, next(h, factor, 1.0 / ERROR_ORDER), smallest, List.of(
-                new Slip(next(h, factor, 1.0 / (ERROR_ORDER - 1)),
+                new CommonMistake(next(h, factor, 1.0 / (ERROR_ORDER - 1)),
                         "The error over a given time goes with the fourth power; that of one step goes with the fifth."),
-                new Slip(next(h, 1 / factor, 1.0 / ERROR_ORDER),
+                new CommonMistake(next(h, 1 / factor, 1.0 / ERROR_ORDER),
                         "The fraction is the wrong way round: too large an error needs a shorter step."),
-                new Slip(next(h, factor, 1),
+                new CommonMistake(next(h, factor, 1),
                         "The error does not go with deltaT itself but with its fifth power: take the fifth root."),
-                new Slip(next(h, factor, 1.0 / 2),
+                new CommonMistake(next(h, factor, 1.0 / 2),
                         "The square root belongs to a method of order 1; RK4's error of one step goes with the fifth power."),
-                new Slip(next(h, factor, 1.0 / 3),
+                new CommonMistake(next(h, factor, 1.0 / 3),
                         "The cube root belongs to a method of order 2; RK4's error of one step goes with the fifth power."),
-                new Slip(next(h, RICHARDSON * factor, 1.0 / ERROR_ORDER),
+                new CommonMistake(next(h, RICHARDSON * factor, 1.0 / ERROR_ORDER),
                         "The fifteenth of the difference is the error of the better result; asked is the difference itself."),
-                new Slip(2 * next(h, factor, 1.0 / ERROR_ORDER),
+                new CommonMistake(2 * next(h, factor, 1.0 / ERROR_ORDER),
                         "This is 2 deltaT; asked is deltaT, the length of the short steps."),
-                new Slip(next(h, bound / difference("midpoint", m, k, x, v, h), 1.0 / ERROR_ORDER),
+                new CommonMistake(next(h, bound / difference("midpoint", m, k, x, v, h), 1.0 / ERROR_ORDER),
                         "The steps are those of the midpoint method; RK4's are wanted."),
-                new Slip(next(h, bound / difference("rk4", 1, k, x, v, h), 1.0 / ERROR_ORDER),
+                new CommonMistake(next(h, bound / difference("rk4", 1, k, x, v, h), 1.0 / ERROR_ORDER),
                         "The mass is missing: a = F/m = -(k/m) x.")));
     }
 

@@ -11,7 +11,11 @@ import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** Collisions: when a ball meets the ground for the n-th time, found by running a scene. */
 final class BouncingBall extends NumericExercise {
@@ -22,7 +26,7 @@ final class BouncingBall extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double height = picks.decimal(50, 300, 2);
         double g = picks.of(1.62, 3.72, 8.87, 24.79);
         double r = picks.decimal(55, 90, 2);
@@ -38,18 +42,18 @@ final class BouncingBall extends NumericExercise {
                 + " m above where it meets the ground. Each bounce turns the velocity v into -r v with r = " + Draw.text(r)
                 + ".\nWhen does it meet the ground for the " + bounce + (bounce == 3 ? "rd" : "th") + " time?", "s",
                         FOUR_DIGITS, answer, 0, List.of(
-                new Slip(timeOf(bounce - 1, height, g, r), "This is one bounce too early; the first contact counts as 1."),
-                new Slip(timeOf(bounce + 1, height, g, r), "This is one bounce too late; the first contact counts as 1."),
-                new Slip(first * sum,
+                new CommonMistake(timeOf(bounce - 1, height, g, r), "This is one bounce too early; the first contact counts as 1."),
+                new CommonMistake(timeOf(bounce + 1, height, g, r), "This is one bounce too late; the first contact counts as 1."),
+                new CommonMistake(first * sum,
                         "Between two bounces it flies up and down: each flight counts twice, only the first fall once."),
-                new Slip(first * (2 * sum), "The first fall is only down: it counts once, the later flights twice."),
-                new Slip(timeOf(bounce, height, g, Math.sqrt(r)),
+                new CommonMistake(first * (2 * sum), "The first fall is only down: it counts once, the later flights twice."),
+                new CommonMistake(timeOf(bounce, height, g, Math.sqrt(r)),
                         "r multiplies the velocity, and a flight's time with it; not the energy or the height."),
-                new Slip(timeOf(bounce, height, g, r * r), "The height goes with r^2, but a flight's time with r."),
-                new Slip(first * (2 * bounce - 1),
+                new CommonMistake(timeOf(bounce, height, g, r * r), "The height goes with r^2, but a flight's time with r."),
+                new CommonMistake(first * (2 * bounce - 1),
                         "The bounces lose energy: each flight is r times as long as the one before."),
-                new Slip(timeOf(bounce, height, EARTH, r), "This is g on Earth."),
-                new Slip(first, "This is the first contact.")));
+                new CommonMistake(timeOf(bounce, height, EARTH, r), "This is g on Earth."),
+                new CommonMistake(first, "This is the first contact.")));
     }
 
     private static double timeOf(int bounce, double height, double g, double r) {

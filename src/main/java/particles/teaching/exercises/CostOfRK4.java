@@ -3,7 +3,11 @@ package particles.teaching.exercises;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /**
  * The lecture's UDOO: the cost of RK4 against midpoint for similar accuracy, for a duration and an accuracy of one's own.
@@ -19,7 +23,7 @@ final class CostOfRK4 extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double duration = picks.whole(30, 60);
         double omega = picks.decimal(100, 150, 2);
         double error = picks.decimal(5, 50, 4);
@@ -32,13 +36,13 @@ final class CostOfRK4 extends NumericExercise {
                         + Draw.text(error)
                 + " m.\nHow many times as many evaluations of the derivative does the midpoint method need as RK4, each with the"
                 + " longest deltaT that is good enough?", "", THREE_PERCENT, ratio, 0, List.of(
-                new Slip(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations and one of RK4 four."),
-                new Slip(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a step, RK4 four."),
-                new Slip(1 / ratio, "This is RK4's cost over midpoint's; asked is midpoint's over RK4's."),
-                new Slip(0.5, "This compares one step with one step; for the same accuracy RK4 may take far longer ones."),
-                new Slip(StrictMath.pow(HUNDRED, 0.25) * ratio,
+                new CommonMistake(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations and one of RK4 four."),
+                new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a step, RK4 four."),
+                new CommonMistake(1 / ratio, "This is RK4's cost over midpoint's; asked is midpoint's over RK4's."),
+                new CommonMistake(0.5, "This compares one step with one step; for the same accuracy RK4 may take far longer ones."),
+                new CommonMistake(StrictMath.pow(HUNDRED, 0.25) * ratio,
                         "This is about the ratio for a hundredth of the error: check the power of ten."),
-                new Slip(StrictMath.pow(error, -0.25),
+                new CommonMistake(StrictMath.pow(error, -0.25),
                         "The orders alone do not do it: the errors' constants and the duration count too.")));
     }
 

@@ -1,7 +1,11 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** Why Euler's path in state space is a spiral: each step multiplies the energy. */
 final class EulerSpiral extends NumericExercise {
@@ -11,7 +15,7 @@ final class EulerSpiral extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double m = picks.of(0.4, 0.5, 0.8, 1.25, 1.6, 2, 2.5, 4);
         double k = picks.decimal(20, 90, 1);
         double h = picks.decimal(4, 16, 2);
@@ -22,17 +26,17 @@ final class EulerSpiral extends NumericExercise {
                 + " N/m is pulled aside and released.\nBy which factor have " + steps + " Euler steps of deltaT = "
                         + Draw.text(h)
                 + " s multiplied its energy, (m v^2 + k x^2)/2?", "", FOUR_DIGITS, growth, 0, List.of(
-                new Slip(Math.sqrt(growth), "This is the factor of the amplitude; energy goes with its square."),
-                new Slip(growth * growth,
+                new CommonMistake(Math.sqrt(growth), "This is the factor of the amplitude; energy goes with its square."),
+                new CommonMistake(growth * growth,
                         "This is squared once too often: 1 + (deltaT omega)^2 is the factor of the energy already."),
-                new Slip(ratio(m, k, h, 1), "This is what one step does; each step multiplies again."),
-                new Slip(1 + steps * squared,
+                new CommonMistake(ratio(m, k, h, 1), "This is what one step does; each step multiplies again."),
+                new CommonMistake(1 + steps * squared,
                         "What the steps add is itself multiplied by later steps: take the power, not the multiple."),
-                new Slip(ratio(1, k, h, steps), "The mass is missing: omega^2 = k/m."),
-                new Slip(StrictMath.pow(1 + h * Math.sqrt(k / m), 2 * steps),
+                new CommonMistake(ratio(1, k, h, steps), "The mass is missing: omega^2 = k/m."),
+                new CommonMistake(StrictMath.pow(1 + h * Math.sqrt(k / m), 2 * steps),
                         "An undamped spring turns in state space: its step is at right angles"
                         + " to the radius. Pythagoras gives 1 + (deltaT omega)^2, not (1 + deltaT omega)^2."),
-                new Slip(1, "In truth the energy stays; wanted is what Euler makes of it.")));
+                new CommonMistake(1, "In truth the energy stays; wanted is what Euler makes of it.")));
     }
 
     private static double ratio(double m, double k, double h, int steps) {

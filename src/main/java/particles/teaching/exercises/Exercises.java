@@ -1,6 +1,7 @@
 package particles.teaching.exercises;
 
 import java.util.List;
+import particles.teaching.marking.Exercise;
 
 /** All exercises, in the order of the lecture; the first has the number 1. */
 public final class Exercises {

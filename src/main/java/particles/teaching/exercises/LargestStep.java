@@ -7,7 +7,11 @@ import java.util.List;
 import particles.ParticleSystem;
 import particles.Vector3;
 import particles.effects.SpringForce;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** The largest step with which RK4 stays stable on a chain between two walls, found by trying. */
 final class LargestStep extends NumericExercise {
@@ -24,7 +28,7 @@ final class LargestStep extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         int count = picks.whole(2, 4);
         double m = picks.decimal(2, 60, 2);
         double k = picks.whole(30, 900);
@@ -37,21 +41,21 @@ final class LargestStep extends NumericExercise {
                 + " walls by " + (count + 1) + " springs of k = " + Draw.text(k)
                         + " N/m, without damping; they move along the row.\nWhat is the largest"
                 + " deltaT with which RK4 is stable?", "s", FOUR_DIGITS, answer, 0, List.of(
-                new Slip(REAL / highest,
+                new CommonMistake(REAL / highest,
                         "2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary one."),
-                new Slip(LEAPFROG / highest,
+                new CommonMistake(LEAPFROG / highest,
                         "2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4."),
-                new Slip(IMAGINARY / omega,
+                new CommonMistake(IMAGINARY / omega,
                         "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against it."),
-                new Slip(IMAGINARY / (2 * omega),
+                new CommonMistake(IMAGINARY / (2 * omega),
                         "2 sqrt(k/m) is the limit for a very long chain; this one is short: its highest omega is"
                         + " 2 sqrt(k/m) sin(n pi/(2(n + 1)))."),
-                new Slip(IMAGINARY / lowest,
+                new CommonMistake(IMAGINARY / lowest,
                         "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets the limit."),
-                new Slip(2 * Math.PI / highest,
+                new CommonMistake(2 * Math.PI / highest,
                         "This is the shortest period; the limit is 2.828 over omega, not 2 pi over omega."),
-                new Slip(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),
-                new Slip(IMAGINARY / (highest * m / k),
+                new CommonMistake(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),
+                new CommonMistake(IMAGINARY / (highest * m / k),
                         "Mass and stiffness are the wrong way round: omega is the root of k/m.")));
     }
 

@@ -1,7 +1,11 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** Two steps of the midpoint method, with a derivative that depends on time. */
 final class MidpointSteps extends NumericExercise {
@@ -12,7 +16,7 @@ final class MidpointSteps extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double m = picks.of(0.2, 0.4, 0.5, 0.8, 1.25, 1.6);
         double c = picks.decimal(4, 20, 1);
         double b = picks.decimal(10, 40, 1);
@@ -26,21 +30,21 @@ final class MidpointSteps extends NumericExercise {
                 + Draw.text(v) + " m/s.\nWhat is v after two steps of the midpoint method with deltaT = " + Draw.text(h)
                         + " s?", "m/s", FOUR_DIGITS,
                 new Leaf(a, b, v).after("midpoint", STEPS, h), 0.05 * v, List.of(
-                new Slip(new Leaf(a, b, v).after("euler", STEPS, h),
+                new CommonMistake(new Leaf(a, b, v).after("euler", STEPS, h),
                         "This is the Euler method: take the step with gMid, the derivative half way."),
-                new Slip(slip(a, b, v, h, 0, 0.5, 1),
+                new CommonMistake(slip(a, b, v, h, 0, 0.5, 1),
                         "gMid was evaluated at time t; half way the clock stands at t + deltaT/2."),
-                new Slip(slip(a, b, v, h, 1, 1, 1),
+                new CommonMistake(slip(a, b, v, h, 1, 1, 1),
                         "gMid was evaluated at the end of the Euler step; half way means s + deltaS/2 and t + deltaT/2."),
-                new Slip(slip(a, b, v, h, 0.5, 1, 1), "The state half way is s + deltaS/2, not s + deltaS."),
-                new Slip(slip(a, b, v, h, 1, 0.5, 1), "The time half way is t + deltaT/2, not t + deltaT."),
-                new Slip(slip(a, b, v, h, 0.5, 0.5, 0.5),
+                new CommonMistake(slip(a, b, v, h, 0.5, 1, 1), "The state half way is s + deltaS/2, not s + deltaS."),
+                new CommonMistake(slip(a, b, v, h, 1, 0.5, 1), "The time half way is t + deltaT/2, not t + deltaT."),
+                new CommonMistake(slip(a, b, v, h, 0.5, 0.5, 0.5),
                         "The last step was half as long as it should be: deltaT gMid, from the start."),
-                new Slip(new Leaf(a, b, v).afterSlip(STEPS, h, new double[] {0, 0.5}, new double[][] {{}, {0.5}},
+                new CommonMistake(new Leaf(a, b, v).afterSlip(STEPS, h, new double[] {0, 0.5}, new double[][] {{}, {0.5}},
                         new double[] {0.5, 1}),
                         "Go back to the start: the step with gMid begins at s, not at the point half way."),
-                new Slip(new Leaf(a, b, v).after("midpoint", 1, h), "This is one step; two are wanted."),
-                new Slip(new Leaf(c, b, v).after("midpoint", STEPS, h),
+                new CommonMistake(new Leaf(a, b, v).after("midpoint", 1, h), "This is one step; two are wanted."),
+                new CommonMistake(new Leaf(c, b, v).after("midpoint", STEPS, h),
                         "The mass is missing: the acceleration is the force over m.")));
     }
 

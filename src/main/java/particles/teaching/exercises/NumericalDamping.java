@@ -1,7 +1,11 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** Damping that is physical and damping that is not: which damper would lose what backward Euler loses. */
 final class NumericalDamping extends NumericExercise {
@@ -12,7 +16,7 @@ final class NumericalDamping extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double m = picks.of(0.4, 0.5, 0.8, 1.25, 1.6, 2, 2.5, 4);
         double k = picks.decimal(20, 90, 1);
         double h = picks.decimal(5, 30, 2);
@@ -26,14 +30,14 @@ final class NumericalDamping extends NumericExercise {
                         + " s takes energy from it all the same.\nWhich damping"
                 + " c would take as much in truth? A damper's force -c v lets the energy decay like e^(-(c/m) t) on average.",
                 "N s/m", FOUR_DIGITS, c, 0, List.of(
-                new Slip(c / 2, "This lets the energy decay as fast as the amplitude does; energy goes with the amplitude's square."),
-                new Slip(2 * c, "This is twice as much: 1 + (deltaT omega)^2 divides the energy in each step, its root the amplitude."),
-                new Slip(rate, "This is c/m: multiply by the mass."),
-                new Slip(c * h, "This is the loss of one step; divide by deltaT for that of a second."),
-                new Slip(h * k, "This holds for very short steps only: a step divides the energy by 1 + (deltaT omega)^2, so take the logarithm."),
-                new Slip(m * StrictMath.log(1 + h * Math.sqrt(k / m)) / h,
+                new CommonMistake(c / 2, "This lets the energy decay as fast as the amplitude does; energy goes with the amplitude's square."),
+                new CommonMistake(2 * c, "This is twice as much: 1 + (deltaT omega)^2 divides the energy in each step, its root the amplitude."),
+                new CommonMistake(rate, "This is c/m: multiply by the mass."),
+                new CommonMistake(c * h, "This is the loss of one step; divide by deltaT for that of a second."),
+                new CommonMistake(h * k, "This holds for very short steps only: a step divides the energy by 1 + (deltaT omega)^2, so take the logarithm."),
+                new CommonMistake(m * StrictMath.log(1 + h * Math.sqrt(k / m)) / h,
                         "The square is missing: the factor is 1 + (deltaT omega)^2."),
-                new Slip(StrictMath.log(1 + h * h * k) / h * m, "The mass is missing in omega^2 = k/m."),
-                new Slip(0, "There is no damper, and yet the energy is lost: that is the solver's doing, and asked for here.")));
+                new CommonMistake(StrictMath.log(1 + h * h * k) / h * m, "The mass is missing in omega^2 = k/m."),
+                new CommonMistake(0, "There is no damper, and yet the energy is lost: that is the solver's doing, and asked for here.")));
     }
 }

@@ -1,7 +1,11 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** One long step of RK4, with a derivative that depends on time. */
 final class RK4Step extends NumericExercise {
@@ -14,7 +18,7 @@ final class RK4Step extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double m = picks.of(0.2, 0.4, 0.5, 0.8, 1.25, 1.6);
         double c = picks.decimal(4, 20, 1);
         double b = picks.decimal(10, 60, 1);
@@ -26,25 +30,25 @@ final class RK4Step extends NumericExercise {
                 + " m/s^2, so that v' = -(c/m)(v - b t); at t = 0 it has v = " + Draw.text(v)
                         + " m/s.\nWhat is v after one step of RK4 with deltaT = "
                 + Draw.text(h) + " s?", "m/s", FOUR_DIGITS, new Leaf(a, b, v).after("rk4", 1, h), 0.05 * v, List.of(
-                new Slip(slip(a, b, v, h, TIMES, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}, WEIGHTS),
+                new CommonMistake(slip(a, b, v, h, TIMES, new double[][] {{}, {1}, {0, 0.5}, {0, 0, 1}}, WEIGHTS),
                         "k2 belongs at s + k1/2, not at s + k1."),
-                new Slip(slip(a, b, v, h, TIMES, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}, WEIGHTS),
+                new CommonMistake(slip(a, b, v, h, TIMES, new double[][] {{}, {0.5}, {0.5}, {0, 0, 1}}, WEIGHTS),
                         "k3 belongs at s + k2/2, not at s + k1/2."),
-                new Slip(slip(a, b, v, h, TIMES, new double[][] {{}, {0.5}, {0, 0.5}, {0, 0, 0.5}}, WEIGHTS),
+                new CommonMistake(slip(a, b, v, h, TIMES, new double[][] {{}, {0.5}, {0, 0.5}, {0, 0, 0.5}}, WEIGHTS),
                         "k4 belongs at s + k3, not at s + k3/2."),
-                new Slip(slip(a, b, v, h, new double[] {0, 0.5, 0.5, 0.5}, STAGES, WEIGHTS),
+                new CommonMistake(slip(a, b, v, h, new double[] {0, 0.5, 0.5, 0.5}, STAGES, WEIGHTS),
                         "k4 is evaluated at t + deltaT/2; the slide says t + deltaT."),
-                new Slip(slip(a, b, v, h, new double[4], STAGES, WEIGHTS),
+                new CommonMistake(slip(a, b, v, h, new double[4], STAGES, WEIGHTS),
                         "All four were evaluated at time t; the clock has to move with the stages."),
-                new Slip(slip(a, b, v, h, TIMES, STAGES, new double[] {0.25, 0.25, 0.25, 0.25}),
+                new CommonMistake(slip(a, b, v, h, TIMES, STAGES, new double[] {0.25, 0.25, 0.25, 0.25}),
                         "The weights are 1/6, 1/3, 1/3, 1/6, not four times 1/4."),
-                new Slip(slip(a, b, v, h, TIMES, STAGES, new double[] {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3}),
+                new CommonMistake(slip(a, b, v, h, TIMES, STAGES, new double[] {1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3}),
                         "The weights are the wrong way round: the two in the middle count 1/3, the outer ones 1/6."),
-                new Slip(slip(a, b, v, h, TIMES, STAGES, new double[] {1.0 / 6, 1.0 / 6, 1.0 / 6, 1.0 / 6}),
+                new CommonMistake(slip(a, b, v, h, TIMES, STAGES, new double[] {1.0 / 6, 1.0 / 6, 1.0 / 6, 1.0 / 6}),
                         "The weights have to add up to 1: 1/6, 1/3, 1/3, 1/6."),
-                new Slip(new Leaf(a, b, v).after("midpoint", 1, h), "This is the midpoint method."),
-                new Slip(new Leaf(a, b, v).after("euler", 1, h), "This is the Euler method, k1 alone."),
-                new Slip(new Leaf(c, b, v).after("rk4", 1, h),
+                new CommonMistake(new Leaf(a, b, v).after("midpoint", 1, h), "This is the midpoint method."),
+                new CommonMistake(new Leaf(a, b, v).after("euler", 1, h), "This is the Euler method, k1 alone."),
+                new CommonMistake(new Leaf(c, b, v).after("rk4", 1, h),
                         "The mass is missing: the acceleration is the force over m.")));
     }
 

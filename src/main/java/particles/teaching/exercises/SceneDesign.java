@@ -13,15 +13,18 @@ import particles.ParticleSystem;
 import particles.Particles;
 import particles.Rule;
 import particles.experiments.EnergyHistory;
-import particles.experiments.SceneRun;
 import particles.experiments.SceneRun.Outcome;
+import particles.experiments.SceneRun;
 import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneDescription;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
+import particles.teaching.marking.Mark;
 
 /** Design a scene: a student's scene file is run and held to what was asked for. */
 final class SceneDesign implements Exercise {

@@ -1,7 +1,11 @@
 package particles.teaching.exercises;
 
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** Backward Euler on a spring that is much too stiff for Euler. */
 final class StiffSpring extends NumericExercise {
@@ -11,7 +15,7 @@ final class StiffSpring extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double m = picks.of(0.4, 0.5, 0.8, 1.25, 1.6, 2, 2.5, 4);
         double k = 10 * picks.whole(20, 120);
         double c = picks.decimal(20, 120, 1);
@@ -27,18 +31,18 @@ final class StiffSpring extends NumericExercise {
                         + " m/s.\nWhat is its velocity after one step of backward Euler with deltaT = "
                 + Draw.text(h) + " s, where force and velocity are those at the end of the step?", "m/s", FOUR_DIGITS,
                         answer, 0.1 * v, List.of(
-                new Slip(new Spring(m, k, c, x, v).after("euler", 1, h).v(),
+                new CommonMistake(new Spring(m, k, c, x, v).after("euler", 1, h).v(),
                         "This is the Euler method: the forces are those at the start of the step."),
-                new Slip(late, "The spring's force has to be that at the end of the step too: k (x + deltaT v), with the new v."),
-                new Slip(undampedLater, "The damper's force has to be that at the end of the step too: c times the new v."),
-                new Slip(new Spring(m, k, c, x, v).after("implicit-midpoint", 1, h).v(),
+                new CommonMistake(late, "The spring's force has to be that at the end of the step too: k (x + deltaT v), with the new v."),
+                new CommonMistake(undampedLater, "The damper's force has to be that at the end of the step too: c times the new v."),
+                new CommonMistake(new Spring(m, k, c, x, v).after("implicit-midpoint", 1, h).v(),
                         "This is the implicit midpoint method: half way, not at the end."),
-                new Slip(new Spring(m, k, 0, x, v).after("backward-euler", 1, h).v(), "The damper is missing."),
-                new Slip(new Spring(1, k, c, x, v).after("backward-euler", 1, h).v(), "The mass is missing: a = F/m."),
-                new Slip(new Spring(m, k, c, x, v).after("backward-euler", 1, h).x(),
+                new CommonMistake(new Spring(m, k, 0, x, v).after("backward-euler", 1, h).v(), "The damper is missing."),
+                new CommonMistake(new Spring(1, k, c, x, v).after("backward-euler", 1, h).v(), "The mass is missing: a = F/m."),
+                new CommonMistake(new Spring(m, k, c, x, v).after("backward-euler", 1, h).x(),
                         "This is the position; asked is the velocity."),
-                new Slip(new Spring(m, k, c, x, v).after("backward-euler", 2, h).v(), "These are two steps; one is wanted."),
-                new Slip(new Spring(m, k, c, x, v).truly(h).v(),
+                new CommonMistake(new Spring(m, k, c, x, v).after("backward-euler", 2, h).v(), "These are two steps; one is wanted."),
+                new CommonMistake(new Spring(m, k, c, x, v).truly(h).v(),
                         "This is the exact motion; wanted is what backward Euler makes of it.")));
     }
 }

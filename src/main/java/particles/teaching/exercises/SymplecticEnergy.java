@@ -3,7 +3,11 @@ package particles.teaching.exercises;
 import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
-import particles.teaching.exercises.Draw.Picks;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw.Picks;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** How far symplectic Euler's energy swings, for ever. */
 final class SymplecticEnergy extends NumericExercise {
@@ -15,7 +19,7 @@ final class SymplecticEnergy extends NumericExercise {
     }
 
     @Override
-    Question ask(Picks picks) {
+    protected Question ask(Picks picks) {
         double m = picks.of(0.4, 0.5, 0.8, 1.25, 1.6, 2, 2.5, 4);
         double k = picks.decimal(20, 90, 1);
         double h = picks.decimal(10, 60, 2);
@@ -28,14 +32,14 @@ final class SymplecticEnergy extends NumericExercise {
                 + " s.\nWhat is the largest energy, (m v^2 + k x^2)/2, within " + STEPS
                         + " steps, as a multiple of the energy at the start?",
                 "", FOUR_DIGITS, answer, smallest, List.of(
-                new Slip(1 / (1 + half),
+                new CommonMistake(1 / (1 + half),
                         "This is the smallest energy of the swing, for a start at the other end of the ellipse's axis."),
-                new Slip(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its square."),
-                new Slip(answer - 1, "This is what comes on top; asked is the multiple of the energy at the start, 1 plus that."),
-                new Slip(1 + half, "1 + deltaT omega/2 is right for short steps only: what is kept exactly is k x^2 + m v^2 - deltaT k x v."),
-                new Slip(1, "Verlet would never have more than at the start; symplectic Euler's energy swings to both sides."),
-                new Slip(1 / (1 - 2 * half), "The half is missing: it is deltaT omega/2 that counts."),
-                new Slip(1 / (1 - h * Math.sqrt(k) / 2), "The mass is missing: omega^2 = k/m.")));
+                new CommonMistake(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its square."),
+                new CommonMistake(answer - 1, "This is what comes on top; asked is the multiple of the energy at the start, 1 plus that."),
+                new CommonMistake(1 + half, "1 + deltaT omega/2 is right for short steps only: what is kept exactly is k x^2 + m v^2 - deltaT k x v."),
+                new CommonMistake(1, "Verlet would never have more than at the start; symplectic Euler's energy swings to both sides."),
+                new CommonMistake(1 / (1 - 2 * half), "The half is missing: it is deltaT omega/2 that counts."),
+                new CommonMistake(1 / (1 - h * Math.sqrt(k) / 2), "The mass is missing: omega^2 = k/m.")));
     }
 
     private static double highest(double m, double k, double h) {

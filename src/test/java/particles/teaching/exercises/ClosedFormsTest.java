@@ -9,7 +9,11 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** The right answers against closed forms, which read the numbers from the task's own text as a student does. */
 class ClosedFormsTest {
@@ -84,6 +88,7 @@ class ClosedFormsTest {
     }
 
     /** The error of N steps is |R(-i h)^N - e^(-i omega T)|. */
+    @Tag("slow")
     @Test
     void costFollowsFromTheStabilityFunctions() {
         hold(5, 1e-12, text -> {

@@ -10,6 +10,8 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Mark;
 
 /** A scene of the student's own is run, and each requirement holds or does not. */
 class SceneDesignTest {

@@ -13,6 +13,11 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import particles.teaching.marking.CommonMistake;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Mark;
+import particles.teaching.marking.NumericExercise;
+import particles.teaching.marking.Question;
 
 /** A thousand students get numbers of their own, and none gets numbers with which two answers look alike. */
 class ThousandStudentsTest {
@@ -28,10 +33,10 @@ class ThousandStudentsTest {
         Set<String> answers = new HashSet<>();
         for (int s = 0; s < students; s++) {
             Question question = exercise.question(new Draw("id-" + s, number));
-            assertTrue(question.slips().size() >= 5, "at least five typical mistakes");
+            assertTrue(question.mistakes().size() >= 5, "at least five typical mistakes");
             assertEquals(List.of("This is right."), NumericExercise.mark(question,
                     Double.toString(question.answer())).lines());
-            for (Slip slip : question.slips()) {
+            for (CommonMistake slip : question.mistakes()) {
                 Mark mark = NumericExercise.mark(question, Double.toString(slip.value()));
                 assertFalse(mark.right(), slip.hint());
                 assertEquals(List.of(slip.hint()), mark.lines(), "for id-" + s);
@@ -42,6 +47,7 @@ class ThousandStudentsTest {
         assertTrue(answers.size() > students / 5, answers.size() + " different answers");
     }
 
+    @Tag("slow")
     @TestFactory
     Stream<DynamicTest> fiftyStudents() {
         return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.all().get(n - 1).title(), () -> hold(n, 50)));
@@ -58,16 +64,16 @@ class ThousandStudentsTest {
     void hintsNameDifferentMistakes() {
         numeric().forEach(n -> {
             List<String> hints = ((NumericExercise) Exercises.all().get(n - 1)).question(new Draw("a",
-                    n)).slips().stream().map(Slip::hint).toList();
+                    n)).mistakes().stream().map(CommonMistake::hint).toList();
             assertEquals(hints.size(), new HashSet<>(hints).size(), hints.toString());
         });
     }
 
     @Test
     void whatLooksLikeTheAnswerIsNotClear() {
-        assertTrue(new Question("", "", 1e-3, 1, 0, List.of(new Slip(1.01, ""), new Slip(1.02, ""))).isClear());
-        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new Slip(1.004, ""))).isClear());
-        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new Slip(2, ""), new Slip(2.008, ""))).isClear());
+        assertTrue(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.01, ""), new CommonMistake(1.02, ""))).isClear());
+        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.004, ""))).isClear());
+        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(2, ""), new CommonMistake(2.008, ""))).isClear());
         assertFalse(new Question("", "", 1e-3, 1, 1.5, List.of()).isClear());
         assertFalse(new Question("", "", 1e-3, Double.NaN, 0, List.of()).isClear());
     }

@@ -1,0 +1,80 @@
+package particles.lab;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The moments of a run that were seen, in a limited amount of memory: when it is full, every second moment is dropped, and
+ * from then on moments are kept half as often.
+ */
+final class History {
+    private final long mostBytes;
+    private final List<Frame> frames = new ArrayList<>();
+    private long bytes;
+    private double interval;
+
+    /** @param mostBytes the memory it may take */
+    History(long mostBytes) {
+        this.mostBytes = mostBytes;
+    }
+
+    /** Whether a moment at this time would be kept. */
+    boolean wants(double time) {
+        return frames.isEmpty() || time >= last().time() + interval;
+    }
+
+    /** Keeps a moment, later than all before. */
+    void add(Frame frame) {
+        append(frame);
+        while (bytes > mostBytes && frames.size() > 2) {
+            thin();
+        }
+    }
+
+    private void thin() {
+        List<Frame> kept = new ArrayList<>();
+        for (int i = 0; i < frames.size(); i += 2) {
+            kept.add(frames.get(i));
+        }
+        double span = last().time() - frames.get(0).time();
+        frames.clear();
+        bytes = 0;
+        interval = span / (kept.size() - 1) * (1 - 1e-9);
+        kept.forEach(this::append);
+    }
+
+    private void append(Frame frame) {
+        bytes += frame.bytes() + (frames.isEmpty() || last().structure() != frame.structure() ? frame.structure().bytes() : 0);
+        frames.add(frame);
+    }
+
+    /** The latest moment. */
+    Frame last() {
+        return frames.get(frames.size() - 1);
+    }
+
+    /** The latest moment kept that is not after this time, or the first. */
+    Frame at(double time) {
+        int low = 0;
+        int high = frames.size() - 1;
+        while (low < high) {
+            int middle = (low + high + 1) / 2;
+            if (frames.get(middle).time() <= time) {
+                low = middle;
+            } else {
+                high = middle - 1;
+            }
+        }
+        return frames.get(low);
+    }
+
+    /** The moments kept, the earliest first. */
+    List<Frame> frames() {
+        return List.copyOf(frames);
+    }
+
+    /** About how much memory it takes. */
+    long bytes() {
+        return bytes;
+    }
+}

@@ -1,0 +1,32 @@
+package particles.lab;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Builds the lab's page. What builds it needs a compiler that only {@code gradle lab} downloads. */
+public interface LabBuilder {
+
+    /**
+     * What the page holds.
+     *
+     * @param scenes    its scenes
+     * @param first     the one that it opens with
+     * @param solver    the solver that it opens with, if it is not the scene's
+     * @param solvers   the full names of students' solvers
+     * @param effects   the full names of students' effects
+     * @param exercises where students' classes are
+     */
+    record Contents(List<Path> scenes, Path first, Optional<String> solver, List<String> solvers, List<String> effects,
+                    Path exercises) {
+    }
+
+    /**
+     * @param contents what the page holds
+     * @return the page
+     * @throws IOException              if a file cannot be read
+     * @throws IllegalArgumentException if a class does not compile for a page; the message is one line
+     */
+    String build(Contents contents) throws IOException;
+}

@@ -1,0 +1,132 @@
+package particles.lab;
+
+import java.util.function.BooleanSupplier;
+import particles.EnergyLedger;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.Simulation;
+import particles.scene.Scene;
+
+/** A run of a scene that is made a few steps at a time, and all that was seen of it. */
+public final class LabRun {
+    private static final long HISTORY_BYTES = 64_000_000;
+
+    private final Scene scene;
+    private final Simulation simulation;
+    private final ParticleSystem system;
+    private final EnergyLedger ledger = new EnergyLedger();
+    private final EnergyParts energies;
+    private final History history = new History(HISTORY_BYTES);
+    private Structure structure;
+    private double wanted;
+    private Frame shown;
+
+    /** @param scene a scene that is ready to run */
+    public LabRun(Scene scene) {
+        this.scene = scene;
+        simulation = scene.simulation();
+        system = scene.system();
+        energies = new EnergyParts(system, ledger);
+        structure = Structure.of(system);
+        simulation.addObserver(ledger);
+        simulation.addObserver(new Recorder());
+        simulation.start();
+    }
+
+    private final class Recorder implements Observer {
+        private double[] between = {};
+
+        @Override
+        public void started(ParticleSystem system) {
+            wanted = system.getTime();
+            shown = frame(system.getOwnState(), system.getTime());
+            history.add(shown);
+        }
+
+        @Override
+        public void moved(Motion motion) {
+            double end = motion.getEndTime();
+            if (history.wants(end)) {
+                history.add(frame(motion.getEndState(), end));
+            }
+            if (motion.getStartTime() <= wanted && wanted < end) {
+                if (between.length != system.getStateSize()) {
+                    between = new double[system.getStateSize()];
+                }
+                motion.interpolate(wanted, between);
+                shown = frame(between, wanted);
+            }
+        }
+
+        @Override
+        public void changed(ParticleSystem system, Rule rule) {
+            if (!structure.isOf(system)) {
+                structure = Structure.of(system);
+            }
+        }
+    }
+
+    private Frame frame(double[] state, double time) {
+        float[] copy = new float[system.getStateSize()];
+        for (int i = 0; i < copy.length; i++) {
+            copy[i] = (float) state[i];
+        }
+        return new Frame(time, copy, energies.of(state, time), structure);
+    }
+
+    /**
+     * Makes steps until the run reaches a time, or somebody has had enough.
+     *
+     * @param time   where to (s)
+     * @param enough asked after every step
+     * @throws particles.SimulationException as a run of the scene ends with
+     */
+    public void advance(double time, BooleanSupplier enough) {
+        wanted = time;
+        boolean stop = false;
+        while (!stop && system.getTime() <= time && !simulation.isOver()) {
+            simulation.advance();
+            stop = enough.getAsBoolean();
+        }
+        if (system.getTime() <= time) {
+            show();
+        }
+    }
+
+    /** Makes one step. */
+    public void step() {
+        if (!simulation.isOver()) {
+            simulation.advance();
+        }
+        show();
+    }
+
+    private void show() {
+        wanted = system.getTime();
+        shown = frame(system.getOwnState(), wanted);
+    }
+
+    /** @return whether the scene's duration is over */
+    public boolean isOver() {
+        return simulation.isOver();
+    }
+
+    /** @return the scene */
+    public Scene getScene() {
+        return scene;
+    }
+
+    Frame shown() {
+        return shown;
+    }
+
+    History history() {
+        return history;
+    }
+
+    EnergyParts energies() {
+        return energies;
+    }
+}

@@ -1,0 +1,116 @@
+package particles.lab;
+
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import particles.Camera;
+import particles.CurveView;
+import particles.Look;
+import particles.Plane;
+import particles.Sphere;
+import particles.Surface;
+import particles.Vector3;
+import particles.experiments.SpringRates;
+import particles.scene.Scene;
+
+/** What a page has to know of a scene before its first frame. */
+final class SceneFacts {
+    private static final int WIRE_POINTS = 200;
+    /** So much of an endless wire is drawn to either side of its beginning (m). */
+    private static final double WIRE_REACH = 20;
+
+    private SceneFacts() {
+    }
+
+    /**
+     * @param scene    before its run
+     * @param energies the parts of its energy
+     * @return the facts by name
+     */
+    static Map<String, Object> of(Scene scene, List<String> energies) {
+        Map<String, Object> facts = new LinkedHashMap<>();
+        facts.put("title", scene.description().title());
+        facts.put("teaches", scene.description().teaches());
+        facts.put("solver", scene.description().solver());
+        facts.put("deltaT", scene.description().deltaT());
+        scene.description().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
+        facts.put("duration", scene.description().duration());
+        facts.put("energyScale", scene.energyScale());
+        facts.put("energies", energies);
+        facts.put("limits", limits(scene));
+        scene.camera().ifPresent(camera -> facts.put("camera", camera(camera)));
+        facts.put("look", look(scene.look()));
+        facts.put("planes", scene.scenery().planes().stream().map(SceneFacts::plane).toList());
+        facts.put("spheres", scene.scenery().spheres().stream().map(SceneFacts::sphere).toList());
+        facts.put("wires", scene.scenery().wires().stream().map(SceneFacts::wire).toList());
+        facts.put("surfaces", scene.scenery().surfaces().stream().map(SceneFacts::surface).toList());
+        scene.phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(), phase.axis())));
+        return facts;
+    }
+
+    /** The longest stable step of each solver, by the springs of the scene; null where there is none or it is not known. */
+    private static Map<String, Object> limits(Scene scene) {
+        SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
+        Map<String, Object> limits = new LinkedHashMap<>();
+        for (SolverInfo solver : SolverCatalog.all()) {
+            boolean damped = rates.dampingRate() > 0 && !Double.isNaN(solver.realLimit());
+            double limit = damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();
+            limits.put(solver.name(), solver.adaptive() || rates.omega() == 0 ? Double.NaN : limit / rates.fastest(0));
+        }
+        return limits;
+    }
+
+    private static Map<String, Object> camera(Camera camera) {
+        return Map.of("position", vector(camera.position()), "target", vector(camera.target()), "up", vector(camera.up()),
+                "perspective", camera.perspective(), "fieldOfView", camera.fieldOfView(), "height", camera.height());
+    }
+
+    private static Map<String, Object> look(Look look) {
+        Map<String, Object> facts = new LinkedHashMap<>();
+        facts.put("particles", name(look.particles()));
+        facts.put("springs", name(look.springs()));
+        facts.put("radius", look.particleRadius());
+        facts.put("strainRange", look.strainRange());
+        facts.put("colours", List.of(look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour()));
+        facts.put("kind", name(look.style().kind()));
+        facts.put("ageColours", look.style().ageColours());
+        facts.put("trail", look.style().trail());
+        facts.put("night", look.style().night());
+        return facts;
+    }
+
+    private static String name(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT);
+    }
+
+    private static Map<String, Object> plane(Plane plane) {
+        return Map.of("point", vector(plane.point()), "normal", vector(plane.normal()));
+    }
+
+    private static Map<String, Object> sphere(Sphere sphere) {
+        return Map.of("centre", vector(sphere.centre()), "radius", sphere.radius(), "hollow", sphere.hollow());
+    }
+
+    private static List<Double> wire(CurveView wire) {
+        boolean endless = Double.isInfinite(wire.length());
+        double from = endless ? -WIRE_REACH : 0;
+        double step = (endless ? 2 * WIRE_REACH : wire.length()) / WIRE_POINTS;
+        List<Double> points = new ArrayList<>();
+        for (int i = 0; i <= WIRE_POINTS; i++) {
+            points.addAll(vector(wire.at(from + i * step)));
+        }
+        return points;
+    }
+
+    private static Map<String, Object> surface(Surface surface) {
+        return Map.of("triangles", Json.list(surface.triangles()), "ofSprings", surface.ofSprings());
+    }
+
+    private static List<Double> vector(Vector3 v) {
+        return List.of(v.x(), v.y(), v.z());
+    }
+}

@@ -1,0 +1,184 @@
+package particles.lab;
+
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import particles.SimulationException;
+import particles.messages.BlowUpMessage;
+import particles.messages.FrictionMessage;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneDescription;
+import particles.scene.SceneException;
+import particles.scene.SceneReader;
+import particles.scene.Tolerances;
+import particles.spec.ClassNames;
+
+/** What a page does with scenes: opens one, runs it for a while, looks back. One scene at a time. */
+public final class Session {
+    private static final double ABSOLUTE_PART = 1e-3;
+    private static final double NANOSECONDS = 1e6;
+
+    private final ClassNames classes;
+    private LabRun run;
+    private Frame shown;
+    private String failure = "";
+    private long nanoseconds;
+
+    /** @param classes finds the classes that scenes name */
+    public Session(ClassNames classes) {
+        this.classes = classes;
+    }
+
+    /** @return the catalogue's solvers, as JSON */
+    public String solvers() {
+        return Json.of(SolverCatalog.all().stream().map(Session::solver).toList());
+    }
+
+    private static Map<String, Object> solver(SolverInfo solver) {
+        return Map.of("name", solver.name(), "adaptive", solver.adaptive(), "sentence", solver.sentence());
+    }
+
+    /**
+     * Opens a scene at its start.
+     *
+     * @param file      its name in messages
+     * @param text      what it says
+     * @param solver    a solver other than the scene's; empty for the scene's
+     * @param deltaT    a time step other than the scene's (s); 0 for the scene's
+     * @param tolerance a relative tolerance other than the scene's or the solver's; 0 for these
+     * @return the facts of the scene or, under {@code errors}, the lines that say what is wrong with it, as JSON
+     */
+    public String open(String file, String text, String solver, double deltaT, double tolerance) {
+        try {
+            SceneDescription described = SceneReader.read(file, text.getBytes(StandardCharsets.UTF_8), classes);
+            boolean same = solver.isEmpty() || solver.equals(described.solver());
+            Optional<Tolerances> tolerances = tolerance > 0
+                    ? Optional.of(new Tolerances(tolerance, ABSOLUTE_PART * tolerance))
+                    : same ? described.tolerances() : Optional.empty();
+            Scene scene = SceneBuilder.build(described.solvedBy(same ? described.solver() : solver, tolerances,
+                    deltaT > 0 ? deltaT : described.deltaT(), described.duration()), new Overrides());
+            run = new LabRun(scene);
+            shown = run.shown();
+            failure = "";
+            nanoseconds = 0;
+            return Json.of(SceneFacts.of(scene, run.energies().names()));
+        } catch (SceneException e) {
+            return Json.of(Map.of("errors", e.getLines()));
+        }
+    }
+
+    /**
+     * Makes steps until the run reaches a time, or for as long as it may.
+     *
+     * @param time         where to (s)
+     * @param milliseconds how long it may take
+     */
+    public void advance(double time, double milliseconds) {
+        long start = System.nanoTime();
+        long end = start + (long) (milliseconds * NANOSECONDS);
+        work(() -> run.advance(time, () -> System.nanoTime() > end), start);
+    }
+
+    /** Makes one step. */
+    public void step() {
+        work(run::step, System.nanoTime());
+    }
+
+    private void work(Runnable work, long start) {
+        try {
+            work.run();
+        } catch (SimulationException e) {
+            Scene scene = run.getScene();
+            failure = FrictionMessage.of(scene, name -> name, e)
+                    .orElseGet(() -> new BlowUpMessage(scene, name -> name).of(e));
+        }
+        nanoseconds += System.nanoTime() - start;
+        shown = run.shown();
+    }
+
+    /**
+     * Shows the latest moment that was kept up to a time.
+     *
+     * @param time that time (s)
+     */
+    public void look(double time) {
+        shown = run.history().at(time);
+    }
+
+    /** @return where the run and what is shown are, and what it cost so far, as JSON */
+    public String status() {
+        Map<String, Object> status = new LinkedHashMap<>();
+        status.put("time", shown.time());
+        status.put("reached", run.getScene().system().getTime());
+        status.put("steps", run.getScene().simulation().getSteps());
+        status.put("evaluations", run.getScene().system().getEvaluations());
+        status.put("seconds", nanoseconds / (1e3 * NANOSECONDS));
+        status.put("historyBytes", run.history().bytes());
+        status.put("over", run.isOver());
+        status.put("failure", failure);
+        return Json.of(status);
+    }
+
+    /** @return positions and velocities at the moment that is shown, six numbers a particle */
+    public float[] state() {
+        return shown.state();
+    }
+
+    /** @return the energies at that moment, in the order of the scene's facts (J) */
+    public float[] energies() {
+        return shown.energies();
+    }
+
+    /** @return the state in full precision, where the run is */
+    public double[] exactState() {
+        double[] state = new double[run.getScene().system().getStateSize()];
+        run.getScene().system().getState(state);
+        return state;
+    }
+
+    /** @return a number that is another one whenever particles or springs have come or gone between moments shown */
+    public int structureNumber() {
+        return System.identityHashCode(shown.structure());
+    }
+
+    /** @return which particles, springs and rods there are at the moment that is shown, as JSON */
+    public String structure() {
+        Structure structure = shown.structure();
+        Map<String, Object> parts = new LinkedHashMap<>();
+        parts.put("ids", List.of(structure.ids()));
+        parts.put("fixed", Json.list(structure.fixed()));
+        parts.put("births", Json.list(structure.births()));
+        parts.put("lives", Json.list(structure.lives()));
+        parts.put("springs", Json.list(structure.springs()));
+        parts.put("restLengths", Json.list(structure.restLengths()));
+        parts.put("rigid", Json.list(structure.rigid()));
+        return Json.of(parts);
+    }
+
+    /**
+     * @param id   a particle
+     * @param axis 0 for x, 1 for y, 2 for z
+     * @return its time, position and velocity at every moment kept at which it was there, one after the other
+     */
+    public float[] phase(String id, int axis) {
+        List<float[]> points = new ArrayList<>();
+        for (Frame frame : run.history().frames()) {
+            int i = List.of(frame.structure().ids()).indexOf(id);
+            if (i >= 0) {
+                points.add(new float[] {(float) frame.time(), frame.state()[6 * i + axis], frame.state()[6 * i + axis + 3]});
+            }
+        }
+        float[] all = new float[3 * points.size()];
+        for (int p = 0; p < points.size(); p++) {
+            System.arraycopy(points.get(p), 0, all, 3 * p, 3);
+        }
+        return all;
+    }
+}

@@ -1,0 +1,62 @@
+package particles.lab;
+
+import java.util.List;
+import java.util.stream.Stream;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.SpringView;
+
+/**
+ * Which particles, springs and rods there are, until some come or go.
+ *
+ * @param ids         the particles' names
+ * @param fixed       1 for fixed particles, else 0
+ * @param births      when each particle came into being (s)
+ * @param lives       how long each lives (s); infinite where it does not die of age
+ * @param springs     the particles at the ends of springs and rods, two each
+ * @param restLengths their lengths at rest (m)
+ * @param rigid       1 for rods, else 0
+ */
+record Structure(String[] ids, int[] fixed, float[] births, float[] lives, int[] springs, float[] restLengths, int[] rigid) {
+
+    static Structure of(ParticleSystem system) {
+        Particles particles = system.getParticles();
+        int n = particles.count();
+        int count = views(system).stream().mapToInt(SpringView::springCount).sum();
+        Structure made = new Structure(new String[n], new int[n], new float[n], new float[n], new int[2 * count],
+                new float[count], new int[count]);
+        for (int i = 0; i < n; i++) {
+            made.ids[i] = particles.id(i);
+            made.fixed[i] = particles.isFixed(i) ? 1 : 0;
+            made.births[i] = (float) particles.birthTime(i);
+            made.lives[i] = (float) (particles.deathTime(i) - particles.birthTime(i));
+        }
+        int next = 0;
+        for (SpringView view : views(system)) {
+            for (int s = 0; s < view.springCount(); s++, next++) {
+                made.springs[2 * next] = view.from(s);
+                made.springs[2 * next + 1] = view.to(s);
+                made.restLengths[next] = (float) view.restLength(s);
+                made.rigid[next] = view.stiffness(s) == Double.POSITIVE_INFINITY ? 1 : 0;
+            }
+        }
+        return made;
+    }
+
+    private static List<SpringView> views(ParticleSystem system) {
+        return Stream.concat(system.getEffects().stream(), system.getReactions().stream())
+                .filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
+    }
+
+    /** Whether the same particles and springs are still there: ids are never used again, so that the last one tells. */
+    boolean isOf(ParticleSystem system) {
+        int n = system.getParticles().count();
+        return n == ids.length && (n == 0 || ids[n - 1].equals(system.getParticles().id(n - 1)))
+                && views(system).stream().mapToInt(SpringView::springCount).sum() == restLengths.length;
+    }
+
+    /** About how many bytes it takes. */
+    long bytes() {
+        return 100 + 40L * ids.length + 16L * restLengths.length;
+    }
+}

@@ -1,0 +1,77 @@
+package particles.lab.browser;
+
+import org.teavm.jso.JSByRef;
+import org.teavm.jso.JSExport;
+import particles.lab.Session;
+
+/** What the page's scripts may call of our classes; each is the method of {@link Session} of the same name. */
+public final class Engine {
+    private static final Session SESSION = new Session(new PageClasses());
+
+    private Engine() {
+    }
+
+    @JSExport
+    public static String solvers() {
+        return SESSION.solvers();
+    }
+
+    @JSExport
+    public static String openScene(String file, String text, String solver, double deltaT, double tolerance) {
+        return SESSION.open(file, text, solver, deltaT, tolerance);
+    }
+
+    @JSExport
+    public static void advance(double time, double milliseconds) {
+        SESSION.advance(time, milliseconds);
+    }
+
+    @JSExport
+    public static void step() {
+        SESSION.step();
+    }
+
+    @JSExport
+    public static void look(double time) {
+        SESSION.look(time);
+    }
+
+    @JSExport
+    public static String status() {
+        return SESSION.status();
+    }
+
+    @JSExport
+    @JSByRef
+    public static float[] state() {
+        return SESSION.state();
+    }
+
+    @JSExport
+    @JSByRef
+    public static float[] energies() {
+        return SESSION.energies();
+    }
+
+    @JSExport
+    @JSByRef
+    public static double[] exactState() {
+        return SESSION.exactState();
+    }
+
+    @JSExport
+    public static int structureNumber() {
+        return SESSION.structureNumber();
+    }
+
+    @JSExport
+    public static String structure() {
+        return SESSION.structure();
+    }
+
+    @JSExport
+    @JSByRef
+    public static float[] phase(String id, int axis) {
+        return SESSION.phase(id, axis);
+    }
+}

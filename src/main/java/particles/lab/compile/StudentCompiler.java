@@ -1,0 +1,105 @@
+package particles.lab.compile;
+
+import java.io.IOException;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.Enumeration;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.tools.Diagnostic;
+import javax.tools.DiagnosticCollector;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import particles.lab.LabBuilder.Contents;
+
+/** Compiles students' classes, and the list of them that the page has. */
+final class StudentCompiler {
+    private static final String LIST = "particles/lab/browser/Students";
+
+    private StudentCompiler() {
+    }
+
+    /**
+     * @param contents names the classes
+     * @param folder   for what is written
+     * @return finds the classes of the page; the students' list takes the place of the empty one
+     * @throws IllegalArgumentException if a class does not compile
+     */
+    static ClassLoader compile(Contents contents, Path folder) throws IOException {
+        Path sources = folder.resolve("sources");
+        Path list = sources.resolve(LIST + ".java");
+        Files.createDirectories(list.getParent());
+        Files.writeString(list, list(contents));
+        Path exercises = Files.createDirectories(sources.resolve("exercises"));
+        if (Files.isDirectory(contents.exercises())) {
+            try (Stream<Path> files = Files.list(contents.exercises())) {
+                for (Path file : files.filter(file -> file.toString().endsWith(".java")).toList()) {
+                    Files.copy(file, exercises.resolve(file.getFileName()));
+                }
+            }
+        }
+        Path classes = Files.createDirectories(folder.resolve("classes"));
+        compile(list, sources, classes);
+        return new OwnFirst(classes);
+    }
+
+    private static String list(Contents contents) {
+        return """
+                package particles.lab.browser;
+
+                final class Students {
+                    static final java.util.Map<String, java.util.function.Supplier<deSolvers.DESolver>> SOLVERS
+                            = java.util.Map.ofEntries(%s);
+                    static final java.util.Map<String, java.util.function.Supplier<particles.effects.EffectKind>> EFFECTS
+                            = java.util.Map.ofEntries(%s);
+                }
+                """.formatted(entries(contents.solvers(), ""), entries(contents.effects(), ".Keys"));
+    }
+
+    private static String entries(List<String> names, String inner) {
+        return names.stream().map(name -> "java.util.Map.entry(\"" + name + "\", " + name + inner + "::new)")
+                .collect(Collectors.joining(", "));
+    }
+
+    private static void compile(Path list, Path sources, Path classes) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
+        try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null)) {
+            boolean compiles = compiler.getTask(null, files, messages, List.of("-cp", System.getProperty("java.class.path"),
+                    "-proc:none", "-sourcepath", sources.toString(), "-d", classes.toString()), null,
+                    files.getJavaFileObjects(list)).call();
+            if (!compiles) {
+                throw new IllegalArgumentException(messages.getDiagnostics().stream()
+                        .filter(message -> message.getKind() == Diagnostic.Kind.ERROR).findFirst()
+                        .map(message -> message.toString().strip()).orElse("it does not compile"));
+            }
+        }
+    }
+
+    /** Finds what was compiled before what is there already. */
+    private static final class OwnFirst extends URLClassLoader {
+        OwnFirst(Path classes) throws MalformedURLException {
+            super(new URL[] {classes.toUri().toURL()}, OwnFirst.class.getClassLoader());
+        }
+
+        @Override
+        public URL getResource(String name) {
+            URL own = findResource(name);
+            return own == null ? super.getResource(name) : own;
+        }
+
+        @Override
+        public Enumeration<URL> getResources(String name) throws IOException {
+            URL own = findResource(name);
+            return own == null ? super.getResources(name) : Collections.enumeration(List.of(own));
+        }
+    }
+}

@@ -1,0 +1,48 @@
+// The scene's text, with our own error lines at their places.
+const list = document.getElementById('errors');
+
+export class Editor {
+  /** changed(text) is called when somebody has typed and paused. */
+  constructor(textarea, changed) {
+    this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', lineNumbers: true, tabSize: 2, screenReaderLabel: 'Scene file',
+      extraKeys: {Tab: false, 'Shift-Tab': false}});
+    this.marks = [];
+    this.code.on('change', (code, change) => {
+      if (change.origin !== 'setValue') {
+        clearTimeout(this.timer);
+        this.timer = setTimeout(() => changed(this.text), 400);
+      }
+    });
+  }
+
+  get text() {
+    return this.code.getValue();
+  }
+
+  set text(text) {
+    clearTimeout(this.timer);
+    this.code.setValue(text);
+  }
+
+  /** Each line is 'file:line:column: what is wrong', or without a place. */
+  show(errors) {
+    this.marks.splice(0).forEach(mark => mark.clear());
+    this.code.eachLine(line => this.code.removeLineClass(line, 'background', 'wrong-line'));
+    list.replaceChildren(...errors.map(error => {
+      const place = /^[^:]*:(\d+)(?::(\d+))?: /.exec(error);
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.textContent = error;
+      if (place) {
+        const line = place[1] - 1, column = (place[2] ?? 1) - 1;
+        this.code.addLineClass(line, 'background', 'wrong-line');
+        this.marks.push(this.code.markText({line, ch: column}, {line, ch: this.code.getLine(line)?.length ?? column},
+            {className: 'wrong-place'}));
+        button.onclick = () => { this.code.setCursor({line, ch: column}); this.code.focus(); };
+      }
+      const item = document.createElement('li');
+      item.append(button);
+      return item;
+    }));
+  }
+}

@@ -1,0 +1,81 @@
+
+// Runs in a worker, behind the compiled classes: steps while the page asks for it, and tells the page what there is to see.
+const SLICE = 12;                       // milliseconds of steps between two messages
+let playing = false, speed = 1, target = 0, lastTick = 0, catchUp = null, knownStructure = null, file = null, ticking = false;
+
+function tell(more) {
+  const message = {type: 'frame', ...JSON.parse(status()), state: state().slice(), energies: energies().slice(), ...more};
+  if (structureNumber() !== knownStructure) {
+    knownStructure = structureNumber();
+    message.structure = JSON.parse(structure());
+  }
+  postMessage(message, [message.state.buffer, message.energies.buffer]);
+  return message;
+}
+
+function open(message) {
+  playing = false;
+  const facts = JSON.parse(openScene(message.file, message.text, message.solver, message.deltaT, message.tolerance));
+  if (!facts.errors) {
+    file = message;
+    knownStructure = null;
+    target = 0;
+  }
+  postMessage({type: 'opened', run: message.run, facts});
+  if (!facts.errors) {
+    tell();
+  }
+  return !facts.errors;
+}
+
+function tick() {
+  ticking = false;
+  if (!playing) {
+    return;
+  }
+  const now = performance.now();
+  target += catchUp === null ? speed * (now - lastTick) / 1000 : Infinity;
+  lastTick = now;
+  if (catchUp !== null) {
+    target = catchUp;
+  }
+  advance(target, SLICE);
+  const {time, over, failure} = tell();
+  if (catchUp !== null && time >= catchUp) {
+    catchUp = null;
+  }
+  target = Math.min(target, time + speed * SLICE / 1000);       // what is too slow for real time does not run after it
+  if (over || failure) {
+    playing = false;
+    return;
+  }
+  later(now);
+}
+
+function later(started) {
+  if (!ticking) {
+    ticking = true;
+    setTimeout(tick, Math.max(0, 16 - (performance.now() - started)));
+  }
+}
+
+function play() {
+  playing = true;
+  lastTick = performance.now();
+  later(lastTick - 16);
+}
+
+const commands = {
+  solvers: () => postMessage({type: 'solvers', solvers: JSON.parse(solvers())}),
+  open,
+  play: message => { speed = message.speed; play(); },
+  pause: () => { playing = false; },
+  step: () => { step(); target = tell().reached; },
+  look: message => { playing = false; look(message.time); tell({looking: true}); },
+  // What comes after a moment seen long ago is computed anew from the start.
+  goOn: message => { if (open(file)) { speed = message.speed; catchUp = message.time; play(); } },
+  run: message => { advance(Infinity, message.milliseconds); postMessage({type: 'ran', ...JSON.parse(status())}); },
+  phase: message => postMessage({type: 'phase', id: message.id, axis: message.axis, points: phase(message.id, message.axis)}),
+  state: message => { advance(message.time, 1e9); postMessage({type: 'state', ...JSON.parse(status()), state: exactState()}); }
+};
+onmessage = event => commands[event.data.type](event.data);

@@ -1,0 +1,40 @@
+package particles.messages;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+
+/** Numbers in messages for people: a few digits, the same in every locale. */
+public final class Digits {
+    private static final int FEW = 4;
+
+    private Digits() {
+    }
+
+    /** @return the number with 4 digits at most: 0.05, 12.57, 6.022e23 */
+    public static String few(double value) {
+        return write(value, new MathContext(FEW, RoundingMode.HALF_EVEN));
+    }
+
+    /** @return the number rounded towards zero to 2 digits: what has to stay below a limit */
+    public static String roundedDown(double value) {
+        return write(value, new MathContext(2, RoundingMode.DOWN));
+    }
+
+    /** @return the number with all its digits, as people write it: 0.001, 12.566370614359172, 20 */
+    public static String exact(double value) {
+        return write(value, MathContext.UNLIMITED);
+    }
+
+    private static String write(double value, MathContext digits) {
+        if (!Double.isFinite(value)) {
+            return Double.toString(value);
+        }
+        BigDecimal rounded = BigDecimal.valueOf(value).round(digits).stripTrailingZeros();
+        int exponent = rounded.precision() - rounded.scale() - 1;
+        if (rounded.signum() == 0 || exponent >= -4 && exponent < 7) {
+            return rounded.toPlainString();
+        }
+        return rounded.toString().replace("E+", "e").replace('E', 'e');
+    }
+}

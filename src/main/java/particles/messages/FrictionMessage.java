@@ -1,0 +1,56 @@
+package particles.messages;
+
+import deSolvers.DESolverException;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import particles.SimulationException;
+import particles.experiments.SpringRates;
+import particles.reactions.RestingContacts;
+import particles.scene.Scene;
+
+/**
+ * The line that a run ends with where a solver finds no step because Coulomb friction turns in it. Near a stop its direction
+ * changes as fast as the velocity's, however slow that is; so a shorter step is no sure way out, and springs and drag are
+ * not the cause. A solver that has nothing to solve goes over the turn, and the rule after the step sees that it was a stop.
+ */
+public final class FrictionMessage {
+    private static final String EXPLICIT = "rk4";
+    /** Of the stability limit: as much as other blow-ups are told. */
+    private static final double SAFETY = 0.9;
+
+    private FrictionMessage() {
+    }
+
+    /**
+     * @param scene the scene that was run, as the exception left it
+     * @param options how an option of this name is typed
+     * @param e     what ended the run
+     * @return the line; empty where friction is not the cause
+     */
+    public static Optional<String> of(Scene scene, UnaryOperator<String> options, SimulationException e) {
+        if (!(e.getCause() instanceof DESolverException cause) || cause.getEntry() >= 0 || !mayStop(scene)) {
+            return Optional.empty();
+        }
+        String name = scene.description().solver();
+        String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "").replaceFirst("; .*", "");
+        return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found + "; something slides that"
+                + " is about to stop, and there Coulomb friction turns faster than " + name + " can solve for: try "
+                + options.apply("solver") + "=" + EXPLICIT + step(scene, options) + ", which has nothing to solve for");
+    }
+
+    private static boolean mayStop(Scene scene) {
+        return scene.system().getReactions().stream().anyMatch(reaction -> reaction instanceof RestingContacts contacts
+                && contacts.mayStopWithin(scene.system(), scene.simulation().getDeltaT()));
+    }
+
+    /** Where springs need it, a step that the explicit solver can make. */
+    private static String step(Scene scene, UnaryOperator<String> options) {
+        SolverInfo solver = SolverCatalog.info(EXPLICIT);
+        double rate = SpringRates.of(scene.springs(), scene.system().getParticles()).fastest(0);
+        double longest = SAFETY * Math.min(solver.realLimit(), solver.imaginaryLimit()) / rate;
+        return scene.simulation().getDeltaT() <= longest ? ""
+                : " with " + options.apply("deltaT") + "=" + Digits.roundedDown(longest);
+    }
+}

@@ -1,0 +1,131 @@
+package particles.teaching.effects;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import java.util.Random;
+import java.util.TreeSet;
+import particles.Effect;
+import particles.Obstacle;
+import particles.ParticleSystem;
+import particles.Particles;
+import particles.Vector3;
+import particles.effects.EffectCatalog;
+import particles.effects.EffectContext;
+import particles.effects.EffectKind;
+import particles.effects.SpringForce;
+import particles.effects.Wind;
+import particles.spec.ClassNames;
+
+/** A handful of particles for an effect to act on, and effects by name. */
+public final class EffectSample {
+    private static final String SPRINGS = "springs";
+    private static final String DAMPED_SPRINGS = "damped-springs";
+
+    private EffectSample() {
+    }
+
+    /** @return six particles p0 to p5 about a unit apart, of different masses; p4 is fixed */
+    public static ParticleSystem system() {
+        ParticleSystem system = new ParticleSystem();
+        Random random = new Random(715);
+        for (int i = 0; i < 6; i++) {
+            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO, i == 4);
+        }
+        return system;
+    }
+
+    private static SpringForce springs(Particles particles, double damping) {
+        SpringForce springs = new SpringForce(particles);
+        for (int i = 1; i < particles.count(); i++) {
+            springs.addSpring(i - 1, i, 10 + i, 0.8, damping);
+        }
+        return springs;
+    }
+
+    /**
+     * Makes an effect as a scene would, from the defaults of its keys and samples of those that are required.
+     *
+     * @param name      the effect's name in scenes; wind and turbulence are tried out through drag; or springs,
+     *                  damped-springs, or a class of one's own
+     * @param particles the particles
+     * @param classes   finds the class
+     * @return the effect
+     * @throws NoSuchElementException   if there is no such effect
+     * @throws IllegalArgumentException if there is no such class, or it cannot be made
+     */
+    public static Effect create(String name, Particles particles, ClassNames classes) {
+        if (name.equals(SPRINGS) || name.equals(DAMPED_SPRINGS)) {
+            return springs(particles, name.equals(SPRINGS) ? 0 : 0.8);
+        }
+        EffectKind kind = named(name).orElseGet(() -> byClass(name, classes));
+        Sample scene = new Sample(particles);
+        kind.build(kind.keys().samples(), scene);
+        if (scene.effects.isEmpty()) {                  // wind has no force of its own
+            kind.needs().stream().limit(1).flatMap(other -> named(other).stream())
+                    .forEach(other -> other.build(other.keys().samples(), scene));
+        }
+        if (scene.effects.isEmpty()) {
+            throw new IllegalArgumentException("the Keys of " + name + " add no effect to the scene");
+        }
+        return scene.effects.get(0);
+    }
+
+    private static Optional<EffectKind> named(String name) {
+        return EffectCatalog.ALL.stream().filter(kind -> kind.name().equals(name)).findFirst();
+    }
+
+    private static EffectKind byClass(String name, ClassNames classes) {
+        if (Character.isLowerCase(name.charAt(0)) && !name.contains(".")) {
+            TreeSet<String> known = new TreeSet<>(List.of(SPRINGS, DAMPED_SPRINGS));
+            EffectCatalog.ALL.forEach(kind -> known.add(kind.name()));
+            throw new NoSuchElementException("no effect is called '" + name + "'; known effects: "
+                    + String.join(", ", known));
+        }
+        return classes.find(name.contains(".") ? name : "exercises." + name, EffectKind.class);
+    }
+
+    /** A scene of which only the effects matter. */
+    private static final class Sample implements EffectContext {
+        private final Particles particles;
+        private final List<Effect> effects = new ArrayList<>();
+        private Wind wind = Wind.STILL;
+
+        Sample(Particles particles) {
+            this.particles = particles;
+        }
+
+        @Override
+        public Particles particles() {
+            return particles;
+        }
+
+        @Override
+        public Wind wind() {
+            return wind;
+        }
+
+        @Override
+        public void add(Effect effect) {
+            effects.add(effect);
+        }
+
+        @Override
+        public void setWind(Wind wind) {
+            this.wind = wind;
+        }
+
+        @Override
+        public void show(Obstacle solid) {              // nothing is drawn
+        }
+
+        @Override
+        public void noteAcceleration(Vector3 g) {       // nothing is scaled
+        }
+
+        @Override
+        public void noteSpeed(double speed) {
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package particles.teaching.effects;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import particles.ParticleSystem;
+import particles.teaching.Formula;
+
+/** Forces beside those that were expected: what is common to all differences. */
+final class ForceComparison {
+    private static final double SAME = 1e-5;
+    private static final String XYZ = "xyz";
+
+    private final ParticleSystem system;
+    private final double[] force;
+    private final double[] expected;
+    private final double size;
+
+    /**
+     * @param system   on whose particles they act
+     * @param force    where the velocities stand
+     * @param expected the right ones, likewise
+     * @param size     of the largest of all of them
+     */
+    ForceComparison(ParticleSystem system, double[] force, double[] expected, double size) {
+        this.system = system;
+        this.force = force;
+        this.expected = expected;
+        this.size = size;
+    }
+
+    /**
+     * @param velocities whether the forces depend on velocities
+     * @param other      what the right forces come from, in words
+     * @return the likely mistake, after a colon; empty if nothing is common to all differences
+     */
+    String cause(boolean velocities, String other) {
+        if (Arrays.stream(expected).allMatch(f -> Math.abs(f) <= SAME * size)) {
+            return velocities ? ": a force that depends on the velocity is not CONSERVATIVE; claim DISSIPATIVE if it damps"
+                    : ": " + other + " is the same everywhere; getPotentialEnergy is missing, or the claim CONSERVATIVE is wrong";
+        }
+        if (fits(-1, 0)) {
+            return ": the sign is wrong, in the force or in " + other;
+        }
+        if (fits(0.5, 0)) {
+            return ": the half is missing in " + other + ", or one was taken too often in the force";
+        }
+        if (fits(2, 0)) {
+            return ": the force is twice what it should be, or a half too many stands in " + other;
+        }
+        if (fits(1, -1)) {
+            return ": the mass is missing in the force, which is mass times acceleration";
+        }
+        if (fits(1, 1)) {
+            return ": the mass is missing in " + other + ", or stands in the force once too often";
+        }
+        int largest = 3;
+        for (int k = 3; k < force.length; k += k % 6 == 5 ? 4 : 1) {
+            largest = Math.abs(expected[k]) > Math.abs(expected[largest]) ? k : largest;
+        }
+        if (fits(force[largest] / expected[largest], 0)) {
+            return ": all of it is " + Formula.number(force[largest] / expected[largest]) + " times what it should be";
+        }
+        List<String> off = new ArrayList<>();
+        for (int c = 0; c < 3; c++) {
+            for (int k = 3 + c; k < force.length; k += 6) {
+                if (!system.getParticles().isFixed(k / 6) && Math.abs(force[k] - expected[k]) > SAME * size) {
+                    off.add(XYZ.substring(c, c + 1));
+                    break;
+                }
+            }
+        }
+        return off.size() == 3 ? "" : ": only " + String.join(" and ", off) + (off.size() == 1 ? " is" : " are") + " wrong";
+    }
+
+    /** Whether force = factor * mass^power * expected, for all free particles. */
+    private boolean fits(double factor, int power) {
+        for (int k = 3; k < force.length; k += k % 6 == 5 ? 4 : 1) {
+            double mass = system.getParticles().mass(k / 6);
+            double scaled = factor * expected[k] * (power == 0 ? 1 : power > 0 ? mass : 1 / mass);
+            if (!system.getParticles().isFixed(k / 6) && Math.abs(force[k] - scaled) > SAME * size * 2) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

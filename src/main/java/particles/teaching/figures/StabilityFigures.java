@@ -1,0 +1,211 @@
+package particles.teaching.figures;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.Supplier;
+import particles.ChartData.Mark;
+import particles.ChartData.Series;
+import particles.ChartData;
+import particles.DataTable;
+import particles.experiments.Amplification;
+import particles.experiments.StabilityLimit;
+import particles.experiments.StabilityMap;
+import particles.experiments.StepTrial;
+import particles.teaching.Formula;
+
+/**
+ * How long a step of a solver may be before something grows that should not, measured on its steps.
+ *
+ * @param rows   the limits in numbers, or why there are none: what, how much, what it means
+ * @param region the places in the plane where a step does not grow, beside the built-in solver that is nearest
+ * @param growth what a step multiplies by, beside the exact solution and built-in solvers
+ */
+record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Optional<DataTable> growth) {
+    /** With more noise the coefficients of R are not known well enough to be named. */
+    private static final double CLEAN = 1e-9;
+    private static final double STABLE = 1 + 1e-8;
+    private static final double LITTLE = 1e-3;
+    private static final String DRAG = "largest stable deltaT |lambda|, damping";
+    private static final String SPRING = "largest stable deltaT omega, undamped spring";
+    private static final List<String> FOR_ALL = List.of("euler", "midpoint", "rk4", "backward-euler", "implicit-midpoint");
+    private static final List<String> FOR_SPRINGS = List.of("symplectic-euler", "verlet", "yoshida4");
+    private static final double[][] PLACES = {{-0.5, 0}, {-1, 0}, {-2, 0}, {-4, 0}, {0, 0.5}, {0, 1}, {0, 2}, {0, 4}, {-1, 1}};
+    private static final double[][] DAMPED = {{0.5, 0}, {1, 0}, {1.5, 0}, {2, 0}, {3, 0}, {0.5, 0.1}, {1, 0.5}, {1, 2}, {0, 1}};
+
+    /** What is measured, in the plane that suits it: of deltaT lambda or, on springs, of deltaT omega and deltaT c/m. */
+    private record Plane(Amplification amplification, double noise, boolean springs) {
+        double growth(double x, double y) {
+            return springs ? amplification.ofSpring(x * x, y) : amplification.at(x, y);
+        }
+
+        StabilityLimit limit(DoubleUnaryOperator along) {
+            return StabilityLimit.measure(h -> along.applyAsDouble(h) - 10 * noise);
+        }
+
+        StabilityLimit ofDrag() {
+            return limit(h -> springs ? growth(0, h) : growth(-h, 0));
+        }
+
+        StabilityLimit ofSpring() {
+            return limit(h -> springs ? growth(h, 0) : growth(0, h));
+        }
+    }
+
+    /**
+     * @param name      what the solver is called
+     * @param maker     makes a new one
+     * @param multistep whether it uses earlier steps
+     * @return the figures
+     */
+    static StabilityFigures of(String name, Supplier<DESolver> maker, boolean multistep) {
+        StepTrial trial = StepTrial.of(maker, multistep);
+        boolean builtIn = SolverCatalog.names().contains(name);
+        Optional<Amplification> own = builtIn ? Optional.of(Amplification.of(SolverCatalog.info(name))) : trial.amplification();
+        if (own.isEmpty()) {
+            return new StabilityFigures(List.of(List.of(DRAG, "-", trial.objection()), List.of(SPRING, "-", "the same")),
+                    Optional.empty(), Optional.empty());
+        }
+        boolean subStep = builtIn && SolverCatalog.info(name).adaptive();
+        Plane plane = new Plane(own.get(), builtIn ? 0 : trial.noise(), own.get().isOfSprings());
+        String nearest = nearest(name, plane);
+        List<List<Object>> rows = new ArrayList<>();
+        if (!subStep && !plane.springs && !multistep && trial.noise() < CLEAN) {
+            StabilityFunction.of(maker, trial.noise())
+                    .ifPresent(r -> rows.add(List.of("R(z), by which a step multiplies y in y' = lambda y",
+                    r.text(), r.owner().isEmpty() ? "z is deltaT lambda" : r.owner())));
+        }
+        StabilityLimit drag = plane.ofDrag();
+        StabilityLimit spring = plane.ofSpring();
+        String how = own.get().isOfManySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step" : "";
+        rows.add(List.of(plane.springs ? "largest stable deltaT c/m, drag without a spring" : DRAG, text(drag),
+                (plane.springs ? "the drag is -c v" : "on the negative real axis") + how));
+        rows.add(List.of(SPRING, text(spring), (plane.springs ? "omega^2 is k/m" : "on the imaginary axis")
+                + (spring.value() == 0 ? "; it always grows" : "") + how));
+        return new StabilityFigures(rows, Optional.of(chart(name, plane, nearest, drag, spring)),
+                Optional.of(table(name, plane, nearest)));
+    }
+
+    private static String text(StabilityLimit limit) {
+        return limit.value() == Double.POSITIVE_INFINITY ? "unbounded" : limit.value() == 0 ? "0"
+                : String.format(Locale.ROOT, "%.8g", limit.value());
+    }
+
+    private static DoubleBinaryOperator builtIn(String other, Plane like) {
+        Amplification amplification = like.springs ? new Amplification(() -> SolverCatalog.create(other), true, false)
+                : Amplification.of(SolverCatalog.info(other));
+        return new Plane(amplification, 0, like.springs)::growth;
+    }
+
+    /**
+     * By the number of places around 0 where one is stable and the other is not, and among equal ones by the growth itself.
+     */
+    private static String nearest(String name, Plane plane) {
+        List<String> others = new ArrayList<>(FOR_ALL);
+        if (plane.springs) {
+            others.addAll(FOR_SPRINGS);
+        }
+        if (plane.amplification.isOfManySteps()) {
+            others.add("adams");
+        }
+        others.remove(name);
+        List<double[]> places = new ArrayList<>();          // where, and the growth there
+        for (double size = 0.3; size < 12; size *= 1.4) {
+            for (int k = 0; k <= 8; k++) {
+                double angle = Math.PI * k / (plane.springs ? 16 : 8);
+                double x = size * StrictMath.cos(angle);
+                double y = size * StrictMath.sin(angle);
+                places.add(new double[] {x, y, plane.growth(x, y)});
+            }
+        }
+        String nearest = "";
+        double least = Double.POSITIVE_INFINITY;
+        for (String other : others) {
+            DoubleBinaryOperator growth = builtIn(other, plane);
+            double distance = 0;
+            for (double[] place : places) {
+                double theirs = growth.applyAsDouble(place[0], place[1]);
+                distance += place[2] <= STABLE == theirs <= STABLE ? 0 : 1;
+                distance += LITTLE * Math.abs(Math.min(2, place[2]) - Math.min(2, theirs));
+            }
+            if (distance < least) {
+                least = distance;
+                nearest = other;
+            }
+        }
+        return nearest;
+    }
+
+    private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit drag, StabilityLimit spring) {
+        DoubleBinaryOperator other = builtIn(nearest, plane);
+        StabilityView view = StabilityView.of(plane::growth, other, plane.amplification::getEvaluations, !plane.springs);
+        StabilityMap own = new StabilityMap(plane::growth, view.window(), !plane.springs);
+        Series beside = new StabilityMap(other, view.window(), !plane.springs).outline(nearest);
+        // pale and wide, so that a line along which it runs is seen
+        List<Series> series = new ArrayList<>(List.of(own.outline(name), own.stripes("stable", view.rowsBetweenStripes()),
+                new Series(nearest, Mark.BAND, beside.x(), beside.y())));
+        if (!plane.springs) {
+            double top = view.window().top();
+            series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-top, top}));
+        }
+        String title = "Stable where striped: " + most(drag) + " for damping, " + most(spring) + " for undamped springs";
+        return new ChartData(title, plane.springs ? "deltaT omega: stiffness"
+                : "Re(deltaT lambda): decay to the left, growth to the right",
+                plane.springs ? "deltaT c/m: damping" : "Im(deltaT lambda): oscillation", false, false, series);
+    }
+
+    private static String most(StabilityLimit limit) {
+        return limit.value() == 0 ? "never" : limit.value() == Double.POSITIVE_INFINITY ? "always"
+                : String.format(Locale.ROOT, "to %.4g", limit.value());
+    }
+
+    private static DataTable table(String name, Plane plane, String nearest) {
+        List<String> others = new ArrayList<>(List.of("euler", "midpoint", "rk4"));
+        others.remove(name);
+        if (!others.contains(nearest)) {
+            others.add(nearest);
+        }
+        List<DataTable.Column> columns = new ArrayList<>(List.of(DataTable.column(plane.springs ? "deltaT omega"
+                : "deltaT lambda")));
+        if (plane.springs) {
+            columns.add(DataTable.column("deltaT c/m"));
+        }
+        columns.add(DataTable.column("exactly"));
+        columns.add(DataTable.column(name));
+        others.forEach(other -> columns.add(DataTable.column(other)));
+        List<List<Object>> rows = new ArrayList<>();
+        for (double[] at : plane.springs ? DAMPED : PLACES) {
+            List<Object> row = new ArrayList<>();
+            if (plane.springs) {
+                row.addAll(List.of(at[0], at[1]));
+            } else {
+                row.add(at[1] == 0 ? number(at[0]) : at[0] == 0 ? number(at[1]) + " i"
+                        : number(at[0]) + " + " + number(at[1]) + " i");
+            }
+            row.add(digits(plane.springs ? damped(at[0], at[1]) : StrictMath.exp(at[0])));
+            row.add(digits(plane.growth(at[0], at[1])));
+            others.forEach(other -> row.add(digits(builtIn(other, plane).applyAsDouble(at[0], at[1]))));
+            rows.add(row);
+        }
+        return new DataTable("growth", plane.springs ? "By how much a step multiplies the amplitude of a damped spring"
+                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|", columns, rows);
+    }
+
+    private static double damped(double omega, double damping) {
+        double discriminant = damping * damping / 4 - omega * omega;
+        return StrictMath.exp(-damping / 2 + Math.sqrt(Math.max(0, discriminant)));
+    }
+
+    private static String number(double x) {
+        return Formula.number(x).contains("/") ? Double.toString(x) : Formula.number(x);
+    }
+
+    private static String digits(double x) {
+        return x == Double.POSITIVE_INFINITY ? "refused" : String.format(Locale.ROOT, "%.6f", x);
+    }
+}

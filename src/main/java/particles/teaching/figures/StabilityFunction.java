@@ -1,0 +1,140 @@
+package particles.teaching.figures;
+
+import deSolvers.DESolver;
+import deSolvers.problems.StepMatrix;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import particles.teaching.Formula;
+
+/**
+ * The function R(z) by which a step multiplies the solution of y' = lambda y, z = deltaT lambda, as a fraction of two
+ * polynomials, found from steps: a Runge-Kutta method with explicit stages has a polynomial, an implicit one a fraction.
+ *
+ * @param above the coefficients above the line, from z^0 on
+ * @param below those below the line; 1 alone for a polynomial
+ */
+record StabilityFunction(double[] above, double[] below) {
+    private static final int PLACES = 16;
+    private static final double RADIUS = 0.25;
+    /** Coefficients that are looked at: those of higher powers drown in rounding. */
+    private static final int KNOWN = 9;
+    private static final double ROUNDING = 1e-13;
+    private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0}, {2, 2},
+            {5, 0}, {6, 0}};
+
+    /**
+     * @param maker makes solvers whose step treats all entries of the state alike
+     * @param noise what an iteration leaves, relative to the state
+     * @return the simplest fraction that is R; empty if there is none of degree 2, and no polynomial of degree 6
+     */
+    static Optional<StabilityFunction> of(Supplier<DESolver> maker, double noise) {
+        double[] taylor = taylor(maker);
+        for (int[] degree : DEGREES) {
+            Optional<StabilityFunction> found = fraction(taylor, degree[0], degree[1]).filter(f -> f.has(taylor, ROUNDING
+                    + 10 * noise));
+            if (found.isPresent()) {
+                return found;
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** By Cauchy's formula on a circle around 0; R of the conjugate is the conjugate of R. */
+    private static double[] taylor(Supplier<DESolver> maker) {
+        double[] c = new double[KNOWN];
+        for (int j = 0; j < PLACES; j++) {
+            double angle = 2 * Math.PI * j / PLACES;
+            StepMatrix step = StepMatrix.onTestEquation(maker.get(), RADIUS * StrictMath.cos(angle),
+                    RADIUS * StrictMath.sin(angle));
+            for (int k = 0; k < KNOWN; k++) {
+                double turned = step.xx() * StrictMath.cos(k * angle) + step.vx() * StrictMath.sin(k * angle);
+                c[k] += turned / (PLACES * StrictMath.pow(RADIUS, k));
+            }
+        }
+        return c;
+    }
+
+    /** The fraction of these degrees that begins as the series does (H. Padé 1892). */
+    private static Optional<StabilityFunction> fraction(double[] c, int m, int n) {
+        double[] q = new double[n + 1];
+        q[0] = 1;
+        if (n == 1) {
+            q[1] = -c[m + 1] / c[m];
+        } else if (n == 2) {
+            double before = m == 0 ? 0 : c[m - 1];
+            double determinant = c[m] * c[m] - before * c[m + 1];
+            q[1] = (before * c[m + 2] - c[m] * c[m + 1]) / determinant;
+            q[2] = (c[m + 1] * c[m + 1] - c[m] * c[m + 2]) / determinant;
+        }
+        double[] p = new double[m + 1];
+        for (int k = 0; k <= m; k++) {
+            for (int j = 0; j <= Math.min(k, n); j++) {
+                p[k] += q[j] * c[k - j];
+            }
+        }
+        boolean finite = Double.isFinite(Arrays.stream(p).sum()) && Double.isFinite(Arrays.stream(q).sum());
+        return finite ? Optional.of(new StabilityFunction(p, q)) : Optional.empty();
+    }
+
+    private boolean has(double[] taylor, double tolerance) {
+        double[] own = new double[taylor.length];
+        for (int k = 0; k < own.length; k++) {
+            own[k] = k < above.length ? above[k] : 0;
+            for (int j = 1; j <= Math.min(k, below.length - 1); j++) {
+                own[k] -= below[j] * own[k - j];
+            }
+            if (Math.abs(own[k] - taylor[k]) * StrictMath.pow(RADIUS, k) > tolerance) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** @return as people write it, such as {@code (1 + z/2) / (1 - z/2)} */
+    String text() {
+        return below.length == 1 ? polynomial(above) : bracketed(above) + " / " + bracketed(below);
+    }
+
+    private static String bracketed(double[] p) {
+        String text = polynomial(p);
+        return text.contains(" ") ? "(" + text + ")" : text;
+    }
+
+    private static String polynomial(double[] p) {
+        List<String> powers = new ArrayList<>(List.of("z"));
+        for (int k = 2; k < p.length; k++) {
+            powers.add("z^" + k);
+        }
+        String rest = Formula.state(0, Arrays.copyOfRange(p, 1, p.length), powers);
+        if (Formula.same(p[0], 0)) {
+            return rest;
+        }
+        return rest.equals("0") ? Formula.number(p[0]) : Formula.number(p[0]) + (rest.startsWith(" - ") ? "" : " + ") + rest;
+    }
+
+    /** @return whose function it is, such as {@code that of Euler}; empty if nobody's that we know */
+    String owner() {
+        if (below.length == 1) {
+            boolean exponential = true;
+            double factorial = 1;
+            for (int k = 0; k < above.length; k++) {
+                factorial *= Math.max(1, k);
+                exponential &= Formula.same(above[k] * factorial, 1);
+            }
+            List<String> owners = List.of("", "that of the Euler method",
+                    "that of the midpoint method, and of all of order 2 with two evaluations",
+                    "that of all methods of order 3 with three evaluations",
+                            "that of RK4, and of all of order 4 with four evaluations");
+            return exponential && above.length <= owners.size() ? owners.get(above.length - 1) : "";
+        }
+        double theta = -below[1];
+        boolean ofTheta = below.length == 2 && above.length <= 2 && Formula.same(above[0], 1)
+                && Formula.same(above.length == 1 ? 0 : above[1], 1 - theta);
+        return !ofTheta ? "" : Formula.same(theta, 1) ? "that of backward Euler"
+                : Formula.same(theta, 0.5) ? "that of the trapezoidal rule and of implicit midpoint"
+                : "that of the theta method with theta = " + Formula.number(theta);
+    }
+}

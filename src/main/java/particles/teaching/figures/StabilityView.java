@@ -1,0 +1,74 @@
+package particles.teaching.figures;
+
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.LongSupplier;
+import particles.experiments.StabilityRegion.Window;
+
+/**
+ * Which part of the plane shows a solver's stability region, and how finely it can be looked at.
+ *
+ * @param window             the part of the plane
+ * @param rowsBetweenStripes how many rows of the grid are from one stripe to the next
+ */
+record StabilityView(Window window, int rowsBetweenStripes) {
+    private static final double NEAREST = 0.05;
+    private static final double FARTHEST = 20;
+    private static final double FACTOR = 1.1;
+    private static final double STABLE = 1 + 1e-8;
+    /** Evaluations that the picture may take: half a second of them. */
+    private static final double BUDGET = 1.5e6;
+    private static final int MOST_CELLS = 120;
+    private static final int FEWEST_CELLS = 24;
+    private static final int STRIPES = 24;
+
+    /**
+     * Looks from 0 in all directions for places where stable and unstable meet.
+     *
+     * @param growth      of a step at a place in the plane
+     * @param beside      another growth, whose places are to be seen as well
+     * @param evaluations counts what the first takes
+     * @param both        whether the plane is that of deltaT lambda; else both coordinates are positive
+     * @return a part of the plane with all of these places
+     */
+    static StabilityView of(DoubleBinaryOperator growth, DoubleBinaryOperator beside, LongSupplier evaluations, boolean both) {
+        double left = 0;
+        double right = 0;
+        double top = 0;
+        long before = evaluations.getAsLong();
+        int looks = 0;
+        int directions = both ? 12 : 6;
+        for (int k = 0; k <= directions; k++) {
+            double cos = StrictMath.cos(Math.PI * k / 12);
+            double sin = StrictMath.sin(Math.PI * k / 12);
+            boolean stable = growth.applyAsDouble(NEAREST * cos, NEAREST * sin) <= STABLE;
+            boolean otherStable = beside.applyAsDouble(NEAREST * cos, NEAREST * sin) <= STABLE;
+            for (double size = NEAREST; size < FARTHEST; size *= FACTOR) {
+                looks++;
+                boolean was = stable;
+                boolean otherWas = otherStable;
+                stable = growth.applyAsDouble(size * cos, size * sin) <= STABLE;
+                otherStable = beside.applyAsDouble(size * cos, size * sin) <= STABLE;
+                if (stable != was || otherStable != otherWas) {
+                    left = Math.min(left, size * cos);
+                    right = Math.max(right, size * cos);
+                    top = Math.max(top, size * sin);
+                }
+            }
+        }
+        double size = Math.max(right - left, top);
+        if (size == 0) {                                // all stable, or the imaginary axis for an outline
+            size = 4;
+            left = both ? -size : 0;
+            top = size;
+        }
+        double margin = 0.15 * size;
+        left = both ? Math.min(left - margin, -0.4 * size) : 0;
+        right = Math.max(right, left + size / 2) + margin;
+        top = Math.max(top, size / 2) + margin;
+        double each = Math.max(1, (double) (evaluations.getAsLong() - before) / looks);
+        double largest = Math.max(right - left, top);
+        double cells = Math.sqrt(BUDGET / each * largest * largest / ((right - left) * top));
+        double cell = largest / Math.max(FEWEST_CELLS, Math.min(MOST_CELLS, Math.floor(cells)));
+        return new StabilityView(new Window(left, right, top, cell), Math.max(1, (int) Math.round(top / cell / STRIPES)));
+    }
+}

@@ -1,0 +1,78 @@
+package particles.teaching.marking;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A number as a student types it: with a decimal point or comma, as a fraction, with or without its unit.
+ *
+ * @param value   the number, if it is one
+ * @param problem what is wrong otherwise, in one line
+ */
+public record AnswerText(Optional<Double> value, String problem) {
+    private static final int LONGEST = 60;
+    private static final String NUMBER = "[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:\\s*[eE][+-]?\\d+)?";
+    /** What stands before a number: x = or an equals sign alone. */
+    private static final String NAME = "^(?:[A-Za-z]\\w*\\s*)?[=\u2248~]\\s*";
+    /** Other ways to write a unit, without spaces and signs of multiplication. */
+    private static final Map<String, List<String>> SAME_UNITS = Map.of("Ns/m", List.of("kg/s"), "m/s", List.of("ms^-1", "ms-1"));
+    private static final Pattern FORM = Pattern.compile("(" + NUMBER + ")(?:\\s*/\\s*(" + NUMBER + "))?\\s*(.*)");
+    private static final String ALLOWED = "a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8";
+
+    /**
+     * @param typed what was typed
+     * @param unit  in which the number is wanted; empty for a pure number
+     * @return the number, or what is wrong
+     */
+    public static AnswerText read(String typed, String unit) {
+        String text = typed.strip().replaceFirst(NAME, "").replace('\u2212',
+                '-').replaceAll("\\s*[x*\u00d7\u00b7]\\s*10\\s*\\^\\s*", "e");
+        if (text.isEmpty()) {
+            return refused("The answer is empty; " + ALLOWED + ".");
+        }
+        String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
+        if (text.toLowerCase(Locale.ROOT).matches("[+-]?(nan|inf|infinity|\u221e).*")) {
+            return refused("'" + shown + "' is no finite number: a calculation has divided by 0 or blown up; " + ALLOWED
+                    + ".");
+        }
+        if (text.matches("[+-]?[\\d ']*\\d[.,]\\d+[.,]\\d+.*")) {
+            return refused("'" + shown + "' has two points or commas; write no separators of thousands; " + ALLOWED + ".");
+        }
+        Matcher matcher = FORM.matcher(text);
+        if (!matcher.matches()) {
+            return refused("'" + shown + "' is no number; " + ALLOWED + ".");
+        }
+        double value = number(matcher.group(1));
+        if (matcher.group(2) != null) {                 // null where there is no fraction
+            value /= number(matcher.group(2));
+        }
+        if (!Double.isFinite(value)) {
+            return refused("'" + shown + "' is no finite number; " + ALLOWED + ".");
+        }
+        String rest = packed(matcher.group(3));
+        if (unit.isEmpty() && rest.equals("%")) {
+            return new AnswerText(Optional.of(value / 100), "");
+        }
+        if (!rest.isEmpty() && !rest.equals(packed(unit)) && !SAME_UNITS.getOrDefault(packed(unit), List.of()).contains(rest)) {
+            return refused("'" + matcher.group(3).strip() + "' after the number is not understood: the answer is wanted "
+                    + (unit.isEmpty() ? "as a pure number" : "in " + unit) + ", with or without the unit.");
+        }
+        return new AnswerText(Optional.of(value), "");
+    }
+
+    private static String packed(String unit) {
+        return unit.replaceAll("[\\s*\u00b7]", "");
+    }
+
+    private static double number(String text) {
+        return Double.parseDouble(text.replace(',', '.').replaceAll("\\s", ""));
+    }
+
+    private static AnswerText refused(String problem) {
+        return new AnswerText(Optional.empty(), problem);
+    }
+}

@@ -1,0 +1,71 @@
+package particles.teaching.marking;
+
+import java.math.BigDecimal;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Locale;
+import particles.SeededRandom;
+
+/**
+ * The numbers of one student in one exercise: the same on every machine and at every call, because they come from the
+ * SHA-256 of the exercise's number and the student's id. Capitals and spaces around the id do not matter.
+ */
+public final class Draw {
+    private final String student;
+    private final int exercise;
+
+    /**
+     * @param student  an id with something in it
+     * @param exercise the exercise's number
+     * @throws IllegalArgumentException if the id is empty
+     */
+    public Draw(String student, int exercise) {
+        this.student = student.strip().toLowerCase(Locale.ROOT);
+        this.exercise = exercise;
+        if (this.student.isEmpty()) {
+            throw new IllegalArgumentException("a student's id has to have something in it");
+        }
+    }
+
+    /** The sequence from which numbers are picked, one after the other. */
+    public static final class Picks {
+        private final SeededRandom random;
+
+        private Picks(long seed) {
+            random = new SeededRandom(seed);
+        }
+
+        /** @return one of the numbers low, low + 1, ... high, each equally likely */
+        public int whole(int low, int high) {
+            return low + (int) (random.nextDouble() * (high - low + 1));
+        }
+
+        /** @return a number with so many decimals between low and high, which are given in units of the last one */
+        public double decimal(int low, int high, int decimals) {
+            return new BigDecimal(whole(low, high)).movePointLeft(decimals).doubleValue();
+        }
+
+        /** @return one of these numbers */
+        public double of(double... choices) {
+            return choices[whole(0, choices.length - 1)];
+        }
+    }
+
+    /** @return the sequence, from its beginning */
+    public Picks picks() {
+        try {
+            byte[] hash = MessageDigest.getInstance("SHA-256")
+                    .digest(("exercise " + exercise + " of " + student).getBytes(StandardCharsets.UTF_8));
+            return new Picks(ByteBuffer.wrap(hash).getLong());
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError("every Java has SHA-256", e);
+        }
+    }
+
+    /** @return a drawn number as people write it */
+    public static String text(double x) {
+        return new BigDecimal(Double.toString(x)).stripTrailingZeros().toPlainString();
+    }
+}

@@ -1,0 +1,22 @@
+package particles.teaching.marking;
+
+import java.util.List;
+
+/**
+ * What became of an answer.
+ *
+ * @param right whether it is right
+ * @param lines what there is to say: the likely mistake, or what holds and what does not
+ */
+public record Mark(boolean right, List<String> lines) {
+
+    /** Copies the list. */
+    public Mark {
+        lines = List.copyOf(lines);
+    }
+
+    /** @return an answer that is not right, for this reason */
+    public static Mark wrong(String line) {
+        return new Mark(false, List.of(line));
+    }
+}

@@ -1,0 +1,86 @@
+package particles.teaching.marking;
+
+import java.util.List;
+import java.util.Optional;
+import particles.teaching.marking.Draw.Picks;
+
+/**
+ * An exercise whose answer is a number. Numbers with which two answers look alike are not given to anyone: others are drawn.
+ */
+public abstract class NumericExercise implements Exercise {
+    /** Four significant digits, with a rounding on the way forgiven. */
+    public static final double FOUR_DIGITS = 1e-3;
+    private static final int MOST_DRAWS = 1000;
+    private static final double CLOSE = 0.02;
+
+    private final String title;
+
+    public NumericExercise(String title) {
+        this.title = title;
+    }
+
+    /** @return the question with the next numbers */
+    protected abstract Question ask(Picks picks);
+
+    @Override
+    public final String title() {
+        return title;
+    }
+
+    /** @return the student's question: the first one in which no wrong answer looks like another or like the right one */
+    public final Question question(Draw draw) {
+        Picks picks = draw.picks();
+        for (int attempt = 0; attempt < MOST_DRAWS; attempt++) {
+            Question question = ask(picks);
+            if (question.isClear()) {
+                return question;
+            }
+        }
+        throw new IllegalStateException("no clear numbers among " + MOST_DRAWS + " for '" + title + "'");
+    }
+
+    @Override
+    public final String text(Draw draw) {
+        Question question = question(draw);
+        return question.text() + "\n" + (question.tolerance() <= FOUR_DIGITS ? "Give four significant digits"
+                : "Give two or three significant digits") + ": right is what is off by no more than "
+                + Draw.text(100 * question.tolerance()) + " %. "
+                + (question.unit().isEmpty() ? "The answer is a pure number." : "The unit is " + question.unit() + ".");
+    }
+
+    @Override
+    public final Mark mark(Draw draw, String answer) {
+        return mark(question(draw), answer);
+    }
+
+    public static Mark mark(Question question, String answer) {
+        AnswerText typed = AnswerText.read(answer, question.unit());
+        if (typed.value().isEmpty()) {
+            return Mark.wrong(typed.problem());
+        }
+        double value = typed.value().get();
+        return question.isNear(value, question.answer()) ? new Mark(true, List.of("This is right."))
+                : Mark.wrong(reason(question, value));
+    }
+
+    private static String reason(Question question, double value) {
+        Optional<CommonMistake> slip = question.mistakes().stream().filter(s -> question.isNear(value, s.value())).findFirst();
+        if (slip.isPresent()) {
+            return slip.get().hint();
+        }
+        double answer = question.answer();
+        if (question.isNear(-value, answer)) {
+            return "The size is right and the sign is not.";
+        }
+        for (double power : new double[] {10, 100, 1000, 0.1, 0.01, 0.001}) {
+            if (question.isNear(value * power, answer)) {
+                return "The digits are right, and the decimal point is not where it belongs: look at the units.";
+            }
+        }
+        if (Math.abs(value - answer) < CLOSE * Math.abs(answer)) {
+            return "This is close, but off by more than " + Draw.text(100 * question.tolerance())
+                    + " %: calculate with all digits and round at the very end.";
+        }
+        return "This is not right, and no typical mistake leads to it: go through the first step by hand and compare.";
+    }
+}

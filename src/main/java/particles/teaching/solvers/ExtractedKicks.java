@@ -1,0 +1,99 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import java.util.Random;
+import particles.teaching.sources.Probe;
+import particles.teaching.sources.SecondOrderProbe;
+
+/**
+ * The coefficients of one step of a method that knows positions from velocities, for accelerations that do not depend on the
+ * velocity: the new position is x + p v h + h^2 sum x_j a_j, the new velocity v + h sum v_j a_j, and a_j is the
+ * acceleration at the position x + p_j v h + h^2 sum x_jk a_k and the time t + c_j h.
+ *
+ * @param x      the weights of the new position
+ * @param v      the weights of the new velocity
+ * @param p      how much of the old velocity is in the new position
+ * @param at     the weights in the position of each evaluation
+ * @param pAt    how much of the old velocity is in it
+ * @param c      the clock of each evaluation, since the step began
+ * @param end    the clock at the end
+ * @param kept   how much of the old position, and of the old velocity, is in the new one
+ * @param left   whether the state was not set after the last evaluation
+ */
+record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] pAt, double[] c, double end, double[] kept,
+        boolean left) {
+    private static final int BLOCKS = Probe.MOST_EVALUATIONS + 3;
+    private static final int OLD_POSITION = BLOCKS - 2;
+    private static final int OLD_VELOCITY = BLOCKS - 1;
+    private static final double START = 2;
+
+    /**
+     * Makes one step.
+     *
+     * @param solver    a new solver
+     * @param h         deltaT, a power of 2 (s)
+     * @param dimension positions in a block
+     * @return what was read off
+     * @throws RuntimeException whatever the solver throws
+     */
+    static ExtractedKicks of(DESolver solver, double h, int dimension) {
+        int width = 2 * dimension;
+        double[] start = new double[BLOCKS * width];
+        start[OLD_POSITION * width] = 1;
+        start[OLD_VELOCITY * width + dimension] = 1;
+        Probe probe = new SecondOrderProbe(start, dimension, START, (evaluation, dSdt) -> dSdt[(1 + evaluation) * width
+                + dimension] = 1);
+        solver.stepState(probe, h);
+        int stages = probe.recorded().size();
+        double[] last = probe.state();
+        double[] x = new double[stages];
+        double[] v = new double[stages];
+        double[][] at = new double[stages][stages];
+        double[] pAt = new double[stages];
+        double[] c = new double[stages];
+        for (int j = 0; j < stages; j++) {
+            Probe.Evaluation evaluation = probe.recorded().get(j);
+            x[j] = last[(1 + j) * width] / (h * h);
+            v[j] = last[(1 + j) * width + dimension] / h;
+            c[j] = (evaluation.time() - START) / h;
+            pAt[j] = evaluation.state()[OLD_VELOCITY * width] / h;
+            for (int k = 0; k < stages; k++) {
+                at[j][k] = evaluation.state()[(1 + k) * width] / (h * h);
+            }
+        }
+        return new ExtractedKicks(x, v, last[OLD_VELOCITY * width] / h, at, pAt, c, (probe.getTime() - START) / h,
+                new double[] {last[OLD_POSITION * width], last[OLD_VELOCITY * width + dimension]}, !probe.setAfterLast());
+    }
+
+    /**
+     * Makes a step with random numbers, and compares it with what these coefficients say.
+     *
+     * @return the largest difference, on numbers of order 1
+     */
+    double misfit(DESolver solver, double h, int dimension) {
+        Random random = new Random(2003);
+        int width = 2 * dimension;
+        double[] start = random.doubles(BLOCKS * width, 1, 2).toArray();
+        double[][] accelerations = new double[Probe.MOST_EVALUATIONS][];
+        for (int j = 0; j < accelerations.length; j++) {
+            accelerations[j] = random.doubles(start.length, -1, 1).toArray();
+        }
+        Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0, dSdt,
+                0, dSdt.length));
+        solver.stepState(probe, h);
+        if (probe.recorded().size() != v.length) {
+            return 1;
+        }
+        double[] last = probe.state();
+        double misfit = 0;
+        for (int k = 0; k < start.length; k++) {
+            boolean position = k % width < dimension;
+            double expected = position ? kept[0] * start[k] + p * h * start[k + dimension] : kept[1] * start[k];
+            for (int j = 0; j < v.length; j++) {
+                expected += position ? h * h * x[j] * accelerations[j][k + dimension] : h * v[j] * accelerations[j][k];
+            }
+            misfit = Math.max(misfit, Math.abs(expected - last[k]));
+        }
+        return misfit;
+    }
+}

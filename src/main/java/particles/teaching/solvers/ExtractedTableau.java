@@ -1,0 +1,104 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import particles.teaching.sources.Probe;
+
+/**
+ * The coefficients of one step of an explicit one-step method, as they stand in the states that it sets: the state at
+ * evaluation i is s + sum a_ij f_j at time t + c_i, the new state s + sum b_j f_j. All contain deltaT.
+ *
+ * @param h            deltaT (s)
+ * @param a            a row for each evaluation
+ * @param b            the weights of the new state
+ * @param c            the clock at each evaluation, since the step began (s)
+ * @param end          the clock at the end, since the step began (s)
+ * @param kept         how much of the old state is in the new one; 1 is right
+ * @param keptAt       how much of it is in the state of each evaluation
+ * @param stateSet     whether the state was set before each evaluation
+ * @param setAfterLast whether it was set after the last one
+ * @param everSet      whether it was set at all
+ * @param clockMoves   by how much the clock was moved each time (s)
+ * @param wrongLengths the lengths of arrays that were not as long as the state
+ */
+record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double end, double kept, double[] keptAt,
+                        boolean[] stateSet, boolean setAfterLast, boolean everSet, List<Double> clockMoves,
+                        List<Integer> wrongLengths) {
+    /** Three blocks of six and one more, whatever a solver believes of particles. */
+    private static final int SIZE = 24;
+    private static final int KEPT = 20;
+    /** The clock at the start (s). */
+    static final double START = 2;
+
+    /**
+     * Makes one step.
+     *
+     * @param solver a new solver
+     * @param h      deltaT, a power of 2, so that nothing is rounded (s)
+     * @return what was read off
+     * @throws RuntimeException whatever the solver throws
+     */
+    static ExtractedTableau of(DESolver solver, double h) {
+        double[] start = new double[SIZE];
+        start[KEPT] = 1;
+        Probe probe = new Probe(start, START, (evaluation, dSdt) -> dSdt[1 + evaluation] = 1);
+        solver.stepState(probe, h);
+        List<Probe.Evaluation> evaluations = probe.recorded();
+        int stages = evaluations.size();
+        double[][] a = new double[stages][];
+        double[] c = new double[stages];
+        double[] keptAt = new double[stages];
+        boolean[] stateSet = new boolean[stages];
+        for (int i = 0; i < stages; i++) {
+            Probe.Evaluation evaluation = evaluations.get(i);
+            a[i] = Arrays.copyOfRange(evaluation.state(), 1, 1 + stages);
+            c[i] = evaluation.time() - START;
+            keptAt[i] = evaluation.state()[KEPT];
+            stateSet[i] = evaluation.stateSet();
+        }
+        double[] last = probe.state();
+        return new ExtractedTableau(h, a, Arrays.copyOfRange(last, 1, 1 + stages), c, probe.getTime() - START, last[KEPT], keptAt,
+                stateSet, probe.setAfterLast(), probe.everSet(), probe.clockMoves(), probe.wrongLengths());
+    }
+
+    int stages() {
+        return b.length;
+    }
+
+    /**
+     * Makes a step with numbers that use all digits of a double, and compares it with what these coefficients say.
+     *
+     * @param solver a new solver
+     * @param size   of the derivatives
+     * @return by entry, the difference relative to the numbers that are added; NaN where the solver left the entry as it was
+     */
+    double[] misfit(DESolver solver, double size) {
+        Random random = new Random(2003);
+        double[] start = random.doubles(SIZE, 1, 2).toArray();
+        double[][] slopes = new double[Probe.MOST_EVALUATIONS][];
+        for (int j = 0; j < slopes.length; j++) {
+            slopes[j] = random.doubles(SIZE, -size, size).toArray();
+        }
+        Probe probe = new Probe(start, START, (j, dSdt) -> System.arraycopy(slopes[j], 0, dSdt, 0, SIZE));
+        solver.stepState(probe, h);
+        double[] found = probe.state();
+        double[] misfit = new double[SIZE];
+        if (probe.recorded().size() != stages()) {
+            Arrays.fill(misfit, 1);
+            return misfit;
+        }
+        for (int k = 0; k < SIZE; k++) {
+            double expected = kept * start[k];
+            double added = Math.abs(start[k]);
+            for (int j = 0; j < stages(); j++) {
+                expected += b[j] * slopes[j][k];
+                added += Math.abs(b[j] * slopes[j][k]);
+            }
+            double difference = Math.abs(found[k] - expected) / added;
+            misfit[k] = difference > 1e-12 && found[k] == start[k] ? Double.NaN : difference;
+        }
+        return misfit;
+    }
+}

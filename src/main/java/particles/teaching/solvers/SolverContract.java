@@ -1,0 +1,188 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Supplier;
+import particles.teaching.Finding.Kind;
+import particles.teaching.Finding;
+import particles.teaching.Formula;
+import particles.teaching.sources.WindyOscillators;
+
+/**
+ * What any method has to keep, whatever its formula: each step from the source's own state, any source, any number of them.
+ */
+final class SolverContract {
+    private static final double H = 1.0 / 16;
+    /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
+    private static final double SAME = 1e-9;
+
+    private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, state and deltaT are what the"
+            + " last step left, and has to be forgotten in reset()";
+
+    private final Supplier<DESolver> maker;
+    private final boolean multistep;
+    private final List<Finding> findings = new ArrayList<>();
+
+    private SolverContract(Supplier<DESolver> maker, boolean multistep) {
+        this.maker = maker;
+        this.multistep = multistep;
+    }
+
+    /**
+     * @param maker     makes a new solver
+     * @param multistep whether its steps use earlier ones
+     * @return what is wrong with it, and advice
+     */
+    static List<Finding> check(Supplier<DESolver> maker, boolean multistep) {
+        SolverContract contract = new SolverContract(maker, multistep);
+        if (contract.checkOwnCopy()) {
+            contract.checkSizes();
+            contract.checkTurns();
+            contract.checkChangedDeltaT();
+        }
+        contract.checkZero();
+        contract.advise();
+        return contract.findings;
+    }
+
+    private void wrong(String text) {
+        findings.add(new Finding(Kind.STATE, text));
+    }
+
+    /** After somebody else set the state, as a bounce does, the next step starts there. */
+    private boolean checkOwnCopy() {
+        WindyOscillators source = new WindyOscillators(2);
+        DESolver solver = maker.get();
+        solver.stepState(source, H);
+        solver.stepState(source, H);
+        double[] moved = source.state();
+        Arrays.setAll(moved, k -> moved[k] + 1);
+        source.setState(moved);
+        double[] expected = fresh(source);
+        solver.reset();
+        solver.stepState(source, H);
+        if (distance(expected, source.state()) > SAME) {
+            wrong(multistep ? "the state was set from outside, as a collision does, and the step afterwards still uses the steps before it" + FORGET
+                    : "the state was set from outside, as a collision does, and the step afterwards does not start there: an array is kept"
+                    + " from the step before. getState has to be called in every step, and the arrays filled anew");
+            return false;
+        }
+        return true;
+    }
+
+    /** @return the state after a step that a new solver makes from the same place, on a copy of the source */
+    private double[] fresh(WindyOscillators source) {
+        WindyOscillators twin = source.copy();
+        maker.get().stepState(twin, H);
+        return twin.state();
+    }
+
+    private void checkSizes() {
+        DESolver solver = maker.get();
+        int last = 3;
+        for (int pairs : new int[] {3, 6, 3, 1}) {
+            WindyOscillators source = new WindyOscillators(pairs);
+            double[] expected = fresh(source);
+            String text = "the solver stepped a source of " + 6 * last + " numbers and then one of " + 6 * pairs + ", and ";
+            String cause = ": the size is cached from the first source. source.getStateSize() has to be asked in every step";
+            try {
+                solver.stepState(source, H);
+            } catch (IndexOutOfBoundsException | NegativeArraySizeException e) {
+                wrong(text + "ended in " + e + cause);
+                return;
+            }
+            if (source.wrongLength() >= 0) {
+                wrong(text + "handed it an array of " + source.wrongLength() + cause);
+                return;
+            }
+            if (distance(expected, source.state()) > SAME) {
+                wrong(text + "the second step is not what a new solver makes" + cause);
+                return;
+            }
+            last = pairs;
+        }
+    }
+
+    private void checkTurns() {
+        DESolver solver = maker.get();
+        WindyOscillators one = new WindyOscillators(2);
+        WindyOscillators two = new WindyOscillators(2);
+        two.incTime(3);
+        for (int round = 0; round < 4; round++) {
+            for (WindyOscillators source : List.of(one, two)) {
+                double[] expected = fresh(source);
+                solver.stepState(source, H);
+                if (distance(expected, source.state()) > SAME) {
+                    wrong("two sources of the same size are stepped in turn, and one disturbs the other: something is kept from the step"
+                            + " before (an array that is not filled anew, a derivative that is not asked for again)");
+                    return;
+                }
+            }
+        }
+    }
+
+    /** The simulation shortens the last step before an event, so that deltaT changes from step to step. */
+    private void checkChangedDeltaT() {
+        DESolver solver = maker.get();
+        WindyOscillators source = new WindyOscillators(1);
+        for (double deltaT : new double[] {H, H, H / 4, H / 2}) {
+            WindyOscillators twin = source.copy();
+            maker.get().stepState(twin, deltaT);
+            boolean changed = source.getTime() > H;
+            solver.stepState(source, deltaT);
+            if (changed && distance(twin.state(), source.state()) > SAME) {
+                wrong("deltaT changes from one step to the next, and the step is not the one that a new solver makes with it"
+                        + (multistep ? FORGET : ": deltaT of an earlier step is kept. It is an argument of each call, and may differ in each"));
+                return;
+            }
+        }
+    }
+
+    private void checkZero() {
+        WindyOscillators source = new WindyOscillators(1);
+        double[] before = source.state();
+        maker.get().stepState(source, 0);
+        double change = distance(before, source.state());
+        if (change > 1e-12 && Double.isFinite(change)) {
+            wrong("a step of deltaT = 0 moves the state by " + Formula.number(change) + "; it has to change nothing");
+        } else if (!Double.isFinite(change)) {
+            wrong("a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is something divided by deltaT?");
+        }
+    }
+
+    private void advise() {
+        WindyOscillators source = new WindyOscillators(1);
+        double[] before = source.state();
+        source.failAtEvaluation(1);
+        try {
+            maker.get().stepState(source, H);
+        } catch (WindyOscillators.Failure expected) {
+            if (distance(before, source.state()) != 0 || source.getTime() != 0) {
+                findings.add(new Finding(Kind.ADVICE, "when the source fails within a step, state and time stay where they were then;"
+                        + " deSolvers.FixedStepSolver puts them back"));
+            }
+        }
+        source = new WindyOscillators(1);
+        source.spoilDerivative();
+        try {
+            maker.get().stepState(source, H);
+            findings.add(new Finding(Kind.ADVICE, "a derivative that is NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it"));
+        } catch (DESolverException expected) {
+            if (expected.getMessage() == null || expected.getMessage().isBlank()) {
+                findings.add(new Finding(Kind.ADVICE, "the exception for a derivative that is NaN says nothing"));
+            }
+        }
+    }
+
+    private static double distance(double[] x, double[] y) {
+        double distance = 0;
+        for (int k = 0; k < x.length; k++) {
+            double d = Math.abs(x[k] - y[k]);
+            distance = d <= distance ? distance : d;    // NaN stays
+        }
+        return distance;
+    }
+}

@@ -1,0 +1,107 @@
+package particles.teaching.solvers;
+
+import java.util.List;
+
+/** The text of a solver to begin with: it compiles, and has the algorithm's outline as comments. */
+public final class SolverSkeleton {
+    private static final List<String> MIDPOINT = List.of("deltaS = deltaT * derivative at (s, t)                      the Euler step",
+            "gMid   = derivative at (s + deltaS/2, t + deltaT/2)         after half the time and half of deltaS",
+            "new s  = s + deltaT * gMid                                  from the start s, not from the middle");
+
+    private static final List<String> RK4 = List.of("k1 = deltaT * derivative at (s, t)                          the Euler step",
+            "k2 = deltaT * derivative at (s + k1/2, t + deltaT/2)        the midpoint step",
+            "k3 = deltaT * derivative at (s + k2/2, t + deltaT/2)        the refined midpoint step",
+            "k4 = deltaT * derivative at (s + k3, t + deltaT)            the refined refined step",
+            "new s = s + k1/6 + k2/3 + k3/3 + k4/6                       in Java 1/6 * k1[i] is 0: write 1.0/6 * k1[i]");
+
+    private static final List<String> SIMPLE = List.of("for each particle: a = F/m                                  the derivative has it where v stands in s",
+            "v += a * deltaT", "x += v * deltaT                                             with the new v");
+
+    private static final List<String> GENERAL = List.of("the derivative at (s, t): one straight step along it would be Euler's",
+            "perhaps further derivatives, each at a trial state and its own time",
+            "new s = s + deltaT * a mean of the derivatives; the weights add up to 1");
+
+    /** The class that solvers extend on the slides. */
+    public static final String SLIDES_WAY = "DESolver";
+    /** The classes that a solver may extend to begin with. */
+    public static final List<String> SOLVER_BASES = List.of(SLIDES_WAY, "FixedStepSolver");
+
+    private static final String ON_DE_SOLVER = """
+            package exercises;
+
+            import deSolvers.DESolver;
+            import deSolvers.DEStateSource;
+
+            /** My own solver. To see what it is and what is wrong with it: gradle checkSolver -Psolver=exercises.NAME */
+            public class NAME extends DESolver {
+
+                @Override
+                public void stepState(DEStateSource source, double deltaT) {
+                    int n = source.getStateSize();
+                    double[] state = new double[n];
+                    double[] dSdt = new double[n];
+                    source.getState(state);                     // s, at time t
+                    source.getStateDerivative(dSdt);            // its derivative at (s, t)
+
+            OUTLINE
+                    // at the end: source.setState(the new state), and all moves of the clock by source.incTime make deltaT
+                }
+            }
+            """;
+
+    private static final String ON_FIXED_STEP_SOLVER = """
+            package exercises;
+
+            import deSolvers.DEStateSource;
+            import deSolvers.FixedStepSolver;
+
+            /** My own solver. To see what it is and what is wrong with it: gradle checkSolver -Psolver=exercises.NAME */
+            public class NAME extends FixedStepSolver {
+
+                @Override
+                protected void step(DEStateSource source, double[] s, double deltaT) {
+                    double[] dSdt = derivative(s);              // the derivative at (s, t)
+
+                    // helpers: eulerStep(a, deltaT) is deltaT times the derivative at a; plus(s, 0.5, k) is s + 0.5 k;
+                    // source.incTime(deltaT / 2) moves the clock before the next derivative
+            OUTLINE
+                    // at the end s is the new state: s[i] = ...; FixedStepSolver hands it over and sets the clock to t + deltaT
+                }
+            }
+            """;
+
+    private SolverSkeleton() {
+    }
+
+    /**
+     * @param name what somebody wants to call a class
+     * @return whether that is a class's name: a capital, then letters and digits;
+     *         no word of the language begins with a capital
+     */
+    public static boolean isClassName(String name) {
+        return name.matches("[A-Z]\\w*");
+    }
+
+    /**
+     * @param name the class's name; one that promises a method of the slides, as MyRK4Solver does, brings its outline
+     * @param base the class that it extends, one of {@link #SOLVER_BASES}
+     * @return the text of a solver
+     */
+    public static String solver(String name, String base) {
+        StringBuilder outline = new StringBuilder();
+        int number = 1;
+        for (String line : outline(name)) {
+            outline.append("        // ").append(number++).append(". ").append(line).append('\n');
+        }
+        return (base.equals(SLIDES_WAY) ? ON_DE_SOLVER : ON_FIXED_STEP_SOLVER)
+                .replace("OUTLINE\n", outline).replace("NAME", name);
+    }
+
+    private static List<String> outline(String name) {
+        if (KicksDiagnosis.isPromisedBy(name)) {
+            return SIMPLE;
+        }
+        String method = KnownMethod.promisedBy(name).map(KnownMethod::name).orElse("");
+        return method.startsWith("RK4") ? RK4 : method.contains("midpoint") ? MIDPOINT : GENERAL;
+    }
+}

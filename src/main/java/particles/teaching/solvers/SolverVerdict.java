@@ -1,0 +1,29 @@
+package particles.teaching.solvers;
+
+import java.util.List;
+import particles.teaching.Finding;
+
+/**
+ * What a solver is, and what was found.
+ *
+ * @param identity  what method it is, in a sentence
+ * @param findings  mistakes and advice
+ * @param multistep whether a step uses earlier ones
+ */
+public record SolverVerdict(String identity, List<Finding> findings, boolean multistep) {
+
+    /** Copies the list. */
+    public SolverVerdict {
+        findings = List.copyOf(findings);
+    }
+
+    /** @return the mistakes */
+    public List<Finding> wrong() {
+        return findings.stream().filter(Finding::isWrong).toList();
+    }
+
+    /** @return what could be better */
+    public List<Finding> advice() {
+        return findings.stream().filter(finding -> !finding.isWrong()).toList();
+    }
+}

@@ -1,0 +1,86 @@
+package particles.teaching.sources;
+
+import deSolvers.SecondOrderStateSource;
+import java.util.Arrays;
+
+/**
+ * Particles on springs in a field that changes with time: in each coordinate x'' = -4 x + 3 cos t, from x = 1.5 at rest at
+ * t = 0. Exact: x = cos t + 0.5 cos 2t. Because the law depends on time, it shows a clock that is wrong within a step.
+ */
+public final class WindyOscillators extends StudentSource implements SecondOrderStateSource {
+    /** What a source may throw, when it is told to. */
+    public static final class Failure extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        Failure() {
+            super("the source fails, as it was told to");
+        }
+    }
+
+    private int failAt = -1;
+    private boolean spoilt;
+
+    /** @param particles how many; six numbers each */
+    public WindyOscillators(int particles) {
+        super(start(6 * particles));
+    }
+
+    private static double[] start(int size) {
+        double[] start = new double[size];
+        Arrays.setAll(start, k -> k % 6 < 3 ? 1.5 : 0);
+        return start;
+    }
+
+    /** @return another one at the same place and time */
+    public WindyOscillators copy() {
+        WindyOscillators copy = new WindyOscillators(getStateSize() / 6);
+        copy.setState(state());
+        copy.incTime(getTime());
+        return copy;
+    }
+
+    @Override
+    public double[] exactState(double t) {
+        double[] exact = new double[getStateSize()];
+        double x = StrictMath.cos(t) + 0.5 * StrictMath.cos(2 * t);
+        double v = -StrictMath.sin(t) - StrictMath.sin(2 * t);
+        Arrays.setAll(exact, k -> k % 6 < 3 ? x : v);
+        return exact;
+    }
+
+    /** @return the length of the first array that was not as long as the state, or -1 */
+    public int wrongLength() {
+        return wrongLengths().isEmpty() ? -1 : wrongLengths().get(0);
+    }
+
+    /** @param evaluation the number of the evaluation, from 0, that is to fail */
+    public void failAtEvaluation(int evaluation) {
+        failAt = evaluation;
+    }
+
+    /** From now on the derivative is NaN. */
+    public void spoilDerivative() {
+        spoilt = true;
+    }
+
+    @Override
+    public int getDimension() {
+        return 3;
+    }
+
+    @Override
+    public boolean accelerationDependsOnVelocity() {
+        return false;
+    }
+
+    @Override
+    protected void rates(double t, double[] s, double[] dSdt) {
+        if (evaluations() - 1 == failAt) {
+            throw new Failure();
+        }
+        double field = 3 * StrictMath.cos(t);
+        for (int k = 0; k < Math.min(s.length, dSdt.length); k++) {
+            dSdt[k] = spoilt ? Double.NaN : k % 6 < 3 ? s[k + 3] : -4 * s[k - 3] + field;
+        }
+    }
+}

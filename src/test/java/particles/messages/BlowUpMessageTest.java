@@ -1,0 +1,162 @@
+package particles.messages;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.SimulationException;
+import particles.scene.Overrides;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
+
+/** The line at the end of a blow-up, and that its advice is good. */
+class BlowUpMessageTest {
+    /** A chain of three between two walls, k = 400, m = 1: one spring alone has omega = sqrt(800), all less than 40. */
+    private static final String CHAIN = """
+            title: A chain
+            teaches: When a step is too long.
+            solver: SOLVER
+            deltaT: 0.2
+            duration: 60
+            particles:
+              - {id: left, position: [0, 0, 0], fixed: true}
+              - {id: a, position: [1, 0, 0]}
+              - {id: b, position: [2, 0, 0], velocity: [0.1, 0, 0]}
+              - {id: c, position: [3, 0, 0]}
+              - {id: right, position: [4, 0, 0], fixed: true}
+            springs:
+              - {from: left, to: a, stiffness: 400, restLength: 0.8DAMPING}
+              - {from: a, to: b, stiffness: 400, restLength: 0.8DAMPING}
+              - {from: b, to: c, stiffness: 400, restLength: 0.8DAMPING}
+              - {from: c, to: right, stiffness: 400, restLength: 0.8DAMPING}
+            """;
+    private static final Pattern OPTION = Pattern.compile("--(deltaT|solver)=([^\\s,]+)");
+
+    private static Scene chain(String solver, double damping, Overrides overrides) {
+        String text = CHAIN.replace("SOLVER", solver).replace("DAMPING", damping > 0 ? ", damping: " + damping : "");
+        return SceneBuilder.build(SceneReader.read("chain.yaml", text.getBytes(StandardCharsets.UTF_8)), overrides);
+    }
+
+    private static String blowUp(Scene scene) {
+        SimulationException e = assertThrows(SimulationException.class, scene.simulation()::run);
+        return new BlowUpMessage(scene, name -> "--" + name).of(e);
+    }
+
+    @Test
+    void namesAllThatOneWantsToKnow() {
+        String line = blowUp(chain("rk4", 0, new Overrides()));
+        // sqrt(800) * 0.2 = 5.657; Gershgorin: sqrt(4 * 400) * 0.2 = 8; 0.9 * 2.8284 / 40 = 0.0636
+        Matcher match = Pattern.compile("rk4 stopped at t = [\\d.]+ s at particle '[abc]': the kinetic energy is [\\d.e]+ J,"
+                + " more than the limit of [\\d.e]+ J; the stiffest spring, from 'a' to 'b', has omega\\*deltaT = 5\\.657,"
+                + " all together at most 8; the limit of rk4 is 2\\.828: try --deltaT=0\\.063").matcher(line);
+        assertTrue(match.matches(), line);
+    }
+
+    /** Whatever the solver and the damping, the run with the advice does not blow up. */
+    @ParameterizedTest
+    @CsvSource({"rk4, 0", "rk4, 30", "euler, 0", "euler, 30", "midpoint, 0", "midpoint, 30", "symplectic-euler, 0", "verlet, 0",
+        "verlet, 30", "yoshida4, 0", "yoshida4, 30", "adams, 0", "adams, 30"})
+    void theAdviceHelps(String solver, double damping) {
+        Overrides overrides = new Overrides();
+        String line = blowUp(chain(solver, damping, overrides));
+        Matcher option = OPTION.matcher(line.replaceFirst(", or .*", ""));
+        int options = 0;
+        for (; option.find(); options++) {
+            overrides.with(option.group(1), option.group(2), "--" + option.group(1));
+        }
+        assertTrue(options > 0, line);
+        Scene advised = chain(solver, damping, overrides);
+        advised.simulation().run();
+        assertEquals(60, advised.system().getTime(), 1e-9);
+        double energy = advised.system().getKineticEnergy(advised.system().getOwnState());
+        assertTrue(energy < 0.1, energy + " J after " + line);          // 0.005 J and what the springs hold at the start
+    }
+
+    @Test
+    void aSolverWithLimit0IsReplaced() {
+        String line = blowUp(chain("euler", 0, new Overrides()));
+        assertTrue(line.endsWith("the limit of euler is 0, its oscillations grow at any step: try --solver=rk4 with"
+                + " --deltaT=0.063, or --solver=backward-euler"), line);
+    }
+
+    /** The chain's fastest vibration grows at 0.1 until it is beyond the limit; at 0.001 the run ends well. */
+    @Test
+    void aLooseToleranceIsNamed() {
+        String line = blowUp(chain("{name: dormand-prince, relativeTolerance: 0.1}", 0, new Overrides()));
+        assertTrue(line.endsWith("; dormand-prince chooses its own steps, so try a relativeTolerance of 0.001 or less, or"
+                + " --solver=backward-euler"), line);
+        chain("{name: dormand-prince, relativeTolerance: 1e-3}", 0, new Overrides()).simulation().run();
+    }
+
+    @Test
+    void whatTheSolverSaysIsPartOfTheLine() {
+        String line = blowUp(chain("verlet", 30, new Overrides()));
+        assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
+                + " iterations.*; the stiffest spring, .*, with damping .*; the limit of verlet is 2: try --deltaT=0\\.00\\d+"), line);
+    }
+
+    /** A straight pair of rods between a wall and a hand that pulls away: no step is short enough for that. */
+    @Test
+    void whatRodsCannotDoIsSaidWithoutAdvice() {
+        String text = """
+                title: Torn between
+                teaches: What no force can do.
+                solver: rk4
+                deltaT: 0.01
+                duration: 2
+                particles:
+                  - {id: wall, position: [0, 0, 0], fixed: true}
+                  - {id: middle, position: [1, 0, 0]}
+                  - {id: hand, position: [2, 0, 0], fixed: true}
+                rods:
+                  - {from: wall, to: middle}
+                  - {from: middle, to: hand}
+                effects: [gravity]
+                rules:
+                  - shake: {particle: hand, amplitude: [0.1, 0, 0], period: 1}
+                """;
+        String line = blowUp(SceneBuilder.build(SceneReader.read("torn.yaml", text.getBytes(StandardCharsets.UTF_8)),
+                new Overrides()));
+        assertTrue(line.matches("rk4 stopped at t = [\\d.e-]+ s at particle 'wall': the rods and wires that hang together with"
+                + " particle 'wall' contradict each other at t = [\\d.E-]+ s: no forces can keep them all"), line);
+    }
+
+    private static Scene stiffCloth(String solver) {
+        String text = """
+                title: A stiff cloth
+                teaches: What buckles.
+                solver: SOLVER
+                deltaT: 0.02
+                duration: 3
+                shapes:
+                  - cloth: {id: c, corner: [0, 0, 0], across: [0.4, 0, 0], down: [0, 0, 0.4], columns: 5, rows: 5,
+                            mass: 0.01, fixed: [top], structural: {stiffness: 1e6}, shear: {stiffness: 1e6}, bend: {stiffness: 1e6}}
+                effects: [gravity]
+                """.replace("SOLVER", solver);
+        return SceneBuilder.build(SceneReader.read("cloth.yaml", text.getBytes(StandardCharsets.UTF_8)), new Overrides());
+    }
+
+    /** Implicit midpoint damps nothing and makes energy where springs buckle, at shorter steps as well: another damps it. */
+    @Test
+    void whatBucklesWantsDamping() {
+        String line = blowUp(stiffCloth("implicit-midpoint"));
+        assertTrue(line.endsWith("; implicit-midpoint has no limit, but equations to solve, and where springs buckle it"
+                + " makes energy: try --solver=backward-euler"), line);
+        stiffCloth("backward-euler").simulation().run();
+    }
+
+    @Test
+    void linesAreOneLine() {
+        for (String solver : List.of("rk4", "euler", "verlet")) {
+            assertEquals(1, blowUp(chain(solver, 0, new Overrides())).lines().count());
+        }
+    }
+}

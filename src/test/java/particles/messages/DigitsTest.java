@@ -1,0 +1,28 @@
+package particles.messages;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+
+class DigitsTest {
+    @Test
+    void numbersAreShortAndTheSameEverywhere() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMANY);
+            assertEquals("0.05", Digits.few(0.05));
+            assertEquals("12.57", Digits.few(12.566370614359172));
+            assertEquals("12.566370614359172", Digits.exact(12.566370614359172));
+            assertEquals("0", Digits.few(-0.0));
+            assertEquals("20", Digits.exact(20));
+            assertEquals("6.022e23", Digits.few(6.02214e23));
+            assertEquals("-1.5e-7", Digits.few(-1.5e-7));
+            assertEquals("NaN", Digits.few(Double.NaN));
+            assertEquals("0.063", Digits.roundedDown(0.0639));
+            assertEquals("1000000", Digits.few(1e6));
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+}

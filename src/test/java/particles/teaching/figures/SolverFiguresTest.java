@@ -1,0 +1,61 @@
+package particles.teaching.figures;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.catalog.SolverCatalog;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.teaching.solvers.SolverCheck;
+
+/** The numbers of a report are those of the theory. */
+class SolverFiguresTest {
+    private static SolverFigures figures(String name) {
+        return SolverFigures.of(name, () -> SolverCatalog.create(name),
+                SolverCheck.check(() -> SolverCatalog.create(name), SolverCatalog.create(name).getClass().getSimpleName()));
+    }
+
+    private static String value(SolverFigures figures, String property) {
+        List<Object> row = figures.facts().rows().stream().filter(r -> r.get(0).toString().startsWith(property)).findFirst()
+                .orElseThrow();
+        return row.get(1) + " " + row.get(2);
+    }
+
+    private static double number(SolverFigures figures, String property) {
+        return Double.parseDouble(value(figures, property).replaceFirst(" .*", ""));
+    }
+
+    @Test
+    void rk4HasItsLimitsAndDamps() {
+        SolverFigures rk4 = figures("rk4");
+        assertEquals(2.785293563405282, number(rk4, "largest stable deltaT |lambda|"), 5e-8);      // eight digits are shown
+        assertEquals(2 * Math.sqrt(2), number(rk4, "largest stable deltaT omega"), 5e-8);
+        // |R(i)|^2 = (1 - 1/2 + 1/24)^2 + (1 - 1/6)^2 = 569/576
+        assertEquals(Math.sqrt(569.0 / 576), number(rk4, "amplitude of a spring, a step"), 5e-9);
+        assertEquals(4, number(rk4, "order"), 0.05);                                                // measured 4.013
+        assertTrue(value(rk4, "area").contains("not symplectic: loses area"));
+        assertTrue(value(rk4, "a step and the same step back").endsWith("not reversible"));
+        assertTrue(rk4.region().isPresent());
+    }
+
+    @Test
+    void verletKeepsAreaAndGoesBack() {
+        SolverFigures verlet = figures("verlet");
+        assertTrue(value(verlet, "area").contains("symplectic on the spring"));
+        assertTrue(value(verlet, "a step and the same step back").contains("reversible: it ends where it began"));
+        // the invariant x^2 (1 - h^2/4) + v^2 keeps the energy within h^2/4 = 0.0025
+        assertEquals(0.0025, number(verlet, "largest energy error"), 5e-7);      // measured 5.7e-8
+        assertEquals(2, number(verlet, "largest stable deltaT omega"), 5e-8);
+        assertTrue(verlet.region().isPresent());
+    }
+
+    @Test
+    void eulerGrowsAndNoSpringIsStable() {
+        SolverFigures euler = figures("euler");
+        assertEquals(2, number(euler, "area"), 5e-8);                                               // 1 + h^2
+        assertEquals(Math.sqrt(2), number(euler, "amplitude of a spring, a step"), 5e-8);
+        assertEquals(0, number(euler, "largest stable deltaT omega"));
+        assertEquals(2, number(euler, "largest stable deltaT |lambda|"), 5e-8);
+        assertEquals(1, number(euler, "evaluations"));
+    }
+}

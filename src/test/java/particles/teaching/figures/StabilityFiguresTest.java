@@ -1,0 +1,216 @@
+package particles.teaching.figures;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static particles.teaching.solvers.PlantedSolvers.blocks;
+import static particles.teaching.solvers.PlantedSolvers.slope;
+import static particles.teaching.solvers.PlantedSolvers.solver;
+import static particles.teaching.solvers.PlantedSolvers.state;
+import static particles.teaching.solvers.PlantedSolvers.with;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.adaptive.DormandPrinceSolver;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Supplier;
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.ChartData.Series;
+import particles.ChartData;
+import particles.teaching.solvers.PlantedSolvers;
+import particles.teaching.solvers.PlantedSolvers.AdamsBashforth2;
+
+/** Stability of solvers that nobody told us about, from their steps, against closed forms. */
+class StabilityFiguresTest {
+
+    /**
+     * The theta method for linear laws, as a student might write it: (1 - theta deltaT M) s' = s + (1 - theta) deltaT dSdt.
+     */
+    static DESolver theta(double theta) {
+        return solver((source, deltaT) -> {
+            double[] start = state(source);
+            double[] dSdt = slope(source);
+            int n = start.length;
+            source.incTime(deltaT);
+            double[] none = PlantedSolvers.slopeAt(source, new double[n]);
+            DMatrixRMaj left = CommonOps_DDRM.identity(n);
+            DMatrixRMaj right = new DMatrixRMaj(n, 1);
+            for (int j = 0; j < n; j++) {
+                double[] unit = new double[n];
+                unit[j] = 1;
+                double[] column = PlantedSolvers.slopeAt(source, unit);
+                for (int i = 0; i < n; i++) {
+                    left.add(i, j, -theta * deltaT * (column[i] - none[i]));
+                }
+                right.set(j, 0, start[j] + deltaT * ((1 - theta) * dSdt[j] + theta * none[j]));
+            }
+            DMatrixRMaj end = new DMatrixRMaj(n, 1);
+            CommonOps_DDRM.solve(left, right, end);
+            source.setState(end.getData());
+        });
+    }
+
+    private static StabilityFigures figures(Supplier<DESolver> maker) {
+        return StabilityFigures.of("mine", maker, false);
+    }
+
+    private static String value(StabilityFigures figures, String property) {
+        return figures.rows().stream().filter(row -> row.get(0).toString().startsWith(property)).findFirst().orElseThrow()
+                .get(1).toString();
+    }
+
+    private static double damping(StabilityFigures figures) {
+        return Double.parseDouble(value(figures, "largest stable deltaT |lambda|"));
+    }
+
+    private static Series series(ChartData chart, String name) {
+        return chart.series().stream().filter(series -> series.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    /**
+     * The region's outline is a circle around a point of the real axis, and where the stripes are is the other side of it.
+     */
+    private static void assertCircle(StabilityFigures figures, double centre, double radius, boolean stableInside) {
+        ChartData chart = figures.region().orElseThrow();
+        Series outline = series(chart, "mine");
+        int points = 0;
+        for (int k = 0; k < outline.x().length; k++) {
+            if (!Double.isNaN(outline.x()[k])) {
+                points++;
+                double off = Math.sqrt(Math.pow(outline.x()[k] - centre, 2) + Math.pow(outline.y()[k], 2)) - radius;
+                assertEquals(0, off, 1e-3 * radius);        // a square of the net is radius/50 and is halved eight times
+            }
+        }
+        assertTrue(points > 100, "points " + points);       // measured 260 and more
+        Series stripes = series(chart, "stable");
+        int inStripes = 0;
+        for (int k = 0; k < stripes.x().length; k++) {
+            double off = Math.sqrt(Math.pow(stripes.x()[k] - centre, 2) + Math.pow(stripes.y()[k], 2)) - radius;
+            if (!Double.isNaN(off)) {
+                inStripes++;
+                assertTrue(stableInside ? off < 1e-3 * radius : off > -1e-3 * radius, "a stripe ends " + off + " outside");
+            }
+        }
+        assertTrue(inStripes > 40, "ends of stripes " + inStripes);
+    }
+
+    @Test
+    void eulersRegionIsADisc() {
+        StabilityFigures euler = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * deltaT));
+        assertCircle(euler, -1, 1, true);
+        assertEquals("1 + z", value(euler, "R(z)"));
+        assertEquals(2, damping(euler), 5e-8);
+        assertEquals("0", value(euler, "largest stable deltaT omega"));
+    }
+
+    /**
+     * |1 + (1 - theta) z| = |1 - theta z| is the circle of radius 1/|1 - 2 theta| that touches 0:
+     * stable inside for theta below 1/2.
+     */
+    @ParameterizedTest
+    @CsvSource({"0.4, -5, true", "0.25, -2, true", "0.75, 2, false", "1, 1, false"})
+    void aStudentsThetaMethodHasItsCircle(double theta, double centre, boolean inside) {
+        StabilityFigures figures = figures(() -> theta(theta));
+        assertCircle(figures, centre, Math.abs(centre), inside);
+        if (inside) {
+            assertEquals(2 * Math.abs(centre), damping(figures), 5e-8 * Math.abs(centre));
+        } else {
+            assertEquals("unbounded", value(figures, "largest stable deltaT |lambda|"));
+            assertEquals("unbounded", value(figures, "largest stable deltaT omega"));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 1 / (1 - z), that of backward Euler",
+            "0.5, (1 + z/2) / (1 - z/2), that of the trapezoidal rule and of implicit midpoint",
+        "0.75, (1 + z/4) / (1 - 3/4 z), that of the theta method with theta = 3/4"})
+    void aRationalFunctionIsFoundAndNamed(double theta, String text, String owner) {
+        List<Object> row = figures(() -> theta(theta)).rows().get(0);
+        assertEquals(List.of(text, owner), row.subList(1, 3));
+    }
+
+    @Test
+    void theTrapezoidalRuleIsStableOnTheWholeAxis() {
+        StabilityFigures figures = figures(() -> theta(0.5));
+        assertEquals("unbounded", value(figures, "largest stable deltaT |lambda|"));
+        assertEquals("unbounded", value(figures, "largest stable deltaT omega"));
+        ChartData region = figures.region().orElseThrow();
+        assertTrue(region.series().stream().anyMatch(series -> series.name().equals("implicit-midpoint")),
+                "the nearest built-in solver");
+    }
+
+    /** 1 + z + z^2/2 + z^3/6: sqrt(3) on the imaginary axis; on the real one the root of 1 + x + x^2/2 + x^3/6 = -1. */
+    @Test
+    void kuttasThirdOrderHasItsLimits() {
+        StabilityFigures figures = figures(() -> solver((source, deltaT) -> {
+            double[] s = state(source);
+            double[] k1 = slope(source);
+            double[] k2 = PlantedSolvers.slopeAt(source, with(s, i -> deltaT / 2 * k1[i]));
+            double[] k3 = PlantedSolvers.slopeAt(source, with(s, i -> deltaT * (2 * k2[i] - k1[i])));
+            source.setState(with(s, i -> deltaT / 6 * (k1[i] + 4 * k2[i] + k3[i])));
+            source.incTime(deltaT);
+        }));
+        assertEquals("1 + z + z^2/2 + z^3/6", value(figures, "R(z)"));
+        assertEquals(Math.sqrt(3), Double.parseDouble(value(figures, "largest stable deltaT omega")), 5e-8);    // of eight digits
+        double x = damping(figures);
+        assertEquals(-1, 1 - x + x * x / 2 - x * x * x / 6, 4e-7);           // measured 4.4e-8: half of the last digit shown
+    }
+
+    /**
+     * Without the type by which it could ask: its rotation is none, so it is tried on springs.
+     * q = 4 is the end without damping.
+     */
+    @Test
+    void whatStepsPositionsAndVelocitiesApartIsTriedOnSprings() {
+        StabilityFigures figures = figures(() -> blocks(true));
+        assertEquals(2, Double.parseDouble(value(figures, "largest stable deltaT omega")), 5e-8);
+        assertEquals(2, Double.parseDouble(value(figures, "largest stable deltaT c/m")), 5e-8);
+        ChartData region = figures.region().orElseThrow();
+        // x'' = -q x - g x' of symplectic Euler: the new trace is 2 - q - g, the determinant 1 - g, and -1 is reached at 4 = q + 2 g
+        Series outline = series(region, "mine");
+        int points = 0;
+        for (int k = 0; k < outline.x().length; k++) {
+            if (outline.y()[k] > 0.05) {
+                points++;
+                assertEquals(4, outline.x()[k] * outline.x()[k] + 2 * outline.y()[k], 1e-3);        // a square of the net, halved eight times
+            }
+        }
+        assertTrue(points > 50, "points " + points);
+    }
+
+    /**
+     * The boundary of Adams-Bashforth 2 is z = 2 (w^2 - w)/(3 w - 1), |w| = 1: -1 at w = -1,
+     * and nothing of the imaginary axis.
+     */
+    @Test
+    void aMultistepMethodIsMeasuredOverManySteps() {
+        StabilityFigures figures = StabilityFigures.of("mine", AdamsBashforth2::new, true);
+        assertEquals(1, damping(figures), 5e-3);        // two roots of size 1 beat where they meet: measured 1.0016
+        assertEquals("0", value(figures, "largest stable deltaT omega"));
+        assertTrue(figures.rows().get(0).get(2).toString().endsWith("from the growth over many steps"));
+        assertTrue(figures.region().isPresent());
+    }
+
+    @Test
+    void whatHasNoFunctionSaysWhy() {
+        Random random = new Random(1);
+        StabilityFigures shaky = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * deltaT * (1
+                + 0.1 * random.nextDouble())));
+        assertTrue(shaky.rows().get(0).toString().contains("two steps from the same place are not the same"),
+                shaky.rows().toString());
+        StabilityFigures adaptive = figures(DormandPrinceSolver::new);
+        assertTrue(adaptive.rows().get(0).toString().contains("it takes sub-steps as short as the system needs"),
+                adaptive.rows().toString());
+        StabilityFigures fixed = figures(() -> PlantedSolvers.euler((dSdt, deltaT) -> dSdt * 0.1));
+        assertTrue(fixed.rows().get(0).toString().contains("it does not follow deltaT"), fixed.rows().toString());
+        for (StabilityFigures none : List.of(shaky, adaptive, fixed)) {
+            assertFalse(none.region().isPresent());
+            assertFalse(none.growth().isPresent());
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package particles.teaching.marking;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What students type as a number. */
+class AnswerTextTest {
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"0.125|0.125", "0,125|0.125", " -1.5 |-1.5", "\u22121.5|-1.5", "+2|2", ".5|0.5",
+            "3.|3", "1/8|0.125", "1 / 8|0.125",
+        "1,5/3|0.5", "1.25e-1|0.125", "1.25E-1|0.125", "1.25 x 10^-1|0.125", "1,25*10^-1|0.125", "0.125 m/s|0.125",
+                "0.125m / s|0.125", "-1/8 m/s|-0.125", "1.25 e-1|0.125", "v = 0.125|0.125", "= 0,125 m/s|0.125",
+                "\u22480.125|0.125", "0.125 ms^-1|0.125", "0.125 m\u00b7s^-1|0.125"})
+    void numbersAreRead(String typed, double value) {
+        assertEquals(Optional.of(value), AnswerText.read(typed, "m/s").value(), AnswerText.read(typed, "m/s").problem());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"''|The answer is empty", "'  '|The answer is empty",
+            "NaN|'NaN' is no finite number", "-Infinity|'-Infinity' is no finite number",
+        "1e999|is no finite number", "1/0|is no finite number", "0/0|is no finite number",
+                "1,234.5|has two points or commas", "1.234,5|has two points or commas",
+        "one|'one' is no number", "--1|is no number",
+                "0.125 cm/s|'cm/s' after the number is not understood: the answer is wanted in m/s",
+                        "0.1 0.2|not understood", "12 %|not understood"})
+    void everythingElseGetsOneClearLine(String typed, String problem) {
+        AnswerText read = AnswerText.read(typed, "m/s");
+        assertEquals(Optional.empty(), read.value());
+        assertTrue(read.problem().contains(problem), read.problem());
+        assertEquals(1, read.problem().lines().count());
+    }
+
+    @Test
+    void aUnitMayBeWrittenOtherwise() {
+        for (String unit : List.of("N s/m", "Ns/m", "N*s/m", "N\u00b7s/m", "kg/s")) {
+            assertEquals(Optional.of(0.5), AnswerText.read("0.5 " + unit, "N s/m").value(), unit);
+        }
+        assertEquals(Optional.empty(), AnswerText.read("0.5 kg", "N s/m").value());
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"112.5 %|1.125", "112,5%|1.125", "1.125|1.125"})
+    void pureNumbersMayBePercentages(String typed, double value) {
+        assertEquals(Optional.of(value), AnswerText.read(typed, "").value());
+    }
+}

@@ -1,0 +1,62 @@
+package particles.teaching.solvers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import deSolvers.catalog.SolverCatalog;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Whoever does it right hears no complaint. */
+class CatalogueSolversPassTest {
+    private static final Map<String, String> IDENTITIES = Map.of("euler", "This is the Euler method.", "midpoint",
+            "This is the midpoint method.",
+            "rk4", "This is RK4, the classical Runge-Kutta method.", "symplectic-euler",
+            "This is symplectic Euler, the slides' simple particle system algorithm.", "verlet",
+            "This is velocity Verlet (leapfrog: kick, drift, kick).", "yoshida4", "This is Yoshida's method of order 4.", "adams",
+            "This is a method that uses earlier steps (a multistep method).");
+
+    static List<String> names() {
+        return SolverCatalog.names();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void everyCatalogueSolverPassesWithNoComplaintAndIsRecognised(String name) {
+        SolverVerdict verdict = SolverCheck.check(() -> SolverCatalog.create(name),
+                SolverCatalog.create(name).getClass().getSimpleName());
+        assertEquals(List.of(), verdict.findings());
+        assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed coefficients, adaptive or implicit."),
+                verdict.identity());
+    }
+
+    /** The code of the slide "Euler Solver Code (cont'd)", letter by letter. */
+    static final class SlideEuler extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            int n = source.getStateSize();
+            double[] state = new double[n];
+            double[] dSdt = new double[n];
+            source.getState(state);
+            source.getStateDerivative(dSdt);
+            for (int i = 0; i < n; i++)
+                state[i] += dSdt[i] * deltaT;
+            source.setState(state);
+            source.incTime(deltaT);
+        }
+    }
+
+    @Test
+    void theSlidesOwnEulerHasNothingWrong() {
+        SolverVerdict verdict = SolverCheck.check(SlideEuler::new, "SlideEuler");
+        assertEquals(List.of(), verdict.wrong());
+        assertEquals("This is the Euler method.", verdict.identity());
+        assertTrue(verdict.advice().stream().anyMatch(advice -> advice.text().contains("NaN goes unnoticed")),
+                verdict.advice().toString());
+    }
+}

@@ -1,0 +1,2 @@
+/** Says what the tests are doing while they run. */
+package progress;
