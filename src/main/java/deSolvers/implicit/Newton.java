@@ -39,8 +39,6 @@ final class Newton {
     private static final double MOST_REVERSED = 0.5;
     /** For one correction; the last of them reduces what is left by this much again. */
     private static final double LINEAR_TOLERANCE = 1e-4;
-    /** Round-off of a sum, relative to its terms. */
-    private static final double ROUND_OFF = 2 * Math.ulp(1.0);
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
     private final JacobianChoice choice = new JacobianChoice(work);
@@ -178,9 +176,7 @@ final class Newton {
             return false;
         }
         jacobian.terms(m, slope, g, roundOff);
-        for (int i = 0; i < m.length; i++) {
-            roundOff[i] = Double.MIN_NORMAL + ROUND_OFF * (Math.abs(start[i]) + Math.abs(m[i]) + roundOff[i]);
-        }
+        NewtonUpdate.roundOff(source.getClient(), start, m, roundOff);
         size = NewtonUpdate.size(correction, m, start, roundOff);
         slope0 = jacobian.slope(residual, correction, correction);
         return size != Double.POSITIVE_INFINITY;

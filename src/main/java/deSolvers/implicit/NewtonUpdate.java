@@ -1,7 +1,13 @@
 package deSolvers.implicit;
 
+import deSolvers.DEStateSource;
+import deSolvers.JacobianStateSource;
+import deSolvers.SecondOrderStateSource;
+
 /** What Newton's method adds to its unknowns: the solution of the linearised equation, and how large that is beside them. */
 final class NewtonUpdate {
+    /** Round-off of a sum, relative to its terms. */
+    private static final double ROUND_OFF = 2 * Math.ulp(1.0);
     /** The round-off within f, beside that of the terms of its sums. */
     private static final double WITHIN = 100;
     /** Of the largest unit. */
@@ -53,6 +59,29 @@ final class NewtonUpdate {
             size = Math.max(size, update[i] == 0 ? 0 : Math.abs(update[i]) / counted);
         }
         return size <= Double.MAX_VALUE ? size : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * The round-off of each equation's sum. Where constraint forces act, which the blocks do not have, they may be far larger
+     * than what they add up to: no velocity counts as known better than the largest term of any.
+     *
+     * @param roundOff the terms of g f; receives the round-off
+     */
+    static void roundOff(DEStateSource source, double[] start, double[] m, double[] roundOff) {
+        boolean constrained = source instanceof JacobianStateSource && source instanceof SecondOrderStateSource
+                && ((JacobianStateSource) source).getJacobianBlocks() == JacobianStateSource.Blocks.APPROXIMATE;
+        int d = constrained ? ((SecondOrderStateSource) source).getDimension() : 1;
+        double position = 0;
+        double velocity = 0;
+        for (int i = 0; i < m.length; i++) {
+            roundOff[i] += Math.abs(start[i]) + Math.abs(m[i]);
+            position = i / d % 2 == 0 ? Math.max(position, roundOff[i]) : position;
+            velocity = i / d % 2 == 1 ? Math.max(velocity, roundOff[i]) : velocity;
+        }
+        for (int i = 0; i < m.length; i++) {
+            roundOff[i] = Double.MIN_NORMAL + ROUND_OFF
+                    * (!constrained ? roundOff[i] : i / d % 2 == 0 ? position : velocity);
+        }
     }
 
     /** What each unknown is measured in: its size, and how far it moves in h. */

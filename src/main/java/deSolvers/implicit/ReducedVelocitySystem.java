@@ -229,24 +229,17 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         return sum;
     }
 
-    /**
-     * The accelerations are sums of K x/m, which may cancel. Constraint forces are not in K; with them no particle's velocity is
-     * known better than the fastest one's round-off.
-     */
+    /** The accelerations are sums of K x/m, which may cancel. */
     @Override
     public void terms(double[] state, double[] slope, double g, double[] size) {
-        double fastest = 0;
         for (int i = 0; i < m; i++) {
-            int at = place(i);
-            positions[i] = Math.abs(state[at]);
-            size[at] = Math.abs(g * slope[at]);
-            fastest = Math.max(fastest, Math.abs(state[at + 3]) + Math.abs(g * slope[at + 3]));
+            positions[i] = Math.abs(state[place(i)]);
+            size[place(i)] = Math.abs(g * slope[place(i)]);
         }
         blocks.stiffness().applyAbsolute(positions, partForces);
         for (int i = 0; i < m; i++) {
             int at = place(i) + 3;
-            double known = Math.abs(g) * Math.max(Math.abs(slope[at]), partForces[i] / blocks.mass(i / 3));
-            size[at] = exact ? known : Math.max(known, fastest);
+            size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), partForces[i] / blocks.mass(i / 3));
         }
     }
 }

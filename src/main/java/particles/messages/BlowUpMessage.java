@@ -1,7 +1,6 @@
 package particles.messages;
 
 import deSolvers.DESolverException;
-import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.function.UnaryOperator;
@@ -87,7 +86,7 @@ public final class BlowUpMessage {
         }
         SolverInfo solver = SolverCatalog.info(name);
         if (solver.adaptive()) {
-            return "; " + name + " chooses its own steps, so try " + tighter() + option("solver", STIFF);
+            return "; " + name + " chooses its own steps, so try " + option("solver", STIFF);
         }
         double limit = limit(solver);
         if (limit == 0) {
@@ -104,11 +103,6 @@ public final class BlowUpMessage {
                 : stated + option("deltaT", Digits.roundedDown(stableStep(solver)));
     }
 
-    private String tighter() {
-        double loosest = AdaptiveSolver.LOOSEST_TOLERANCE;
-        boolean loose = scene.description().tolerances().filter(given -> given.relative() > loosest).isPresent();
-        return loose ? "a relativeTolerance of " + Digits.few(loosest) + " or less, or " : "";
-    }
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""

@@ -23,6 +23,7 @@ record SolverLook(Color colour, Stroke stroke, Shape shape) {
             look("verlet", 3, 0, 0),
             look("yoshida4", 3, 2, 2),
             look("backward-euler", 4, 0, 0),
+            look("linearised-euler", 4, 3, 4),
             look("implicit-midpoint", 4, 1, 3),
             look("radau", 4, 2, 5));
 

@@ -87,13 +87,10 @@ class BlowUpMessageTest {
                 + " --deltaT=0.063, or --solver=backward-euler"), line);
     }
 
-    /** The chain's fastest vibration grows at 0.1 until it is beyond the limit; at 0.001 the run ends well. */
+    /** A tolerance of 0.1 would let the chain's fastest vibration grow beyond the limit; it counts as 0.001. */
     @Test
-    void aLooseToleranceIsNamed() {
-        String line = blowUp(chain("{name: dormand-prince, relativeTolerance: 0.1}", 0, new Overrides()));
-        assertTrue(line.endsWith("; dormand-prince chooses its own steps, so try a relativeTolerance of 0.001 or less, or"
-                + " --solver=backward-euler"), line);
-        chain("{name: dormand-prince, relativeTolerance: 1e-3}", 0, new Overrides()).simulation().run();
+    void aLooseToleranceDoesNotBlowUp() {
+        chain("{name: dormand-prince, relativeTolerance: 0.1}", 0, new Overrides()).simulation().run();
     }
 
     @Test
