@@ -7,8 +7,8 @@ package deSolvers;
  * <p><b>The contract</b> that every solver of this project keeps (and that the project's tests hold them to):
  * <ul>
  * <li>The source is a cursor (s, t). A solver may move it while it works - {@code setState(trial)},
- *     {@code incTime(deltaT / 2)}, backwards too - and leaves it at (s(t + deltaT), t + deltaT), the clock exactly there
- *     for a dyadic deltaT and within one unit in the last place otherwise.</li>
+ *     {@code incTime(deltaT / 2)}, backwards too - and leaves it at (s(t + deltaT), t + deltaT), the clock exactly
+ *     there for a dyadic deltaT and within one unit in the last place otherwise.</li>
  * <li>On an exception, its own or the source's, it puts back the state and the time that it found and lets the
  *     exception reach the caller. The next call works as if nothing had happened, or as a new solver's first.</li>
  * <li>Arrays handed to the source are exactly {@link DEStateSource#getStateSize()} long.</li>

@@ -1,8 +1,8 @@
 package deSolvers;
 
 /**
- * A step that could not be made. The message names the solver, the time, the step, the entry of the state where there is
- * one, and the likely cause; the source is as it was before the step.
+ * A step that could not be made. The message names the solver, the time, the step, the entry of the state where there
+ * is one, and the likely cause; the source is as it was before the step.
  */
 public class DESolverException extends RuntimeException {
     private static final long serialVersionUID = 1L;

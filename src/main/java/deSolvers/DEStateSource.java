@@ -7,8 +7,8 @@ package deSolvers;
  * <p>A source is a cursor: a solver moves it to trial states and times, asks for the derivative there, and moves it on.
  * Arrays belong to the caller, are exactly {@link #getStateSize()} long, and are copied: no source keeps a reference.
  *
- * <p>Source: COMPSCI 715 (2003), slide "DEStateSource". The slide's body is lost but for the calls that the slide's Euler
- * solver makes; {@link #getStateSize()} and {@link #getTime()} are therefore this project's choice.
+ * <p>Source: COMPSCI 715 (2003), slide "DEStateSource". The slide's body is lost but for the calls that the slide's
+ * Euler solver makes; {@link #getStateSize()} and {@link #getTime()} are therefore this project's choice.
  */
 public interface DEStateSource {
 

@@ -10,7 +10,8 @@ public final class FiniteCheck {
      * @return the index of the first one that is NaN or infinite, or -1
      */
     public static int firstNonFinite(double[] values) {
-        return sum(values) * 0 == 0 ? -1 : find(values);    // the sum of finite numbers may overflow, but of no others is finite
+        // the sum of finite numbers may overflow, but of no others is finite
+        return sum(values) * 0 == 0 ? -1 : find(values);
     }
 
     /** Eight sums, since each addition waits for the one before. */

@@ -1,8 +1,8 @@
 package deSolvers;
 
 /**
- * Base class of the methods that take one step of deltaT. A method writes only {@link #step}, as its formula stands on the
- * slide; this class keeps the rest of the contract of {@link DESolver}.
+ * Base class of the methods that take one step of deltaT. A method writes only {@link #step}, as its formula stands on
+ * the slide; this class keeps the rest of the contract of {@link DESolver}.
  *
  * <p>The helpers read like the formulas:
  * <pre>
@@ -99,8 +99,9 @@ public abstract class FixedStepSolver extends DESolver {
     }
 
     /**
-     * Whether this step begins exactly where this solver's last one ended: with the same source, state, time and deltaT,
-     * bit for bit. Only then may a method use what it remembers of the last step. To be asked once in every step.
+     * Whether this step begins exactly where this solver's last one ended: with the same source, state, time and
+     * deltaT, bit for bit. Only then may a method use what it remembers of the last step. To be asked once in every
+     * step.
      *
      * @return true if it does; false in the first step, after {@link #reset} and after a step that failed
      */

@@ -1,9 +1,9 @@
 package deSolvers;
 
 /**
- * Receives the 3 x 3 blocks of a second-order source's force derivatives, one by one, in any order; what arrives for the
- * same pair is added up. A block is 9 doubles by rows: entry 3 a + b is the derivative of component a of the force by
- * component b of the position or velocity. The arrays are the caller's and may be used again at once.
+ * Receives the 3 x 3 blocks of a second-order source's force derivatives, one by one, in any order; what arrives for
+ * the same pair is added up. A block is 9 doubles by rows: entry 3 a + b is the derivative of component a of the force
+ * by component b of the position or velocity. The arrays are the caller's and may be used again at once.
  */
 public interface JacobianBlocks {
 
@@ -19,8 +19,8 @@ public interface JacobianBlocks {
 
     /**
      * Adds what a force between two particles contributes that depends on x<sub>j</sub> - x<sub>i</sub> and
-     * v<sub>j</sub> - v<sub>i</sub> only, and acts on both with opposite signs: the given blocks at (i, i) and (j, j), their
-     * negatives at (i, j) and (j, i).
+     * v<sub>j</sub> - v<sub>i</sub> only, and acts on both with opposite signs: the given blocks at (i, i) and (j, j),
+     * their negatives at (i, j) and (j, i).
      *
      * @param i    one particle
      * @param j    the other one
@@ -30,10 +30,12 @@ public interface JacobianBlocks {
     void addPair(int i, int j, double[] dFdX, double[] dFdV);
 
     /**
-     * Multiplies all that was added so far for the force on one particle: for a reaction whose answer depends on the force.
+     * Multiplies all that was added so far for the force on one particle: for a reaction whose answer depends on the
+     * force.
      *
      * @param i      the particle
-     * @param matrix 9 doubles by rows, the derivative of the total force on the particle by the force before the reaction
+     * @param matrix 9 doubles by rows, the derivative of the total force on the particle by the force before the
+     *               reaction
      */
     void transformRow(int i, double[] matrix);
 }

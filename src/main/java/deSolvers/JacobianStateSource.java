@@ -1,9 +1,10 @@
 package deSolvers;
 
 /**
- * A source that knows the derivative of its derivative: the Jacobian J = df/ds of ds/dt = f(s, t). Implicit solvers use it
- * where it is offered and take finite differences of f where it is not. Where a step's equation has one solution, both lead
- * to it, since the Jacobian only decides how fast Newton's iteration gets there; of several it may lead to another one.
+ * A source that knows the derivative of its derivative: the Jacobian J = df/ds of ds/dt = f(s, t). Implicit solvers use
+ * it where it is offered and take finite differences of f where it is not. Where a step's equation has one solution,
+ * both lead to it, since the Jacobian only decides how fast Newton's iteration gets there; of several it may lead to
+ * another one.
  *
  * <p>A source that is also a {@link SecondOrderStateSource} of dimension 3 may give the 3 x 3 blocks of its forces'
  * derivatives as well, so that a solver can work on the 3n equations for the velocities instead of the 6n of the state.
@@ -14,7 +15,9 @@ public interface JacobianStateSource extends DEStateSource {
     enum Blocks {
         /** Nothing: the source has no blocks. */
         NONE,
-        /** An approximation; the product {@link #getJacobianProduct} is exact, and the blocks serve to precondition it. */
+        /**
+         * An approximation; the product {@link #getJacobianProduct} is exact, and the blocks serve to precondition it.
+         */
         APPROXIMATE,
         /** Everything. */
         EXACT

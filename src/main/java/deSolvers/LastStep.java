@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * Where a solver's last step ended, for methods that use results of earlier steps: a history of derivatives, the next
- * sub-step, the last acceleration. Such results are valid only while source, time, state and deltaT are bit for bit what
- * the last step left.
+ * sub-step, the last acceleration. Such results are valid only while source, time, state and deltaT are bit for bit
+ * what the last step left.
  */
 public final class LastStep {
     private boolean known;

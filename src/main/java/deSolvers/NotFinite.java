@@ -14,7 +14,8 @@ final class NotFinite {
 
     /** Of the state in which a step begins. */
     static String found(int entry, double value) {
-        return "entry " + entry + " of the state is " + value + " before the step; whatever set the state has to be mended";
+        return "entry " + entry + " of the state is " + value
+                + " before the step; whatever set the state has to be mended";
     }
 
     /** Of a derivative. */
@@ -25,7 +26,8 @@ final class NotFinite {
 
     /** Of the new state, where it is not the fault of the state and the derivative in which the step began. */
     static String made(int entry, double value) {
-        return "entry " + entry + " of the state became " + value + " within the step, from a finite state and derivative;"
-                + " deltaT is probably too large, or the derivative is not finite further on";
+        return "entry " + entry + " of the state became " + value
+                + " within the step, from a finite state and derivative; deltaT is probably too large, or the"
+                + " derivative is not finite further on";
     }
 }

@@ -1,9 +1,9 @@
 package deSolvers;
 
 /**
- * A source whose equation is of second order, x'' = a(x, x', t), reduced to first order as on the slide "An Aside: Order
- * of an ODE": the state is made of blocks (x<sub>1</sub>, v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...), each of
- * {@link #getDimension() d} positions followed by the d velocities that are their derivatives.
+ * A source whose equation is of second order, x'' = a(x, x', t), reduced to first order as on the slide "An Aside:
+ * Order of an ODE": the state is made of blocks (x<sub>1</sub>, v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...), each
+ * of {@link #getDimension() d} positions followed by the d velocities that are their derivatives.
  *
  * <p>The symplectic solvers need to know which entries are positions and which are velocities; all others treat such a
  * source like any other.

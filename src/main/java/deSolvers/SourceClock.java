@@ -5,7 +5,10 @@ final class SourceClock {
     private SourceClock() {
     }
 
-    /** To a time: a difference of two readings may round, but what is left after one move is so small that a second is exact. */
+    /**
+     * To a time: a difference of two readings may round, but what is left after one move is so small that a second is
+     * exact.
+     */
     static void moveTo(DEStateSource source, double time) {
         source.incTime(time - source.getTime());
         if (source.getTime() != time) {
@@ -20,8 +23,8 @@ final class SourceClock {
     }
 
     /**
-     * To start + deltaT, where a last stage may have left it already. Where the clock still stands at the start one addition
-     * does: what is begun next waits for the clock.
+     * To start + deltaT, where a last stage may have left it already. Where the clock still stands at the start one
+     * addition does: what is begun next waits for the clock.
      */
     static void moveToEnd(DEStateSource source, double start, double deltaT) {
         double end = start + deltaT;

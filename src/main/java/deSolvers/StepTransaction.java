@@ -20,7 +20,8 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     private final DESolver solver;
     private DEStateSource client;
     private boolean hasArrays;                          // whether the client is an ArrayStateSource
-    private boolean direct;                             // whether the client still holds the start state in its own array
+    // whether the client still holds the start state in its own array
+    private boolean direct;
     private double[] copy = {};                         // of the start state, unless direct
     private double startTime;
     private double deltaT;

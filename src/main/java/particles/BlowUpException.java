@@ -1,6 +1,8 @@
 package particles;
 
-/** A run whose kinetic energy grew beyond what the scene allows: almost always a time step that the solver cannot take. */
+/**
+ * A run whose kinetic energy grew beyond what the scene allows: almost always a time step that the solver cannot take.
+ */
 public final class BlowUpException extends SimulationException {
     private static final long serialVersionUID = 1L;
 

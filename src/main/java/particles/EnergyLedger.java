@@ -5,17 +5,21 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import particles.Effect.Trait;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
+import particles.law.Particles;
+import particles.law.Reaction;
 
 /**
- * The account of a run's energy: kinetic, what effects store, and the work that was done on the system - by drag, damping,
- * wind, friction, moving anchors as it goes, by bounces, births and deaths at once. What the books do not explain is the
- * error of the numbers: {@link #getNumericalError()} answers "is this loss physics or numerics?". Rods, wires and surfaces
- * that stand still do no work, so that what a step's error or its correction changes of the energy there is an error too.
+ * The account of a run's energy: kinetic, what effects store, and the work that was done on the system - by drag,
+ * damping, wind, friction, moving anchors as it goes, by bounces, births and deaths at once. What the books do not
+ * explain is the error of the numbers: {@link #getNumericalError()} answers "is this loss physics or numerics?". Rods,
+ * wires and surfaces that stand still do no work, so that what a step's error or its correction changes of the energy
+ * there is an error too.
  *
- * <p>Powers are integrated over each smooth piece of motion by Simpson's rule, from both ends and the middle of the cubic
- * between them: an error of O(h<sup>4</sup>), so that the remainder shows the order of any solver up to 4. The ledger
- * evaluates forces for itself, apart from the solver's count, and changes nothing.
+ * <p>Powers are integrated over each smooth piece of motion by Simpson's rule, from both ends and the middle of the
+ * cubic between them: an error of O(h<sup>4</sup>), so that the remainder shows the order of any solver up to 4. The
+ * ledger evaluates forces for itself, apart from the solver's count, and changes nothing.
  */
 public final class EnergyLedger implements Observer {
     private static final int STRIDE = Particles.STRIDE;
@@ -111,7 +115,8 @@ public final class EnergyLedger implements Observer {
     }
 
     /**
-     * What pulls at an anchor is answered by what moves it: minus the force of all springs and the like, times its velocity.
+     * What pulls at an anchor is answered by what moves it: minus the force of all springs and the like, times its
+     * velocity.
      */
     private double anchorPower(ParticleSystem system, double[] state, double time) {
         if (pull.length != system.getStateSize()) {

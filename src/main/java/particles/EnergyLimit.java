@@ -1,6 +1,7 @@
 package particles;
 
 import java.util.Locale;
+import particles.law.Particles;
 
 /**
  * The kinetic energy beyond which a run has blown up, which shows within a step or two and is cheap to add up.
@@ -23,7 +24,8 @@ record EnergyLimit(double joules) {
         }
         int fastest = fastest(system.getParticles(), state);
         throw new BlowUpException(system.getTime(), fastest, String.format(Locale.ROOT,
-                "the kinetic energy is %.4g J, beyond the limit of %.4g J; the fastest particle is '%s'", energy, joules,
+                "the kinetic energy is %.4g J, beyond the limit of %.4g J; the fastest particle is '%s'", energy,
+                joules,
                 system.getParticles().id(fastest)));
     }
 

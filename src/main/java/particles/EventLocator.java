@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Finds when an event happens: the length of a step, from a given state, after which the event's function is 0. Each trial
- * is a step of a solver of its own from the same beginning, so that the state at the event is as accurate as any other
- * step's end; the step's solver keeps its memory.
+ * Finds when an event happens: the length of a step, from a given state, after which the event's function is 0. Each
+ * trial is a step of a solver of its own from the same beginning, so that the state at the event is as accurate as any
+ * other step's end; the step's solver keeps its memory.
  *
- * <p>The function is bracketed and the bracket shrunk by the Illinois variant of regula falsi (M. Dowell, P. Jarratt 1971),
- * of order 1.44 and always inside the bracket, down to the resolution of the clock.
+ * <p>The function is bracketed and the bracket shrunk by the Illinois variant of regula falsi (M. Dowell, P. Jarratt
+ * 1971), of order 1.44 and always inside the bracket, down to the resolution of the clock.
  */
 final class EventLocator {
     private static final int MOST_TRIALS = 200;

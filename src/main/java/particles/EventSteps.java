@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Makes a run's steps, each from event to event: a motion that an event ends is taken back to it, the event happens, and
- * the rest of the step begins there.
+ * Makes a run's steps, each from event to event: a motion that an event ends is taken back to it, the event happens,
+ * and the rest of the step begins there.
  */
 final class EventSteps {
     /** Far more than any sequence of ever smaller bounces has before it ends in rest. */
@@ -18,7 +18,7 @@ final class EventSteps {
 
     private final ParticleSystem system;
     private final DESolver solver;
-    private final Audience audience;
+    private final Observers observers;
     private final List<EventRule> rules = new ArrayList<>();
     private final Motion motion = new Motion();
     private EventLocator locator;
@@ -27,12 +27,12 @@ final class EventSteps {
     /**
      * @param system   what moves
      * @param solver   what moves it
-     * @param audience is told of all motions but the last of a step, and of every event
+     * @param observers is told of all motions but the last of a step, and of every event
      */
-    EventSteps(ParticleSystem system, DESolver solver, Audience audience) {
+    EventSteps(ParticleSystem system, DESolver solver, Observers observers) {
         this.system = system;
         this.solver = solver;
-        this.audience = audience;
+        this.observers = observers;
     }
 
     /** Adds a rule whose events end motions; they are looked for by a solver that is used for nothing else. */
@@ -87,7 +87,7 @@ final class EventSteps {
                 return note;
             }
             if (!stopped) {
-                audience.reportMotion(motion);
+                observers.reportMotion(motion);
                 solver.reset();
                 rules.forEach(rule -> rule.beforeStep(system));
             }
@@ -128,11 +128,11 @@ final class EventSteps {
         }
         events++;
         if (motion.getEndTime() > motion.getStartTime()) {
-            audience.reportMotion(motion);
+            observers.reportMotion(motion);
         }
         first.get().event().act(system);
         solver.reset();
-        audience.reportChange(system, first.get().rule());
+        observers.reportChange(system, first.get().rule());
         return true;
     }
 }

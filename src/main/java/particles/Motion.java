@@ -1,5 +1,7 @@
 package particles;
 
+import particles.law.Particles;
+
 /**
  * A smooth piece of motion: from the state at the beginning of a step to the state at its end, with the cubic Hermite
  * interpolation of the positions in between. Positions and velocities at both ends determine the cubic, so that a frame

@@ -8,6 +8,15 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import particles.engine.Anchors;
+import particles.engine.ForceSum;
+import particles.engine.ParticleJacobian;
+import particles.law.AnchorMotion;
+import particles.law.Effect;
+import particles.law.IndexedEffect;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.law.Vector3;
 
 /**
  * A system of n particles in space as a source for solvers: the state is
@@ -23,9 +32,9 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final Particles particles = new Particles();
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
-    final ForceSum forces = new ForceSum(particles, effects, reactions);
+    private final ForceSum forces = new ForceSum(particles, effects, reactions);
     private final Anchors anchors = new Anchors();
-    private final ParticleJacobian jacobian = new ParticleJacobian(this, effects, reactions);
+    private final ParticleJacobian jacobian = new ParticleJacobian(this, particles, forces, effects, reactions);
     private double[] state = {};
     private double time;
     private long evaluations;
@@ -64,7 +73,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Takes particles out. Those that stay keep their order and move up to fill the gaps; effects and reactions are told.
+     * Takes particles out. Those that stay keep their order and move up to fill the gaps; effects and reactions are
+     * told.
      *
      * @param gone by index, true for particles to be taken out; as many as there are particles
      * @return the new index of each particle by its old one, -1 for those that are gone
@@ -93,9 +103,9 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Lets a fixed particle follow a given motion, exactly: it is where the motion is at the clock's time, for the forces at
-     * every stage of a step too. It is no unknown: solvers see zeros in its place that stay zeros, and what they set there
-     * is ignored.
+     * Lets a fixed particle follow a given motion, exactly: it is where the motion is at the clock's time, for the
+     * forces at every stage of a step too. It is no unknown: solvers see zeros in its place that stay zeros, and what
+     * they set there is ignored.
      *
      * @param particle the index of a fixed particle
      * @param motion   where it is to be at each time
@@ -113,7 +123,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /**
      * @param time          t (s)
-     * @param accelerations receives those of the moving anchors (m/s&sup2;), where velocities stand in the state; no others
+     * @param accelerations receives those of the moving anchors (m/s&sup2;), where velocities stand in the state; no
+     *                      others
      */
     public void putAnchorAccelerations(double time, double[] accelerations) {
         anchors.accelerate(time, accelerations);
@@ -225,7 +236,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     @Override
     public double[] exchangeState(double[] state) {
         if (state.length != getStateSize()) {
-            throw new IllegalArgumentException("a state of " + state.length + " doubles for a system of " + getStateSize());
+            throw new IllegalArgumentException("a state of " + state.length + " doubles for a system of "
+                    + getStateSize());
         }
         trim();
         double[] before = this.state;
@@ -253,6 +265,11 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     @Override
     public double getInverseMass(int i) {
         return particles.inverseMasses()[i];
+    }
+
+    /** @return what adds up this system's forces, for those that evaluate it in another way, such as by threads */
+    public ForceSum getForceSum() {
+        return forces;
     }
 
     /**

@@ -9,14 +9,17 @@ public interface Rule {
     /** @return the name in scenes and messages, such as {@code impacts} */
     String getName();
 
-    /** @return whether all it changes mends errors of the steps, so that energy that it gives or takes is an error as well */
+    /**
+     * @return whether all it changes mends errors of the steps, so that energy that it gives or takes is an error as
+     *         well
+     */
     default boolean isCorrection() {
         return false;
     }
 
     /**
-     * Looks at the system before the first step and puts in order what the scene left open, such as which particles rest
-     * on a plane from the start.
+     * Looks at the system before the first step and puts in order what the scene left open, such as which particles
+     * rest on a plane from the start.
      *
      * @param system the system as the scene describes it
      */

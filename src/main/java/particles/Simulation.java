@@ -5,10 +5,11 @@ import deSolvers.DESolverException;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import particles.law.Particles;
 
 /**
- * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends at
- * its duration.
+ * The loop: step, rules, check, observers, until the duration is over. The last step is shortened so that the run ends
+ * at its duration.
  */
 public final class Simulation {
     /** A last step longer than deltaT by no more than this part of it is rounding of the clock, not a step too many. */
@@ -21,7 +22,7 @@ public final class Simulation {
     private final EnergyLimit energyLimit;
     private final List<Rule> rules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
-    private final Audience audience = new Audience(observers);
+    private final Observers audience = new Observers(observers);
     private final EventSteps eventSteps;
     private double endTime;
     private long steps;
@@ -58,7 +59,8 @@ public final class Simulation {
      * Adds a rule that acts inside steps too.
      *
      * @param rule         to act at its events, and after every step like any other rule
-     * @param searchSolver a solver of the same kind as the run's and used for nothing else, for the search of event times
+     * @param searchSolver a solver of the same kind as the run's and used for nothing else, for the search of event
+     *                     times
      */
     public void addEventRule(EventRule rule, DESolver searchSolver) {
         rules.add(rule);
@@ -110,7 +112,8 @@ public final class Simulation {
         double left = endTime - system.getTime();
         step(left <= deltaT * (1 + ROUNDING) ? left : deltaT);
         if (endTime - system.getTime() >= left) {
-            throw new SimulationException(system.getTime(), -1, "a step of " + deltaT + " s no longer moves the clock at"
+            throw new SimulationException(system.getTime(), -1,
+                    "a step of " + deltaT + " s no longer moves the clock at"
                     + " t = " + system.getTime(), null);
         }
     }

@@ -1,8 +1,8 @@
 package particles;
 
 /**
- * A run that cannot go on: a step failed, the energy grew beyond what the scene allows, or no forces keep all that is to be
- * kept.
+ * A run that cannot go on: a step failed, the energy grew beyond what the scene allows, or no forces keep all that is
+ * to be kept.
  */
 public class SimulationException extends RuntimeException {
     private static final long serialVersionUID = 1L;

@@ -1,17 +1,25 @@
 /**
- * Particle and mass-spring systems: the data, the source that solvers step, the parts that a scene composes, and the
- * simulation loop.
+ * Particle and mass-spring systems: {@link particles.ParticleSystem}, the source that solvers step, and
+ * {@link particles.Simulation}, the loop around it.
  *
- * <p>"A set of particles, plus a set of rules governing their motion": {@link particles.ParticleSystem} holds the
- * particles' state (x<sub>1</sub>, v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup> and lets what the
- * scene names act on it -
- * <ul>
- * <li>{@link particles.Effect}: a force that depends on state and time - gravity, springs, drag;</li>
- * <li>{@link particles.Reaction}: a force that answers the total of the others - contact, friction, rods;</li>
- * <li>{@link particles.Rule}: a jump between two steps - a bounce, a birth, a tear;</li>
- * <li>{@link particles.Observer}: reads and never changes anything - frames, plots, ledgers.</li>
- * </ul>
- * What is not named is not built and costs nothing. All lengths are in metres, masses in kilograms, times in seconds;
- * y points up.
+ * <p>"A set of particles, plus a set of rules governing their motion": the particles' state is (x<sub>1</sub>,
+ * v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup>. What a step does, in the order in which the
+ * classes are called:
+ *
+ * <ol>
+ * <li>{@link particles.Simulation} lets {@link particles.EventSteps} make a step, or several if an event ends it;</li>
+ * <li>the solver's {@link deSolvers.DESolver#stepState} asks for the derivative as often as its method needs;</li>
+ * <li>{@link particles.ParticleSystem#getStateDerivative} hands the state to the engine;</li>
+ * <li>{@link particles.engine.ForceSum} adds up each {@link particles.law.Effect}: gravity, springs, drag;</li>
+ * <li>each {@link particles.law.Reaction} then answers the total: contact, friction, rods;</li>
+ * <li>{@link particles.EventLocator} finds the impacts that an {@link particles.EventRule} saw in the step;</li>
+ * <li>each {@link particles.Rule} may change the state after the step: a bounce, a birth, a tear;</li>
+ * <li>{@link particles.Observers} tells each {@link particles.Observer} of the motion and of every change: frames,
+ * plots, the {@link particles.EnergyLedger};</li>
+ * <li>{@link particles.EnergyLimit} ends a run that has blown up.</li>
+ * </ol>
+ *
+ * <p>What a scene does not name is not built and costs nothing. Lengths are in metres, masses in kilograms, times in
+ * seconds; y points up.
  */
 package particles;

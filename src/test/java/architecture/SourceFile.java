@@ -21,6 +21,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.lang.model.element.Modifier;
 import javax.tools.JavaCompiler;
@@ -30,14 +31,21 @@ import javax.tools.ToolProvider;
 /** One source file as the compiler's parser sees it: what it uses, and what it does that the project does not do. */
 final class SourceFile {
     /** A name that starts with packages: deSolvers.catalog.SolverCatalog, java.awt.Color, particles.effects.*. */
-    private static final Pattern QUALIFIED = Pattern.compile("((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
+    private static final Pattern QUALIFIED = Pattern.compile(
+            "((?:deSolvers|particles|exercises|java|javax|com|org|info|picocli|net|io)"
             + "(?:\\.[a-z]\\w*)*)\\.(?:[A-Z*].*)");
-    private static final Pattern MUTABLE = Pattern.compile("(java\\.util\\.)?(Array|Linked|Hash|Tree|Priority|Weak|Identity|Concurrent|Enum)\\w*"
+    private static final Pattern TEXT_OR_COMMENT = Pattern.compile(
+            "\"\"\".*?\"\"\"|\"(?:\\\\.|[^\"\\\\\n])*\"|'(?:\\\\.|[^'\\\\\n])+'"
+            + "|/[*].*?[*]/|//[^\n]*", Pattern.DOTALL);
+    private static final int WIDTH = 120;
+    private static final Pattern MUTABLE = Pattern.compile(
+            "(java\\.util\\.)?(Array|Linked|Hash|Tree|Priority|Weak|Identity|Concurrent|Enum)\\w*"
             + "(List|Map|Set|Queue|Deque)|Atomic\\w+|\\w*Adder|\\w*Random|StringBuilder|ThreadLocal");
 
     private final Path path;
     private final String packageName;
-    private final int lines;
+    private final int codeLines;
+    private final List<Integer> wideLines;
     private final Set<String> usedPackages = new TreeSet<>();
     private final List<String> emptyCatches = new ArrayList<>();
     private final List<String> standardStreams = new ArrayList<>();
@@ -46,7 +54,9 @@ final class SourceFile {
     private SourceFile(Path path, CompilationUnitTree unit) {
         this.path = path;
         this.packageName = String.valueOf(unit.getPackageName());
-        this.lines = (int) linesOf(path);
+        String text = textOf(path);
+        this.codeLines = codeLines(text);
+        this.wideLines = wideLines(text);
         new Scanner(unit).scan(unit, null);
     }
 
@@ -56,7 +66,8 @@ final class SourceFile {
             return List.of();
         }
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        try (Stream<Path> tree = Files.walk(folder); StandardJavaFileManager files = compiler.getStandardFileManager(null,
+        try (Stream<Path> tree = Files.walk(folder);
+                StandardJavaFileManager files = compiler.getStandardFileManager(null,
                 null, null)) {
             List<Path> paths = tree.filter(file -> file.toString().endsWith(".java")).sorted().toList();
             if (paths.isEmpty()) {
@@ -74,20 +85,41 @@ final class SourceFile {
         }
     }
 
-    private static long linesOf(Path path) {
-        try (Stream<String> lines = Files.lines(path)) {
-            return lines.count();
+    private static String textOf(Path path) {
+        try {
+            return Files.readString(path);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /** Lines that hold more than comments and blanks; texts and strings are left whole, whatever is in them. */
+    static int codeLines(String text) {
+        String code = TEXT_OR_COMMENT.matcher(text).replaceAll(found -> {
+            String all = found.group();
+            return all.startsWith("/") ? all.replaceAll("[^\n]", "") : Matcher.quoteReplacement(all);
+        });
+        return (int) code.lines().filter(line -> !line.isBlank()).count();
+    }
+
+    /** The numbers of lines that are too long to be read beside another file; imports cannot be broken. */
+    static List<Integer> wideLines(String text) {
+        List<String> all = text.lines().toList();
+        return IntStream.range(0, all.size()).filter(i -> all.get(i).length() > WIDTH
+                && !all.get(i).startsWith("import "))
+                .mapToObj(i -> i + 1).toList();
     }
 
     String packageName() {
         return packageName;
     }
 
-    int lines() {
-        return lines;
+    int codeLines() {
+        return codeLines;
+    }
+
+    List<Integer> wideLines() {
+        return wideLines;
     }
 
     Set<String> usedPackages() {
@@ -149,7 +181,8 @@ final class SourceFile {
             Tree parent = getCurrentPath().getParentPath().getLeaf();
             boolean constant = parent.getKind() == Tree.Kind.INTERFACE || parent.getKind() == Tree.Kind.ENUM
                     && !flags.contains(Modifier.STATIC);
-            if (parent instanceof ClassTree && (flags.contains(Modifier.STATIC) || parent.getKind() == Tree.Kind.INTERFACE)) {
+            if (parent instanceof ClassTree
+                    && (flags.contains(Modifier.STATIC) || parent.getKind() == Tree.Kind.INTERFACE)) {
                 String why = whyMutable(node, flags, constant);
                 if (!why.isEmpty()) {
                     mutableStatics.add(SourceFile.this + ": static " + node.getName() + " " + why);

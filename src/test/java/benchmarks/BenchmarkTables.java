@@ -5,7 +5,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import particles.DataTable;
+import particles.view.DataTable;
 
 /** What solvers take, as tables. */
 public final class BenchmarkTables {
@@ -27,13 +27,17 @@ public final class BenchmarkTables {
             Comparison pair = found.get(k);
             double ours = medians.get(pair.ours());
             double theirs = medians.get(pair.theirs());
-            rows.add(List.of(plan.atEqual(), plan.workload(), plan.ours(), plan.theirs(), pair.oursFound().evaluations(),
-                    pair.theirsFound().evaluations(), pair.oursFound().error(), pair.theirsFound().error(), ours / MICRO,
+            rows.add(List.of(plan.atEqual(), plan.workload(), plan.ours(), plan.theirs(),
+                    pair.oursFound().evaluations(),
+                    pair.theirsFound().evaluations(), pair.oursFound().error(), pair.theirsFound().error(),
+                    ours / MICRO,
                     theirs / MICRO, theirs / ours));
         }
-        return new DataTable(COMPARISON, "Beside Hipparchus: the same source, once the same steps, and once the same error",
+        return new DataTable(COMPARISON,
+                "Beside Hipparchus: the same source, once the same steps, and once the same error",
                 List.of(DataTable.column("equal"), DataTable.column("workload"), DataTable.column("ours"),
-                        DataTable.column("Hipparchus"), DataTable.column("evaluations"), DataTable.column("its evaluations"),
+                        DataTable.column("Hipparchus"), DataTable.column("evaluations"),
+                        DataTable.column("its evaluations"),
                         new DataTable.Column("error", 2), new DataTable.Column("its error", 2),
                         new DataTable.Column("time (\u00b5s)", 3), new DataTable.Column("its time (\u00b5s)", 3),
                         new DataTable.Column("its time over ours", 2)), rows);
@@ -53,8 +57,10 @@ public final class BenchmarkTables {
                     medians.get(run) / evaluations));
         }
         return new DataTable("solvers", "One step of each solver; adaptive ones with their own tolerances",
-                List.of(DataTable.column("workload"), DataTable.column("solver"), new DataTable.Column("evaluations a step", 3),
-                        new DataTable.Column("time a step (\u00b5s)", 3), new DataTable.Column("time an evaluation (ns)",
+                List.of(DataTable.column("workload"), DataTable.column("solver"),
+                new DataTable.Column("evaluations a step", 3),
+                        new DataTable.Column("time a step (\u00b5s)", 3),
+                        new DataTable.Column("time an evaluation (ns)",
                                 3)), rows);
     }
 
@@ -73,7 +79,8 @@ public final class BenchmarkTables {
                     .flatMap(table -> table.rows().stream()).filter(row -> row.get(0).equals(equal))
                     .mapToDouble(row -> (Double) row.get(row.size() - 1)).summaryStatistics();
             if (ratios.getCount() > 0) {
-                parts.add(twoDigits(ratios.getMin()) + " to " + twoDigits(ratios.getMax()) + " times as long as ours at equal "
+                parts.add(twoDigits(ratios.getMin()) + " to " + twoDigits(ratios.getMax())
+                        + " times as long as ours at equal "
                         + equal);
             }
         }

@@ -6,12 +6,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
-import particles.DataTable;
-import particles.DivisibleEffect;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.experiments.ProgressListener;
+import particles.experiments.runs.ProgressListener;
+import particles.law.DivisibleEffect;
+import particles.law.Effect;
 import particles.output.FrameBenchmark;
+import particles.view.DataTable;
 
 /** All that is measured, each under a name by which it can be chosen, as tables. */
 public final class Benchmarks {
@@ -70,12 +70,14 @@ public final class Benchmarks {
     public List<DataTable> measure() {
         List<DataTable> tables = new ArrayList<>();
         List<Comparison> comparisons = new ArrayList<>();
-        List<Comparison.Plan> plans = Comparison.plans().stream().filter(plan -> included.test(plan.toString())).toList();
+        List<Comparison.Plan> plans = Comparison.plans().stream().filter(plan -> included.test(plan.toString()))
+                .toList();
         for (Comparison.Plan plan : plans) {
             progress.reached(0, "settings for " + plan);
             comparisons.add(Comparison.of(plan));
         }
-        List<Run> both = comparisons.stream().flatMap(pair -> List.of(pair.ours(), pair.theirs()).stream()).distinct().toList();
+        List<Run> both = comparisons.stream().flatMap(pair -> List.of(pair.ours(), pair.theirs()).stream()).distinct()
+                .toList();
         List<Run> runs = runs().stream().filter(run -> included.test(name(run))).toList();
         List<String> effects = chosen("effect ", EffectCases.names());
         List<String> scenes = chosen("scene ", SCENES);
@@ -95,7 +97,8 @@ public final class Benchmarks {
                     medians(SceneBenchmark.class, scenes, all)));
         }
         if (!frames.isEmpty()) {
-            tables.add(timeTable("frames", "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
+            tables.add(timeTable("frames",
+                    "Drawing a frame of 1280 x 720 pixels and compressing it to PNG, on one thread",
                     "scene",
                     MILLI, medians(FrameBenchmark.class, frames, all)));
         }

@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.DataTable;
+import particles.view.DataTable;
 
 /** The tables, with a stopwatch that always shows the same: 1 ms, and 3 ms for Hipparchus. */
 class BenchmarksTest {
@@ -46,8 +46,8 @@ class BenchmarksTest {
         assertEquals(List.of("comparison"), tables.stream().map(DataTable::name).toList());
         assertEquals(7, tables.get(0).rows().size());
         tables.get(0).rows().forEach(row -> assertEquals(3.0, row.get(row.size() - 1)));
-        assertEquals("Hipparchus takes 3.0 to 3.0 times as long as ours at equal evaluations, and 3.0 to 3.0 times as long as"
-                + " ours at equal error", BenchmarkTables.finding(tables));
+        assertEquals("Hipparchus takes 3.0 to 3.0 times as long as ours at equal evaluations, and 3.0 to 3.0 times as"
+                + " long as ours at equal error", BenchmarkTables.finding(tables));
     }
 
     @Test
@@ -66,14 +66,17 @@ class BenchmarksTest {
 
     @Test
     void progressGoesFromNothingToAll() {
-        assertEquals(List.of("scenes", "frames"), List.of(tables("scene ").get(0).name(), tables("frame ").get(0).name()));
+        assertEquals(List.of("scenes", "frames"),
+                List.of(tables("scene ").get(0).name(), tables("frame ").get(0).name()));
         parts.clear();
         tables("05");
         tables("scene");
         assertEquals(List.of(0.0, 0.0, 1.0 / 3, 2.0 / 3), parts);
     }
 
-    /** JMH refuses a class that is not public, or a benchmark without a state: here, and not in the middle of a night. */
+    /**
+     * JMH refuses a class that is not public, or a benchmark without a state: here, and not in the middle of a night.
+     */
     @Tag("slow")
     @Test
     void jmhTakesTheBenchmarks(@TempDir Path folder) throws IOException {

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * One of our solvers beside one of Hipparchus' integrators, both on one workload: either the same method with the same steps,
- * so that the evaluations are equal and what differs is what is done between them; or each with the coarsest setting that
- * reaches an error of {@value #ERROR}, so that it counts too how well steps are chosen.
+ * One of our solvers beside one of Hipparchus' integrators, both on one workload: either the same method with the same
+ * steps, so that the evaluations are equal and what differs is what is done between them; or each with the coarsest
+ * setting that reaches an error of {@value #ERROR}, so that it counts too how well steps are chosen.
  */
 record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome theirsFound) {
     static final double ERROR = 1e-6;
@@ -64,11 +64,13 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
     }
 
     private static Run coarsest(Workload workload, String method, double[] reference) {
-        return Method.isAdaptive(method) ? byTolerance(workload, method, reference) : bySteps(workload, method, reference);
+        return Method.isAdaptive(method) ? byTolerance(workload, method, reference) : bySteps(workload, method,
+                reference);
     }
 
     /**
-     * The loosest tolerance: by half decades, and then by halving; errors of adaptive methods jump, so nothing finer means much.
+     * The loosest tolerance: by half decades, and then by halving; errors of adaptive methods jump, so nothing finer
+     * means much.
      */
     private static Run byTolerance(Workload workload, String method, double[] reference) {
         double loose = Math.log10(LOOSEST);
@@ -77,7 +79,8 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
             loose = tight;
             tight -= 0.5;
             if (tight < Math.log10(TIGHTEST)) {
-                throw new IllegalStateException(method + " does not reach an error of " + ERROR + " on the " + workload.name());
+                throw new IllegalStateException(method + " does not reach an error of " + ERROR + " on the "
+                        + workload.name());
             }
         }
         for (int k = 0; k < HALVINGS && loose > tight; k++) {
@@ -102,7 +105,8 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
             few = enough;
             enough *= 2;
             if (enough > MOST_STEPS) {
-                throw new IllegalStateException(method + " does not reach an error of " + ERROR + " on the " + workload.name());
+                throw new IllegalStateException(method + " does not reach an error of " + ERROR + " on the "
+                        + workload.name());
             }
         }
         while (enough - few > 1) {

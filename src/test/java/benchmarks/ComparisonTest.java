@@ -11,9 +11,11 @@ import org.junit.jupiter.params.provider.FieldSource;
 
 /** What the comparison rests on: the counts and errors, which do not depend on the machine. */
 class ComparisonTest {
-    static final List<Comparison.Plan> EQUAL_EVALUATIONS = Comparison.plans().stream().filter(plan -> !plan.equalError())
+    static final List<Comparison.Plan> EQUAL_EVALUATIONS = Comparison.plans().stream()
+            .filter(plan -> !plan.equalError())
             .toList();
-    static final List<Comparison.Plan> EQUAL_ERROR = Comparison.plans().stream().filter(Comparison.Plan::equalError).toList();
+    static final List<Comparison.Plan> EQUAL_ERROR = Comparison.plans().stream().filter(Comparison.Plan::equalError)
+            .toList();
 
     @Test
     void everyPairIsThereOnEveryWorkload() {
@@ -56,7 +58,8 @@ class ComparisonTest {
         Comparison pair = Comparison.of(EQUAL_ERROR.get(0));
         Run less = Run.steps("oscillator", "rk4", pair.ours().duration(), pair.ours().steps() - 1);
         Workload workload = Workload.of("oscillator");
-        assertTrue(less.outcome(workload, workload.reference(less.duration())).error() > Comparison.ERROR, less.toString());
+        assertTrue(less.outcome(workload, workload.reference(less.duration())).error() > Comparison.ERROR,
+                less.toString());
     }
 
     /** Against the exact solution (cos t, -sin t): measured 3.0e-13 at t = 20. */

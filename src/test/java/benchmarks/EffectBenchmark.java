@@ -9,8 +9,8 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
-import particles.Effect;
 import particles.ParticleSystem;
+import particles.law.Effect;
 
 /** The time for an effect's forces, of all its particles or springs. */
 @State(Scope.Thread)

@@ -4,11 +4,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.scene.Overrides;
+import particles.law.Effect;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 
 /** A cloth of 40 x 40 particles with one effect, each so that it acts on all of them; the air acts through drag. */
 final class EffectCases {
@@ -22,7 +22,8 @@ final class EffectCases {
             deltaT: 0.001
             duration: 1
             shapes:
-              - cloth: {corner: [-1, 0, -1], across: [2, 0.1, 0], down: [0.1, 0, 2], columns: 40, rows: 40, totalMass: 1,
+              - cloth: {corner: [-1, 0, -1], across: [2, 0.1, 0], down: [0.1, 0, 2], columns: 40, rows: 40,
+                    totalMass: 1,
                         structural: {stiffness: 5, damping: 0.001}, shear: {stiffness: 2, damping: 0.001}}
             """;
 
@@ -54,7 +55,8 @@ final class EffectCases {
             heading = "";
         }
         byte[] bytes = scene.toString().getBytes(StandardCharsets.UTF_8);
-        ParticleSystem system = SceneBuilder.build(SceneReader.read("a cloth with " + name, bytes), new Overrides()).system();
+        ParticleSystem system = SceneBuilder.build(SceneReader.read("a cloth with " + name, bytes),
+                new Overrides()).system();
         double[] state = system.getStateArray();
         for (int i = 0; i < state.length; i++) {
             state[i] += 1e-3 * (i * 7919 % 101);            // at rest neither air nor springs push

@@ -11,10 +11,10 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.scene.SceneFormat;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.scene.format.SceneFormat;
 
 /** Every effect that a scene can name is timed, and at work. */
 class EffectCasesTest {
@@ -25,7 +25,8 @@ class EffectCasesTest {
 
     @Test
     void theCasesAreTheEffectsOfTheSceneFormatAndTheSprings() {
-        Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|").matcher(SceneFormat.reference("###"));
+        Matcher list = Pattern.compile("(?m)^\\| `effects` \\| a list of: ([^|]*) \\|")
+                .matcher(SceneFormat.reference("###"));
         assertTrue(list.find());
         Set<String> all = new TreeSet<>(Set.of(list.group(1).replaceFirst(", or the full name.*", "").replace("`",
                 "").split(", ")));

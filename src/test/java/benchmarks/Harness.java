@@ -13,8 +13,9 @@ import org.openjdk.jmh.generators.reflection.RFGeneratorSource;
 import particles.output.FrameBenchmark;
 
 /**
- * Writes and compiles what JMH runs: a class around each benchmark with its loop and clock. Usually an annotation processor
- * does it while everything is compiled; done in a step of its own it costs nobody anything who does not measure.
+ * Writes and compiles what JMH runs: a class around each benchmark with its loop and clock. Usually an annotation
+ * processor does it while everything is compiled; done in a step of its own it costs nobody anything who does not
+ * measure.
  */
 final class Harness {
     static final List<Class<?>> BENCHMARKS = List.of(SolveBenchmark.class, EffectBenchmark.class, SceneBenchmark.class,

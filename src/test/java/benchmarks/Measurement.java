@@ -20,7 +20,9 @@ import org.openjdk.jmh.runner.options.TimeValue;
  * @param seconds    that each lasts
  */
 public record Measurement(int forks, int iterations, double seconds) implements Stopwatch {
-    /** The collector that scripts start the program with; and the compiler at once, so that few iterations warm it up. */
+    /**
+     * The collector that scripts start the program with; and the compiler at once, so that few iterations warm it up.
+     */
     private static final String[] JVM = {"-XX:+UseSerialGC", "-Xbatch"};
 
     @Override
@@ -29,12 +31,14 @@ public record Measurement(int forks, int iterations, double seconds) implements 
         System.setProperty("jmh.ignoreLock", "true");           // another user's lock would stop us for ever
         Options options = new OptionsBuilder().include("^" + benchmark.getName().replace(".", "\\.") + "\\.")
                 .param("what", what.toArray(String[]::new)).forks(forks).shouldFailOnError(true).jvmArgsAppend(JVM)
-                .warmupIterations(iterations).warmupTime(time).measurementIterations(iterations).measurementTime(time).build();
+                .warmupIterations(iterations).warmupTime(time).measurementIterations(iterations).measurementTime(time)
+                .build();
         Map<String, Double> medians = new LinkedHashMap<>();
         Heard heard = new Heard(begun);
         try {
             for (RunResult result : new Runner(options, heard).run()) {
-                medians.put(result.getParams().getParam("what"), result.getPrimaryResult().getStatistics().getPercentile(50));
+                medians.put(result.getParams().getParam("what"),
+                        result.getPrimaryResult().getStatistics().getPercentile(50));
             }
         } catch (RunnerException e) {
             throw new IllegalStateException("JMH failed: " + e.getMessage() + "\n" + heard.lines(), e);

@@ -33,7 +33,8 @@ record Run(String workload, String method, double duration, int steps, double to
     /** @param text as {@link #toString} makes it */
     static Run parse(String text) {
         String[] part = text.split(" ");
-        return new Run(part[0], part[1], Double.parseDouble(part[2]), Integer.parseInt(part[3]), Double.parseDouble(part[4]));
+        return new Run(part[0], part[1], Double.parseDouble(part[2]), Integer.parseInt(part[3]),
+                Double.parseDouble(part[4]));
     }
 
     /** For people; {@link #toString} is for programs. */

@@ -9,11 +9,11 @@ import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.State;
-import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 
 /** The time from a scene's file to a simulation that is ready to run. */
 @State(Scope.Thread)

@@ -15,12 +15,12 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import particles.Cloth;
 import particles.ParticleSystem;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 
 /**
- * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s, for
- * ever stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by
- * power iteration; backward Euler takes one step.
+ * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s,
+ * for ever stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth,
+ * found by power iteration; backward Euler takes one step.
  */
 final class StiffCloth {
     static final double FRAME = 1.0 / 60;
@@ -41,13 +41,14 @@ final class StiffCloth {
      * @param stiffness  of every spring (N/m)
      * @param rk4Steps   that RK4 needs to be stable
      * @param rk4        time of these (s)
-     * @param first      median time of solvers' first steps, backward Euler with one linear solve, which find out what the
-     *                   cloth's springs join (s)
+     * @param first      median time of solvers' first steps, backward Euler with one linear solve, which find out what
+     *                   the cloth's springs join (s)
      * @param linearised median time of further such steps (s)
      * @param newton     time of a step that is iterated to tolerance (s); NaN where it is not measured
      * @param work       what the linearised step did
      */
-    record Row(double stiffness, long rk4Steps, double rk4, double first, double linearised, double newton, ImplicitWork work) {
+    record Row(double stiffness, long rk4Steps, double rk4, double first, double linearised, double newton,
+            ImplicitWork work) {
     }
 
     private StiffCloth() {
@@ -140,14 +141,16 @@ final class StiffCloth {
             measure(stiffnessFor(100));
         }
         ParticleSystem cloth = Cloth.hanging(EDGE, 1, 0);
-        out.printf(Locale.ROOT, "%nA frame of 1/60 s of a cloth of %d x %d particles of %s g, %d springs: CPU time%n", EDGE,
+        out.printf(Locale.ROOT, "%nA frame of 1/60 s of a cloth of %d x %d particles of %s g, %d springs: CPU time%n",
+                EDGE,
                 EDGE, 1000 * MASS, ((SpringForce) cloth.getEffects().get(1)).springCount());
-        out.println("stiffness (N/m)  rk4 steps    rk4 (s)  first step (s)  further ones (s)  Newton (s)  rk4/further ones"
-                + "  CG iterations");
+        out.println("stiffness (N/m)  rk4 steps    rk4 (s)  first step (s)  further ones (s)  Newton (s)  rk4/further"
+                + " ones  CG iterations");
         List<Row> rows = new ArrayList<>();
         for (long steps : rk4Steps) {
             Row row = measure(stiffnessFor(steps));
-            out.printf(Locale.ROOT, "%15.3g  %9d  %9.4f  %14.4f  %16.4f  %10s  %16.2f  %13d%n", row.stiffness, row.rk4Steps,
+            out.printf(Locale.ROOT, "%15.3g  %9d  %9.4f  %14.4f  %16.4f  %10s  %16.2f  %13d%n", row.stiffness,
+                    row.rk4Steps,
                     row.rk4, row.first, row.linearised,
                     Double.isNaN(row.newton) ? "-" : String.format(Locale.ROOT, "%.4f", row.newton),
                     row.rk4 / row.linearised, row.work.krylovIterations());
@@ -159,7 +162,8 @@ final class StiffCloth {
     }
 
     private static double variation(List<Row> rows, ToDoubleFunction<Row> time) {
-        return rows.stream().mapToDouble(time).max().orElseThrow() / rows.stream().mapToDouble(time).min().orElseThrow();
+        return rows.stream().mapToDouble(time).max().orElseThrow() / rows.stream().mapToDouble(time).min()
+                .orElseThrow();
     }
 
     /** @param args none; the build hands options on, and there are none */

@@ -11,7 +11,9 @@ import org.junit.jupiter.api.Test;
 @Tag("slow")
 class StiffClothTest {
     private static final double SPRINGS = 23_938;
-    /** From where rk4 needs two steps to 5,000: conjugate gradients up to 6, where they need most, and then elimination. */
+    /**
+     * From where rk4 needs two steps to 5,000: conjugate gradients up to 6, where they need most, and then elimination.
+     */
     private static final long[] SWEEP = {2, 5, 6, 7, 100, 1000, 5000};
 
     @Test
@@ -26,8 +28,10 @@ class StiffClothTest {
             least = Math.min(least, work.blockOperations());
             most = Math.max(most, work.blockOperations());
         }
-        // Measured 2.69e6 products of 3 x 3 blocks in 47 iterations at 2, 7.34e6 in 130 at 6, and 7.93e6 in elimination, at
-        // each of the others. Where rk4 needs a single step 25 iterations are enough, 1.46e6 products. That is less than a
+        // Measured 2.69e6 products of 3 x 3 blocks in 47 iterations at 2, 7.34e6 in 130 at 6, and 7.93e6 in
+        // elimination, at
+        // each of the others. Where rk4 needs a single step 25 iterations are enough, 1.46e6 products. That is less
+        // than a
         // quarter, but products in iterations wait for memory: the times, which gradle stiffCloth prints, are within 4.
         assertTrue(most < 3.5 * least, least + " to " + most + " products of blocks");
     }

@@ -12,14 +12,14 @@ import org.hipparchus.ode.nonstiff.DormandPrince853Integrator;
 import particles.Cloth;
 import particles.ParticleSystem;
 import particles.Systems;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /**
  * What is solved, from one start again and again: the lecture's oscillator behind the simple interface, a chain of 100
- * particles and a cloth of 12 x 12, both particle systems as scenes build them. The same object is our solvers' source and
- * Hipparchus' equation.
+ * particles and a cloth of 12 x 12, both particle systems as scenes build them. The same object is our solvers' source
+ * and Hipparchus' equation.
  */
 final class Workload implements OrdinaryDifferentialEquation {
     static final List<String> NAMES = List.of("oscillator", "chain", "cloth");
@@ -133,7 +133,8 @@ final class Workload implements OrdinaryDifferentialEquation {
     /** Where it is in truth: Hipparchus' pair of order 8, which takes no part in any comparison, at 1e-13. */
     double[] reference(double time) {
         restart();
-        return new DormandPrince853Integrator(SHORTEST, time, STRICT, STRICT).integrate(this, start(), time).getPrimaryState();
+        return new DormandPrince853Integrator(SHORTEST, time, STRICT, STRICT).integrate(this, start(),
+                time).getPrimaryState();
     }
 
     /** The largest deviation of an entry of the state, over the largest entry. */

@@ -7,7 +7,9 @@ import deSolvers.problems.DragInWind;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SecondOrderProblem;
 
-/** What all clauses of the contract are tested with: a problem, and the comparison with a solver that remembers nothing. */
+/**
+ * What all clauses of the contract are tested with: a problem, and the comparison with a solver that remembers nothing.
+ */
 public abstract class ContractBasics {
     static final double START = 0.3;
     static final double STEP = 0.1;

@@ -134,7 +134,10 @@ public abstract class FailureContract extends ContractBasics {
         }
     }
 
-    /** @return whether the solver hands its new state over as an array; not where it sets the source's state within a step */
+    /**
+     * @return whether the solver hands its new state over as an array; not where it sets the source's state within a
+     *         step
+     */
     protected boolean takesTheArray() {
         return true;
     }
@@ -235,7 +238,8 @@ public abstract class FailureContract extends ContractBasics {
         createSolver().stepState(restarted, STEP);
         solver.stepState(problem, STEP);
         other.stepState(unbroken, STEP);
-        assertTrue(Arrays.equals(problem.state(), unbroken.state()) || Arrays.equals(problem.state(), restarted.state()),
+        assertTrue(Arrays.equals(problem.state(), unbroken.state()) || Arrays.equals(problem.state(),
+                restarted.state()),
                 "as if unbroken, or anew");
     }
 }

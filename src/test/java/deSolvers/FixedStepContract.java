@@ -10,7 +10,9 @@ import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
 
-/** What a solver of fixed order promises besides: that order, measured, and its step on the oscillator in closed form. */
+/**
+ * What a solver of fixed order promises besides: that order, measured, and its step on the oscillator in closed form.
+ */
 public abstract class FixedStepContract extends DESolverContract {
     private static final double DURATION = 2;
 

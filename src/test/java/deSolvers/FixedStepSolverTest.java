@@ -100,7 +100,9 @@ class FixedStepSolverTest {
         }).stepState(new Oscillator(), H);
     }
 
-    /** The mid-point method's first derivative enters the new state only through the second, which may be finite again. */
+    /**
+     * The mid-point method's first derivative enters the new state only through the second, which may be finite again.
+     */
     @Test
     void anInfiniteDerivativeIsReportedEvenIfTheNewStateIsFinite() {
         for (DESolver solver : new DESolver[] {new EulerSolver(), new MidpointSolver(), new RK4Solver()}) {
@@ -133,7 +135,8 @@ class FixedStepSolverTest {
             assertArrayEquals(new double[] {6, -5}, dSdt);
             throw new IllegalStateException("enough");
         });
-        for (SpySource source : new SpySource[] {new SpySource(new Oscillator()), new ArraySpySource(new Oscillator())}) {
+        for (SpySource source : new SpySource[] {new SpySource(new Oscillator()),
+                new ArraySpySource(new Oscillator())}) {
             assertThrows(IllegalStateException.class, () -> slides.stepState(source, H));
             assertArrayEquals(new double[] {1, 0}, source.problem().state());
             assertEquals(0, source.getTime());

@@ -37,7 +37,8 @@ class LectureFiguresTest {
         "rk4,      1,   8,    0.952268, 0.906814,  -0.044631, 32",
         "rk4,      1,   100,  0.542612, 0.294427,  -0.557889, 400",
         "rk4,      0.4, 1250, 0.965755, 0.932682,  -0.100637, 5000"})
-    void amplitudeEnergyPhaseAndCost(String solver, double deltaT, int steps, double amplitude, double energy, double phase,
+    void amplitudeEnergyPhaseAndCost(String solver, double deltaT, int steps, double amplitude, double energy,
+    double phase,
                                      int evaluations) {
         Oscillator end = run(solver, deltaT, steps);
         assertEquals(amplitude, Math.sqrt(end.energyFactor()), 0.5e-6);

@@ -54,7 +54,10 @@ class SourceClockTest {
         assertTrue(again > 100, "a second move was needed in " + again);
     }
 
-    /** Where the clock still stands at the start, as after one stage, or a last stage was at the end: it is moved once in all. */
+    /**
+     * Where the clock still stands at the start, as after one stage, or a last stage was at the end: it is moved once
+     * in all.
+     */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void aClockThatStoodStillOrIsThereIsMovedOnce(boolean there) {

@@ -12,7 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What solvers are given by their guard, call by call; the contract of every solver is tested in {@link DESolverContract}. */
+/**
+ * What solvers are given by their guard, call by call; the contract of every solver is tested in
+ * {@link DESolverContract}.
+ */
 class StepTransactionTest {
     private static final double START = 0.75;
     private static final double DELTA_T = 0.25;
@@ -131,7 +134,10 @@ class StepTransactionTest {
         }
     }
 
-    /** Where the client offers its array, arrays change hands; a client of the simple interface, or a step of 0 s, copies. */
+    /**
+     * Where the client offers its array, arrays change hands; a client of the simple interface, or a step of 0 s,
+     * copies.
+     */
     @Test
     void theNewStatesArrayIsHandedToAnArraySource() {
         FallingArrays client = new FallingArrays(3);
@@ -174,7 +180,10 @@ class StepTransactionTest {
         assertArrayEquals(new double[64], client.state);
     }
 
-    /** The cause comes first: a state that was bad before the step, then a bad derivative, and only then the step's size. */
+    /**
+     * The cause comes first: a state that was bad before the step, then a bad derivative, and only then the step's
+     * size.
+     */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void theFirstCauseIsNamed(boolean arrays) {

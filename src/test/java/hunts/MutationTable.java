@@ -41,7 +41,8 @@ final class MutationTable {
             }
             boolean survived = cells[5].equals("SURVIVED") || cells[5].equals("NO_COVERAGE");
             String name = cells[1].replaceFirst("\\$.*", "");
-            table.add(name.substring(name.lastIndexOf('.') + 1), new Count(1, survived ? 0 : 1, cells[5].equals("TIMED_OUT")
+            table.add(name.substring(name.lastIndexOf('.') + 1),
+                    new Count(1, survived ? 0 : 1, cells[5].equals("TIMED_OUT")
                     ? 1 : 0));
         }
         return table;

@@ -41,7 +41,8 @@ class MutationTableTest {
 
     @Test
     void optionsThatDoNotExistAreRefused() {
-        assertEquals(List.of("deSolvers.adaptive"), MutationTests.packages(new String[] {"--package=deSolvers.adaptive"}));
+        assertEquals(List.of("deSolvers.adaptive"),
+                MutationTests.packages(new String[] {"--package=deSolvers.adaptive"}));
         assertTrue(message("--pakage=deSolvers")
                 .startsWith("unknown option -Ppakage; did you mean -Ppackage? allowed: -Ppackage"));
         assertTrue(message("--package=deSolvers.adaptiv")
@@ -51,7 +52,8 @@ class MutationTableTest {
     }
 
     private static String message(String option) {
-        return assertThrows(IllegalArgumentException.class, () -> MutationTests.packages(new String[] {option})).getMessage();
+        return assertThrows(IllegalArgumentException.class,
+                () -> MutationTests.packages(new String[] {option})).getMessage();
     }
 
     /** A new package of solvers is looked at too. */

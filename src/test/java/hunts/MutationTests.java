@@ -14,9 +14,9 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Changes the solvers and the effects, one instruction at a time, and counts whether a test notices, package by package. A
- * package's own tests are run against its mutants, and those others that look closely at it: all of them would take hours.
- * {@code gradle mutationTests -Ppackage=deSolvers.adaptive} runs it for one package.
+ * Changes the solvers and the effects, one instruction at a time, and counts whether a test notices, package by
+ * package. A package's own tests are run against its mutants, and those others that look closely at it: all of them
+ * would take hours. {@code gradle mutationTests -Ppackage=deSolvers.adaptive} runs it for one package.
  */
 final class MutationTests {
     /** Of each package, in percent. */
@@ -35,7 +35,8 @@ final class MutationTests {
             Map.entry("deSolvers.multistep", ""),
             Map.entry("deSolvers.rungeKutta", "deSolvers.adaptive.DormandPrinceSolverTest"),
             Map.entry("deSolvers.symplectic", ""),
-            Map.entry("particles.effects", "particles.LawsOnRandomSystemsTest,particles.ParticleJacobianTest,particles.ArrayStateSourceTest")));
+            Map.entry("particles.effects",
+            "particles.LawsOnRandomSystemsTest,particles.engine.ParticleJacobianTest,particles.ArrayStateSourceTest")));
 
     private MutationTests() {
     }
@@ -54,7 +55,8 @@ final class MutationTests {
                 "--reportDir", REPORTS.resolve(packageName).toString(), "--timestampedReports=false", "--outputFormats",
                         "HTML,CSV",
                 "--targetClasses", classesOf(packageName), "--mutableCodePaths", classes.toString(),
-                "--targetTests", classesOf(packageName) + (others.isEmpty() ? "" : "," + others), "--excludedGroups", "hard,slow",
+                "--targetTests", classesOf(packageName) + (others.isEmpty() ? "" : "," + others), "--excludedGroups",
+                "hard,slow",
                 "--sourceDirs", Path.of("src", "main", "java").toString(), "--verbosity=NO_SPINNER",
                 "--timeoutConst", Integer.toString(PATIENCE), "--timeoutFactor", "2",
                 "--threads", Integer.toString(Math.max(1, Runtime.getRuntime().availableProcessors() / 2)),
@@ -79,7 +81,8 @@ final class MutationTests {
     }
 
     /** @return the packages that fall below what is asked of each */
-    private static List<String> runAll(Iterable<String> packages) throws IOException, InterruptedException, URISyntaxException {
+    private static List<String> runAll(Iterable<String> packages) throws IOException, InterruptedException,
+            URISyntaxException {
         MutationTable summary = new MutationTable();
         for (String name : packages) {
             long begin = System.nanoTime();

@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** The options of a task that is not a command of the program: the same rules, and the same words where they are broken. */
+/**
+ * The options of a task that is not a command of the program: the same rules, and the same words where they are broken.
+ */
 public final class TaskOptions {
     private final Map<String, String> given = new TreeMap<>();
 
@@ -18,7 +20,8 @@ public final class TaskOptions {
         for (String arg : args) {
             String[] parts = arg.replaceFirst("^--", "").split("=", 2);
             if (!allowed.contains(parts[0])) {
-                throw new IllegalArgumentException("unknown option -P" + parts[0] + (allowed.isEmpty() ? "; this task has none"
+                throw new IllegalArgumentException("unknown option -P" + parts[0] + (allowed.isEmpty()
+                        ? "; this task has none"
                         : DidYouMean.hint(parts[0], allowed, "-P%s"::formatted)
                         + " allowed: -P" + String.join(", -P", allowed)));
             }

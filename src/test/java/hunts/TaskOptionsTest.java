@@ -25,7 +25,8 @@ class TaskOptionsTest {
 
     @Test
     void otherNamesAreRefusedWithThoseThatThereAre() {
-        assertEquals("unknown option -Psed; did you mean -Pseed? allowed: -Pseconds, -Pseed", refusal(NAMES, "--sed=7"));
+        assertEquals("unknown option -Psed; did you mean -Pseed? allowed: -Pseconds, -Pseed",
+                refusal(NAMES, "--sed=7"));
         assertEquals("option -Pseed needs a value: -Pseed=...", refusal(NAMES, "--seed"));
         assertEquals("unknown option -Pseed; this task has none", refusal(List.of(), "--seed=7"));
     }
@@ -34,7 +35,8 @@ class TaskOptionsTest {
     void aCountIsAWholeNumber() {
         for (String text : List.of("", "-1", "1.5", "1e3", "1234567890123456789")) {
             TaskOptions options = new TaskOptions(new String[] {"--seed=" + text}, NAMES);
-            String message = assertThrows(IllegalArgumentException.class, () -> options.getCount("seed", 1)).getMessage();
+            String message = assertThrows(IllegalArgumentException.class,
+                    () -> options.getCount("seed", 1)).getMessage();
             assertEquals("-Pseed has to be a whole number, not '" + text + "'", message);
         }
     }

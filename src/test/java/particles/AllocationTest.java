@@ -18,8 +18,11 @@ import particles.effects.LinearDrag;
 import particles.effects.PenaltyPlane;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.Vector3;
 
 /** No solver that steps by deltaT allocates in a step, on the smallest source or on a system of particles. */
 class AllocationTest {
@@ -75,7 +78,8 @@ class AllocationTest {
         cloth.addEffect(new QuadraticDrag(particles, 0.01, new RisingAir()));
         cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
         cloth.addEffect(new PenaltyPlane(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
-        if (!SolverCatalog.info(solver).family().equals("implicit")) {      // whose matrix changes its form with the neighbours
+        // whose matrix changes its form with the neighbours
+        if (!SolverCatalog.info(solver).family().equals("implicit")) {
             cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));
         }
         assertNothing(allocatedIn(SolverCatalog.create(solver), cloth, 1.0 / 1024));

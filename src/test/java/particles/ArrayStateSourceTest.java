@@ -18,8 +18,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /** A system steps with the same bits whether solvers use its arrays or only the plain interface. */
 class ArrayStateSourceTest {
@@ -32,7 +33,8 @@ class ArrayStateSourceTest {
         ParticleSystem system = new ParticleSystem();
         Random random = new Random(6);
         for (int i = 0; i < 36; i++) {
-            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 6 + 0.1 * random.nextDouble(), i / 6, 0),
+            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 6 + 0.1 * random.nextDouble(), i / 6,
+                    0),
                     i == 0 ? Vector3.ZERO : new Vector3(0, 0, random.nextDouble()), i == 0);
         }
         SpringForce springs = new SpringForce(system.getParticles());

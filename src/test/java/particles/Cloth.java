@@ -1,7 +1,8 @@
 package particles;
 
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /** Square cloths of 10 g particles for tests. */
 public final class Cloth {

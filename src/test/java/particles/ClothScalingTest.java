@@ -6,7 +6,7 @@ import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.implicit.ImplicitWork;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 
 /**
  * What an implicit step of a cloth costs, from 1,000 to 250,000 springs with the same omega deltaT of about 20 (k = 1,200 N/m,
@@ -33,7 +33,8 @@ class ClothScalingTest {
             cost[i] = work.blockOperations();
         }
         assertTrue(springs[0] < 1100 && springs[4] > 250_000);
-        // Measured 1.105 and, without the smallest, 1.003: 1.27e6 products for 3 steps of 1,038 springs, half of what conjugate
+        // Measured 1.105 and, without the smallest, 1.003: 1.27e6 products for 3 steps of 1,038 springs, half of what
+        // conjugate
         // gradients would take, 9.50e6 in 868 iterations for 4,426, and 5.49e8 in 884 iterations for 252,558.
         assertTrue(exponent(springs, cost, 0) < 1.2, "exponent " + exponent(springs, cost, 0));     // what is promised
         assertTrue(exponent(springs, cost, 1) < 1.1, "exponent " + exponent(springs, cost, 1));

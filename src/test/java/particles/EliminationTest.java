@@ -9,7 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /** Of a step's linear system implicit solvers eliminate the unknowns where that takes less work than iterations. */
 class EliminationTest {
@@ -21,7 +22,9 @@ class EliminationTest {
         return solver.getWork();
     }
 
-    /** Where elimination begins neither way takes more work: whichever is taken, none that is much cheaper is missed. */
+    /**
+     * Where elimination begins neither way takes more work: whichever is taken, none that is much cheaper is missed.
+     */
     @ParameterizedTest
     @ValueSource(ints = {16, 20, 24})
     void aClothIsEliminatedFromWhereIterationsWouldTakeMoreWork(int edge) {

@@ -24,12 +24,14 @@ import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.PointAttraction;
 import particles.effects.QuadraticDrag;
-import particles.effects.SpringForce;
 import particles.effects.TurbulentWind;
 import particles.effects.Wind;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.effects.springs.SpringForce;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 import particles.rules.ExactImpacts;
 
 /** The ledger's books against closed forms, and what they leave unexplained against the orders of the solvers. */
@@ -55,8 +57,8 @@ class EnergyLedgerTest {
     }
 
     /**
-     * Every smooth effect: damped springs with rest lengths, gravity, both drags in wind, attraction, cohesion with damping,
-     * and an anchor that is shaken.
+     * Every smooth effect: damped springs with rest lengths, gravity, both drags in wind, attraction, cohesion with
+     * damping, and an anchor that is shaken.
      */
     private static ParticleSystem everything() {
         ParticleSystem system = new ParticleSystem();
@@ -97,14 +99,16 @@ class EnergyLedgerTest {
 
     /** Bar: within 0.2 of the order. Measured: 1.00, 1.00, 2.11, 2.00, 3.86, 1.00, 2.00, 4.13, 4.00. */
     @ParameterizedTest
-    @CsvSource({"euler, 1, 0.0002", "symplectic-euler, 1, 0.0002", "midpoint, 2, 0.0005", "verlet, 2, 0.002", "rk4, 4, 0.01",
+    @CsvSource({"euler, 1, 0.0002", "symplectic-euler, 1, 0.0002", "midpoint, 2, 0.0005", "verlet, 2, 0.002",
+            "rk4, 4, 0.01",
         "backward-euler, 1, 0.0002", "implicit-midpoint, 2, 0.004", "adams, 4, 0.002", "yoshida4, 4, 0.004"})
     void theRemainderFallsWithTheSolversOrder(String solver, int order, double h) {
         assertEquals(order, slope(EnergyLedgerTest::everything, () -> SolverCatalog.create(solver), h, 1.03), 0.2);
     }
 
     /**
-     * Within 10 tolerances of the energy scale is asked; with the kinetic energy, 6.9 J, as the scale 0.023 was measured.
+     * Within 10 tolerances of the energy scale is asked; with the kinetic energy, 6.9 J, as the scale 0.023 was
+     * measured.
      */
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})

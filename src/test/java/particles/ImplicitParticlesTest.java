@@ -49,8 +49,8 @@ class ImplicitParticlesTest {
     }
 
     /**
-     * A stiff, crumpled cloth, whose compressed springs make the exact matrix indefinite: the solution is found by descent
-     * and satisfies the step's own, nonlinear equations v1 = v0 + h a(x1, v1), x1 = x0 + h v1.
+     * A stiff, crumpled cloth, whose compressed springs make the exact matrix indefinite: the solution is found by
+     * descent and satisfies the step's own, nonlinear equations v1 = v0 + h a(x1, v1), x1 = x0 + h v1.
      */
     @ParameterizedTest
     @CsvSource({"8, 1e4, 0", "8, 1e6, 0", "8, 1e6, 0.05", "12, 1e5, 0.05"})

@@ -22,15 +22,17 @@ import net.jqwik.api.ShrinkingMode;
 import particles.RandomSystem.Ball;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /**
  * The laws of mechanics on masses and springs that nobody chose. A counterexample is shrunk to the smallest that still
  * breaks the law, and printed with the seed with which it comes again ({@code @Property(seed = ...)}).
  *
- * <p>Bounds are for numbers of the order of 100: forces up to 300 N, momenta up to 60 kg m/s, times up to 0.5 s. What was
- * measured over 5,000 systems of each law stands beside them.
+ * <p>Bounds are for numbers of the order of 100: forces up to 300 N, momenta up to 60 kg m/s, times up to 0.5 s. What
+ * was measured over 5,000 systems of each law stands beside them.
  */
 @PropertyDefaults(tries = 200, shrinking = ShrinkingMode.BOUNDED)
 class LawsOnRandomSystemsTest {
@@ -50,7 +52,8 @@ class LawsOnRandomSystemsTest {
 
     @Provide
     Arbitrary<Supplier<DESolver>> simple() {
-        return Arbitraries.of(List.of(EulerSolver::new, RK4Solver::new, SymplecticEulerSolver::new, VelocityVerletSolver::new));
+        return Arbitraries.of(List.of(EulerSolver::new, RK4Solver::new, SymplecticEulerSolver::new,
+                VelocityVerletSolver::new));
     }
 
     @Provide
@@ -112,7 +115,8 @@ class LawsOnRandomSystemsTest {
 
     /** Angular momentum is quadratic: leapfrogs keep it to rounding, measured 1.2e-13. */
     @Property
-    void angularMomentumIsKeptByLeapfrogs(@ForAll("undamped") RandomSystem any, @ForAll("symmetric") Supplier<DESolver> solver) {
+    void angularMomentumIsKeptByLeapfrogs(@ForAll("undamped") RandomSystem any,
+            @ForAll("symmetric") Supplier<DESolver> solver) {
         ParticleSystem system = any.build();
         double[] before = momenta(system);
         RandomSystem.run(system, solver.get(), DELTA_T, STEPS);
@@ -140,9 +144,9 @@ class LawsOnRandomSystemsTest {
     }
 
     /**
-     * What drag, damping and gravity do is all that changes the energy, to the order of the method, where no spring passes
-     * through its point of length 0, at which its force has a kink. Measured 3.6e-5 J, where energies are up to 500 J and
-     * springs oscillate with up to 60 rad/s: as (omega deltaT)^4.
+     * What drag, damping and gravity do is all that changes the energy, to the order of the method, where no spring
+     * passes through its point of length 0, at which its force has a kink. Measured 3.6e-5 J, where energies are up to
+     * 500 J and springs oscillate with up to 60 rad/s: as (omega deltaT)^4.
      */
     @Property
     void theEnergyLedgerBalances(@ForAll("damped") RandomSystem any) {
@@ -169,7 +173,8 @@ class LawsOnRandomSystemsTest {
         ParticleSystem system = any.build();
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -9.81, 0)));
         system.addEffect(new LinearDrag(system.getParticles(), 0.3, Wind.STILL));
-        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, DELTA_T * STEPS, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, new RK4Solver(), deltaT, DELTA_T * STEPS,
+                Double.POSITIVE_INFINITY);
         EnergyLedger ledger = new EnergyLedger();
         simulation.addObserver(ledger);
         simulation.run();
@@ -177,7 +182,8 @@ class LawsOnRandomSystemsTest {
     }
 
     /**
-     * Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.0e-14 times the growth.
+     * Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.0e-14 times the
+     * growth.
      */
     @Property
     void numbersOfParticlesAndSpringsDoNotMatter(@ForAll("damped") RandomSystem any,
@@ -198,9 +204,10 @@ class LawsOnRandomSystemsTest {
 
     /**
      * Space has no place and no direction, and nothing knows a uniform motion. What is rounded differently grows as
-     * neighbouring motions part, past a spring's point of length 0 some 300 times; the largest error seen is 7.5e-12. So the
-     * bound is for each system its own growth times 1e-12: 64 steps round x and v of both motions, of some 8 m, to 4.4e-16
-     * each, 1.1e-13, besides the forces. Measured over 130,000 systems, with 22 seeds: 2.2e-13 times the growth.
+     * neighbouring motions part, past a spring's point of length 0 some 300 times; the largest error seen is 7.5e-12.
+     * So the bound is for each system its own growth times 1e-12: 64 steps round x and v of both motions, of some 8 m,
+     * to 4.4e-16 each, 1.1e-13, besides the forces. Measured over 130,000 systems, with 22 seeds: 2.2e-13 times the
+     * growth.
      */
     @Property
     void spaceIsTheSameEverywhere(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
@@ -215,12 +222,15 @@ class LawsOnRandomSystemsTest {
         for (int x = 0; x < STRIDE * any.balls().size(); x += STRIDE) {
             Vector3 position = turned(new Vector3(one[x], one[x + 1], one[x + 2])).plus(shift).plus(drift.times(time));
             Vector3 velocity = turned(new Vector3(one[x + 3], one[x + 4], one[x + 5])).plus(drift);
-            assertNear(new double[] {position.x(), position.y(), position.z(), velocity.x(), velocity.y(), velocity.z()},
+            assertNear(new double[] {position.x(), position.y(), position.z(), velocity.x(), velocity.y(),
+                    velocity.z()},
                     Arrays.copyOfRange(other, x, x + STRIDE), STRIDE, bound);
         }
     }
 
-    /** How far the end moves, at most, when one number of the beginning does: the largest entry of the flow's Jacobian. */
+    /**
+     * How far the end moves, at most, when one number of the beginning does: the largest entry of the flow's Jacobian.
+     */
     private static double growth(RandomSystem any, DESolver solver, double[] end) {
         double delta = 1e-7;
         double largest = 0;
@@ -241,14 +251,18 @@ class LawsOnRandomSystemsTest {
         return new Vector3(b.x(), 5 * b.y() / 13 - 12 * b.z() / 13, 12 * b.y() / 13 + 5 * b.z() / 13);
     }
 
-    /** In other units of length, mass and time, all powers of two, every number has the same digits: not one bit differs. */
+    /**
+     * In other units of length, mass and time, all powers of two, every number has the same digits: not one bit
+     * differs.
+     */
     @Property
     void unitsDoNotMatter(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
         int length = 5;
         int mass = -3;
         int time = 7;
         RandomSystem scaled = new RandomSystem(any.with(ball -> new Ball(Math.scalb(ball.mass(), mass),
-                ball.position().times(Math.scalb(1.0, length)), ball.velocity().times(Math.scalb(1.0, length - time)))).balls(),
+                ball.position().times(Math.scalb(1.0, length)), ball.velocity().times(Math.scalb(1.0, length - time))))
+                .balls(),
                 any.springs().stream().map(s -> new RandomSystem.Spring(s.from(), s.to(),
                         Math.scalb(s.stiffness(), mass - 2 * time),
                         Math.scalb(s.restLength(), length), Math.scalb(s.damping(), mass - time))).toList());

@@ -12,7 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /** Radau's steps of particle systems through their 3 x 3 blocks, against the same steps with a full matrix. */
 class RadauParticlesTest {
@@ -69,13 +72,14 @@ class RadauParticlesTest {
 
     /**
      * Nearly the same sub-steps and the same path, both ways: mild, with diagonal blocks; so stiff and damped that the
-     * matrix is factorised; a long chain with a force that does not know its derivatives, whose blocks are not the whole
-     * Jacobian; and back in time, where damping feeds energy in.
+     * matrix is factorised; a long chain with a force that does not know its derivatives, whose blocks are not the
+     * whole Jacobian; and back in time, where damping feeds energy in.
      */
     @ParameterizedTest
     @CsvSource({"8, 1000, 0.4, false, 15, 1e-9", "8, 1e6, 200, false, 15, 1e-8", "8, 1e6, 200, false, -15, 1e-12",
         "110, 1e6, 200, true, 1, 1e-9"})
-    void blocksLeadToTheSamePathAsAFullMatrix(int n, double stiffness, double damping, boolean swirl, int steps, double bound) {
+    void blocksLeadToTheSamePathAsAFullMatrix(int n, double stiffness, double damping, boolean swirl, int steps,
+    double bound) {
         ParticleSystem system = chain(n, stiffness, damping);
         ParticleSystem twin = chain(n, stiffness, damping);
         if (swirl) {
@@ -98,8 +102,8 @@ class RadauParticlesTest {
     }
 
     /**
-     * Where products are differences, the sub-steps of a long chain depend on rounding: of twelve lengths each takes between
-     * 860 and 1470 of Newton's iterations, either way. On the average it is as many as with a full matrix.
+     * Where products are differences, the sub-steps of a long chain depend on rounding: of twelve lengths each takes
+     * between 860 and 1470 of Newton's iterations, either way. On the average it is as many as with a full matrix.
      */
     @Test
     @Tag("slow")

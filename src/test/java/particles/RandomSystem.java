@@ -7,10 +7,12 @@ import java.util.function.UnaryOperator;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /**
- * Masses and springs, as numbers that can be printed, changed and shrunk; all of it can be built again from what is printed.
+ * Masses and springs, as numbers that can be printed, changed and shrunk; all of it can be built again from what is
+ * printed.
  *
  * @param balls   at least two
  * @param springs between them; those whose ends are the same are left out
@@ -43,12 +45,16 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
         return Combinators.combine(numbers(-size, size), numbers(-size, size), numbers(-size, size)).as(Vector3::new);
     }
 
-    /** @param damping the largest damping of springs (N s/m); the fastest oscillation there is has omega = 100/s or so */
+    /**
+     * @param damping the largest damping of springs (N s/m); the fastest oscillation there is has omega = 100/s or so
+     */
     static Arbitrary<RandomSystem> any(double damping) {
         Arbitrary<Ball> ball = Combinators.combine(numbers(0.1, 10), vectors(2), vectors(1)).as(Ball::new);
-        Arbitrary<Spring> spring = Combinators.combine(Arbitraries.integers().between(0, 7), Arbitraries.integers().between(0, 7),
+        Arbitrary<Spring> spring = Combinators.combine(Arbitraries.integers().between(0, 7),
+                Arbitraries.integers().between(0, 7),
                 numbers(0, 100), numbers(0, 2), numbers(0, damping)).as(Spring::new);
-        return Combinators.combine(ball.list().ofMinSize(2).ofMaxSize(6), spring.list().ofMaxSize(10)).as(RandomSystem::new)
+        return Combinators.combine(ball.list().ofMinSize(2).ofMaxSize(6),
+                spring.list().ofMaxSize(10)).as(RandomSystem::new)
                 .filter(RandomSystem::isSpread);
     }
 
@@ -95,7 +101,8 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
         }
         List<Spring> turned = new ArrayList<>();
         for (Spring s : springs) {
-            turned.add(0, new Spring(place[s.from() % place.length], place[s.to() % place.length], s.stiffness(), s.restLength(),
+            turned.add(0, new Spring(place[s.from() % place.length], place[s.to() % place.length], s.stiffness(),
+                    s.restLength(),
                     s.damping()));
         }
         return new RandomSystem(moved, turned);

@@ -18,7 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
 /** The loop: where it ends, what it tells whom, and when it gives up. */
 class SimulationTest {
@@ -35,7 +36,8 @@ class SimulationTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0.1, 1, 10", "0.01, 1, 100", "0.3, 1, 4", "1, 0.25, 1", "0.001, 10, 10000", "0.1, 0, 0", "0.25, 1e6, 4000000"})
+    @CsvSource({"0.1, 1, 10", "0.01, 1, 100", "0.3, 1, 4", "1, 0.25, 1", "0.001, 10, 10000", "0.1, 0, 0",
+            "0.25, 1e6, 4000000"})
     void theRunEndsAtItsDuration(double deltaT, double duration, long steps) {
         ParticleSystem system = new ParticleSystem();
         Simulation simulation = run(system, new EulerSolver(), deltaT, duration);
@@ -51,7 +53,9 @@ class SimulationTest {
         assertTrue(e.getMessage().contains("no longer moves the clock"), e.getMessage());
     }
 
-    /** Observers at all steps, at rare times and at none at all: the same bits, and everyone is told what he asked for. */
+    /**
+     * Observers at all steps, at rare times and at none at all: the same bits, and everyone is told what he asked for.
+     */
     @Test
     void observersSeeWhatTheyAskForAndChangeNothing() {
         ParticleSystem alone = swinging();
@@ -158,7 +162,8 @@ class SimulationTest {
         Simulation simulation = new Simulation(system, new EulerSolver(), 1, 100, 1e6);
         SimulationException e = assertThrows(SimulationException.class, simulation::run);
         assertEquals(1, e.getParticle());
-        assertTrue(e.getMessage().matches("the kinetic energy is \\d.\\d{3}e\\+\\d\\d J, beyond the limit of 1.000e\\+06 J;"
+        assertTrue(e.getMessage()
+                .matches("the kinetic energy is \\d.\\d{3}e\\+\\d\\d J, beyond the limit of 1.000e\\+06 J;"
                 + " the fastest particle is 'b'"), e.getMessage());
         assertTrue(simulation.getSteps() >= 5 && simulation.getSteps() <= 8, "steps: " + simulation.getSteps());
     }
@@ -177,12 +182,14 @@ class SimulationTest {
     void impossibleParticlesAndRunsAreRefused() {
         ParticleSystem system = new ParticleSystem();
         for (double mass : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY, 1e-320}) {
-            assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", mass, Vector3.ZERO, Vector3.ZERO, false));
+            assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", mass, Vector3.ZERO, Vector3.ZERO,
+                    false));
         }
         Vector3 nowhere = new Vector3(Double.NaN, 0, 0);
         assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", 1, nowhere, Vector3.ZERO, false));
         assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", 1, Vector3.ZERO, nowhere, false));
-        assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", 1, Vector3.ZERO, new Vector3(1, 0, 0), true));
+        assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", 1, Vector3.ZERO,
+                new Vector3(1, 0, 0), true));
         assertEquals(0, system.getStateSize());
         for (double bad : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThrows(IllegalArgumentException.class, () -> new Simulation(system, new EulerSolver(), bad, 1, 1));
@@ -204,6 +211,7 @@ class SimulationTest {
         system.getStateDerivative(dSdt);
         assertArrayEquals(new double[] {4, 5, 6, 0, -9.81, 0, 0, 0, 0, 0, 0, 0}, dSdt, 1e-300);
         assertEquals(77, system.getKineticEnergy(state));
-        assertEquals(77 + 2 * 9.81 * 2, system.getEnergy(state, 0), 1e-12, "the fixed particle's height does not count");
+        assertEquals(77 + 2 * 9.81 * 2, system.getEnergy(state, 0), 1e-12,
+                "the fixed particle's height does not count");
     }
 }

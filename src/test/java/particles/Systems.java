@@ -1,6 +1,7 @@
 package particles;
 
 import deSolvers.DESolver;
+import particles.law.Vector3;
 
 /** Small systems and runs that several tests need. */
 public final class Systems {
@@ -18,7 +19,8 @@ public final class Systems {
     }
 
     /** Runs to the end with rules and without an energy limit. */
-    public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration, Rule... rules) {
+    public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration,
+            Rule... rules) {
         Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
         for (Rule rule : rules) {
             simulation.addRule(rule);

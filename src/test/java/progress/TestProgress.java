@@ -13,13 +13,17 @@ import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
 import org.junit.platform.launcher.TestPlan;
 
-/** Prints every five seconds how many tests are done and which one runs. JUnit finds it by the file in META-INF/services. */
+/**
+ * Prints every five seconds how many tests are done and which one runs. JUnit finds it by the file in
+ * META-INF/services.
+ */
 public final class TestProgress implements TestExecutionListener {
     private static final String SWITCH = "desolver.testProgress";
     private static final int PAUSE_SECONDS = 5;
 
     /** The system's own stream: a test may have put another in the place of System.out. */
-    private final PrintStream out = new PrintStream(new FileOutputStream(FileDescriptor.out), true, StandardCharsets.UTF_8);
+    private final PrintStream out = new PrintStream(new FileOutputStream(FileDescriptor.out), true,
+            StandardCharsets.UTF_8);
     private Timer timer;
     private int seconds;
     private int done;

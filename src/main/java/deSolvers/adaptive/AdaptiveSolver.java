@@ -8,8 +8,8 @@ import deSolvers.StepTransaction;
 
 /**
  * Step-size control: covers deltaT exactly by sub-steps whose estimated error is within the tolerance. It tries a
- * sub-step, takes it or makes it smaller, and chooses the next length. A step that continues the last one begins with the
- * length found there.
+ * sub-step, takes it or makes it smaller, and chooses the next length. A step that continues the last one begins with
+ * the length found there.
  *
  * <p>A method says what one sub-step gives ({@link #attempt}) and with what power of its length the error falls
  * ({@link #errorExponent}).
@@ -163,7 +163,8 @@ public abstract class AdaptiveSolver extends DESolver {
             subStep = Math.max(subStep, resolution);    // a guess or a plan may be finer than the clock
             requireFewSubSteps(source, tried, done);
             double h = subStep >= remaining ? remaining
-                    : subStep > remaining / 2 ? remaining / 2 : subStep;    // two halves rather than a long and a tiny one
+                    // two halves rather than a long and a tiny one
+                    : subStep > remaining / 2 ? remaining / 2 : subStep;
             if (!slopeKnown) {
                 evaluate(source, state, direction * done, slope);
                 slopeKnown = true;
@@ -216,15 +217,18 @@ public abstract class AdaptiveSolver extends DESolver {
         int entry = tolerance.worstEntry();
         String failure = entry < 0 ? "cannot be made even so"
                 : "leaves entry " + entry + " of the state outside its tolerance";
-        return source.failure(entry, "the sub-step fell to " + h + " s after " + done + " s, where the resolution of the"
-                + " clock is " + resolution + " s, and still " + failure + "; the solution or its derivative grows without"
-                + " bound or jumps there, or it changes too fast for so late a clock, or the tolerance is below rounding");
+        return source.failure(entry,
+                "the sub-step fell to " + h + " s after " + done + " s, where the resolution of the"
+                + " clock is " + resolution + " s, and still " + failure
+                + "; the solution or its derivative grows without bound or jumps there, or it changes too fast for so"
+                + " late a clock, or the tolerance is below rounding");
     }
 
     private void requireFewSubSteps(StepTransaction source, int tried, double done) {
         if (tried >= MOST_SUB_STEPS) {
             int entry = tolerance.worstEntry();
-            throw source.failure(entry, "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"
+            throw source.failure(entry,
+                    "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"
                     + " entry " + entry + " of the state demands sub-steps of " + subStep + " s; the system is stiff"
                     + " (take an implicit solver), or deltaT is too long or the tolerance too small");
         }

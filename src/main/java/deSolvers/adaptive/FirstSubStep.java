@@ -20,7 +20,8 @@ final class FirstSubStep {
      * @param change   work space
      * @return a length, &gt; 0 and at most that of deltaT (s)
      */
-    static double guess(StepTransaction source, Tolerance tolerance, int exponent, double[] state, double[] slope, double deltaT,
+    static double guess(StepTransaction source, Tolerance tolerance, int exponent, double[] state, double[] slope,
+            double deltaT,
                         double[] trial, double[] change) {
         double length = Math.abs(deltaT);
         double size = tolerance.size(state, state);

@@ -10,26 +10,26 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  *   s2 = two steps of RK4,  s1 = one of twice the length:   error of s2 is about (s2 - s1) / 15
  * </pre>
  * since one long step errs by 2<sup>5</sup> and two short ones by 2 times a short step's error. The result of the two
- * steps is kept, as on the slide. (Many codes keep s2 + (s2 - s1)/15 instead, <i>local extrapolation</i>. Its order is 5,
- * but it is stable nowhere on the imaginary axis: more accurate is not more stable.)
+ * steps is kept, as on the slide. (Many codes keep s2 + (s2 - s1)/15 instead, <i>local extrapolation</i>. Its order is
+ * 5, but it is stable nowhere on the imaginary axis: more accurate is not more stable.)
  *
- * <p>For s' = lambda s and z = h lambda that estimate is 0 by chance at z = -10.98 and z = -2.51 &plusmn; 9.93 i, where both
- * results are far too large (436 times at the first), so that alone it takes such steps without end. A second one is made
- * of the four slopes that are there for the time of the middle,
+ * <p>For s' = lambda s and z = h lambda that estimate is 0 by chance at z = -10.98 and z = -2.51 &plusmn; 9.93 i, where
+ * both results are far too large (436 times at the first), so that alone it takes such steps without end. A second one
+ * is made of the four slopes that are there for the time of the middle,
  * <pre>
  *   (k2 + k3 of the long step + 4 k4 of the first short one - 6 f(s at the middle)) h / 240
  * </pre>
- * It is O(h<sup>5</sup>) as well, z<sup>5</sup>/15360, which is 0 nowhere else and an eighth of the first for small z: it
- * decides only where the first is 0 by chance. The larger of the two counts.
+ * It is O(h<sup>5</sup>) as well, z<sup>5</sup>/15360, which is 0 nowhere else and an eighth of the first for small z:
+ * it decides only where the first is 0 by chance. The larger of the two counts.
  *
  * <p><b>Order</b> 4.<br>
  * <b>Evaluations</b> 11 a double step (the first is shared), 10 for one that is tried again.<br>
  * <b>Stability</b> per double step z of the two RK4 steps, R(z) = R4(z/2)<sup>2</sup>: h |lambda| &le; 5.5706 on the
  * negative real axis, h omega &le; 5.6569 on the imaginary one.
  * A part of the solution that is too fast for the
- * steps, and has decayed, may come back to many times its tolerance (150 were measured, 19 with {@code dormand-prince}).<br>
- * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about half the evaluations for the
- * same error.<br>
+ * steps, and has decayed, may come back to many times its tolerance (150 were measured, 19 with
+ * {@code dormand-prince}).<br> <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about
+ * half the evaluations for the same error.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "Adaptive Stepsizes"; W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,
  * section 16.2; the second estimate is our own.
  */
@@ -99,7 +99,9 @@ public final class StepDoublingSolver extends AdaptiveSolver {
         }
     }
 
-    /** Completes the second estimate by k4 of the first short step, which is at the middle's time too, and by f there. */
+    /**
+     * Completes the second estimate by k4 of the first short step, which is at the middle's time too, and by f there.
+     */
     private void compareMiddle(double[] k4, double h) {
         for (int i = 0; i < middleError.length; i++) {
             middleError[i] = h * (middleError[i] + 4 * k4[i] - 6 * middleSlope[i]) / 240;

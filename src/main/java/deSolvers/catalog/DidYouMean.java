@@ -14,7 +14,8 @@ public final class DidYouMean {
     /**
      * @param found a name that is not known
      * @param known the names that are
-     * @return the known name that is nearest, if one is near: a slip of the finger in every three letters, or a beginning
+     * @return the known name that is nearest, if one is near: a slip of the finger in every three letters, or a
+     *         beginning
      */
     public static Optional<String> nearest(String found, Collection<String> known) {
         String lower = found.toLowerCase(Locale.ROOT);
@@ -23,7 +24,8 @@ public final class DidYouMean {
                 .filter(name -> distance(lower, name.toLowerCase(Locale.ROOT))
                         <= Math.max(1, Math.min(lower.length(), name.length()) / 3));
         return nearest.isPresent() || lower.length() < 2 ? nearest
-                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(lower)).min(Comparator.naturalOrder());
+                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(lower))
+                .min(Comparator.naturalOrder());
     }
 
     /**

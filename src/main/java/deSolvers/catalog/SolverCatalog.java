@@ -91,7 +91,8 @@ public final class SolverCatalog {
     private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
                                String family, String evaluations, boolean secondOrder, double realLimit,
                                double imaginaryLimit, String sentence) {
-        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder, realLimit,
+        SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, secondOrder,
+                realLimit,
                 imaginaryLimit, sentence);
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
@@ -106,7 +107,8 @@ public final class SolverCatalog {
     }
 
     private static DESolver throwNotAdaptive(String name) {
-        throw new IllegalArgumentException("solver '" + name + "' steps by deltaT and takes no tolerances; adaptive are: "
+        throw new IllegalArgumentException("solver '" + name
+                + "' steps by deltaT and takes no tolerances; adaptive are: "
                 + String.join(", ", all().stream().filter(SolverInfo::adaptive).map(SolverInfo::name).toList()));
     }
 
@@ -148,7 +150,8 @@ public final class SolverCatalog {
     /**
      * Makes a solver.
      *
-     * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg constructor
+     * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg
+     *             constructor
      * @return a new solver
      * @throws NoSuchElementException   if there is neither a solver nor a class of this name
      * @throws IllegalArgumentException if the class is no {@link DESolver} or cannot be made
@@ -170,8 +173,8 @@ public final class SolverCatalog {
      * @param absoluteTolerance error allowed besides, in the entry's unit
      * @return a new solver
      * @throws NoSuchElementException   if there is neither a solver nor a class of this name
-     * @throws IllegalArgumentException if the solver is not adaptive, the class is no {@link DESolver} or cannot be made, or
-     *                                  a tolerance is negative or not finite, or both are 0
+     * @throws IllegalArgumentException if the solver is not adaptive, the class is no {@link DESolver} or cannot be
+     *                                  made, or a tolerance is negative or not finite, or both are 0
      */
     public static DESolver create(String name, double relativeTolerance, double absoluteTolerance) {
         Entry entry = ENTRIES.get(name);
@@ -203,8 +206,10 @@ public final class SolverCatalog {
             throw new IllegalArgumentException("class " + name + " cannot be loaded: "
                     + (e.getCause() == null ? e : e.getCause()), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
-            throw new IllegalArgumentException("class " + name + " cannot be made: it has to be public, not abstract, and"
-                    + " have a public constructor " + (tolerances.length == 0 ? "without parameters" : "of two doubles"), e);
+            throw new IllegalArgumentException("class " + name
+                    + " cannot be made: it has to be public, not abstract, and"
+                    + " have a public constructor " + (tolerances.length == 0 ? "without parameters"
+                    : "of two doubles"), e);
         } catch (InvocationTargetException e) {
             throw new IllegalArgumentException("the constructor of " + name + " failed: " + e.getCause(), e);
         }

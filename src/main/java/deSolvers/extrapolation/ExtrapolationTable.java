@@ -10,7 +10,8 @@ package deSolvers.extrapolation;
  * </pre>
  */
 final class ExtrapolationTable {
-    private final double[][] line = new double[OrderControl.COLUMNS][0];        // from right to left: T_jk in line[j - k]
+    // from right to left: T_jk in line[j - k]
+    private final double[][] line = new double[OrderControl.COLUMNS][0];
     private double[] correction = {};
 
     void resize(int n) {

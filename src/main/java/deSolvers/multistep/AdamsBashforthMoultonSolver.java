@@ -12,8 +12,8 @@ import deSolvers.FixedStepSolver;
  *   correct  s(t+h) = s + h/24 ( 9 f_new + 19 f_0 - 5 f_1 +  f_2)
  *   evaluate f_0 at the corrected state, when the next step begins
  * </pre>
- * The first three steps are RK4, and so are the three after a restart. It restarts whenever source, state, time or deltaT
- * are not what the last step left.
+ * The first three steps are RK4, and so are the three after a restart. It restarts whenever source, state, time or
+ * deltaT are not what the last step left.
  *
  * <p><b>Order</b> 4.<br>
  * <b>Evaluations</b> 2 a step; 4 in each of the first three.<br>

@@ -1,9 +1,10 @@
 package deSolvers.problems;
 
 /**
- * Two linear equations (x, v)' = M (x, v) as a source, three times over in the order (x1, x2, x3, v1, v2, v3) that methods
- * for positions and velocities expect. The first copy starts at (1, 0) and the second at (0, 1), so that one step shows the
- * 2 x 2 matrix by which it multiplies; the third starts at (1, 1) and ends at the sum of the two, if the step is linear.
+ * Two linear equations (x, v)' = M (x, v) as a source, three times over in the order (x1, x2, x3, v1, v2, v3) that
+ * methods for positions and velocities expect. The first copy starts at (1, 0) and the second at (0, 1), so that one
+ * step shows the 2 x 2 matrix by which it multiplies; the third starts at (1, 1) and ends at the sum of the two, if the
+ * step is linear.
  */
 public class LinearPair extends ReferenceProblem {
     private static final int COPIES = 3;
@@ -44,7 +45,10 @@ public class LinearPair extends ReferenceProblem {
         return new double[] {state[0], state[1], state[COPIES], state[COPIES + 1]};
     }
 
-    /** @return by how much the third copy is not the sum of the two others, relative to the largest entry; 0 if all are 0 */
+    /**
+     * @return by how much the third copy is not the sum of the two others, relative to the largest entry; 0 if all are
+     *         0
+     */
     double nonlinearity() {
         double[] state = state();
         double largest = Math.max(size(), Double.MIN_NORMAL);

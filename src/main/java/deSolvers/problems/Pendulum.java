@@ -23,8 +23,8 @@ public final class Pendulum extends SecondOrderProblem {
     }
 
     /**
-     * sin(theta/2) = k sn(K + t, k) with k = sin(release/2): Jacobi's elliptic function, by the arithmetic-geometric mean
-     * (M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 16.4).
+     * sin(theta/2) = k sn(K + t, k) with k = sin(release/2): Jacobi's elliptic function, by the arithmetic-geometric
+     * mean (M. Abramowitz and I. Stegun, Handbook of Mathematical Functions, 16.4).
      */
     @Override
     public double[] exactState(double t) {

@@ -3,8 +3,8 @@ package deSolvers.problems;
 import deSolvers.DEStateSource;
 
 /**
- * An initial value problem: its law, the state and the clock, and a count of the evaluations of its derivative. Where the
- * exact solution is known, it tells that too. Refuses arrays that are not exactly as long as the state.
+ * An initial value problem: its law, the state and the clock, and a count of the evaluations of its derivative. Where
+ * the exact solution is known, it tells that too. Refuses arrays that are not exactly as long as the state.
  */
 public abstract class ReferenceProblem implements DEStateSource {
     private final double[] start;
@@ -91,7 +91,7 @@ public abstract class ReferenceProblem implements DEStateSource {
     }
 
     @Override
-    public final void getState(double[] copy) {
+    public void getState(double[] copy) {
         System.arraycopy(state, 0, copy, 0, checkLength(copy));
     }
 

@@ -3,13 +3,14 @@ package deSolvers.problems;
 import java.util.Arrays;
 
 /**
- * A stiff, strongly damped chain: three masses of 1 kg on a line, each on a spring and a damper to the one before, the first
- * to a wall that moves as sin t. From the start on it swings as the wall does, since every other motion dies away at once;
- * only an integrator sees how stiff the springs are.
+ * A stiff, strongly damped chain: three masses of 1 kg on a line, each on a spring and a damper to the one before, the
+ * first to a wall that moves as sin t. From the start on it swings as the wall does, since every other motion dies away
+ * at once; only an integrator sees how stiff the springs are.
  *
- * <p>The shaken wall makes each spring the problem of A. Prothero and A. Robinson (Math. Comp. 28, 1974): a slow motion that
- * attracts all others. Implicit Runge-Kutta methods have there the order of their stages, not their own, as long as deltaT is
- * long against 1/omega (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section IV.15).
+ * <p>The shaken wall makes each spring the problem of A. Prothero and A. Robinson (Math. Comp. 28, 1974): a slow motion
+ * that attracts all others. Implicit Runge-Kutta methods have there the order of their stages, not their own, as long
+ * as deltaT is long against 1/omega (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section
+ * IV.15).
  */
 public final class ShakenChain extends SecondOrderProblem {
     /** Steps longer than this see the springs as stiff: ten times 1/omega of the slowest vibration, 1407/s. */
@@ -42,8 +43,9 @@ public final class ShakenChain extends SecondOrderProblem {
     }
 
     /**
-     * The steady swing x_i = Im(z_i e^(it)) with z_0 = 1, the wall. A spring pulls with G (z_(i-1) - z_i), G = k + i c, and
-     * that moves all masses behind it: z_(i-1) = z_i - (z_i + ... + z_n) / G, from the free end to the wall; then scaled.
+     * The steady swing x_i = Im(z_i e^(it)) with z_0 = 1, the wall. A spring pulls with G (z_(i-1) - z_i), G = k + i c,
+     * and that moves all masses behind it: z_(i-1) = z_i - (z_i + ... + z_n) / G, from the free end to the wall; then
+     * scaled.
      */
     @Override
     public double[] exactState(double t) {

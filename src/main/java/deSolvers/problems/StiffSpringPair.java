@@ -1,8 +1,9 @@
 package deSolvers.problems;
 
 /**
- * Two masses of 1/2 kg on a line: each on a soft spring of 1/2 N/m, and a spring of k between them. Their centre swings with
- * omega = 1 whatever k is; the spring between them vibrates with omega = sqrt(1 + 4 k), and is at rest but for a seed.
+ * Two masses of 1/2 kg on a line: each on a soft spring of 1/2 N/m, and a spring of k between them. Their centre swings
+ * with omega = 1 whatever k is; the spring between them vibrates with omega = sqrt(1 + 4 k), and is at rest but for a
+ * seed.
  */
 public final class StiffSpringPair extends SecondOrderProblem {
     /** The amplitude of the stiff vibration at the start: far below 1 %, far above rounding (m). */

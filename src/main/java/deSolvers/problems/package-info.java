@@ -1,9 +1,9 @@
 /**
  * Reference problems: small differential equations to try a solver on, most of them with a known solution.
  *
- * <p>A problem is its law, and where a formula is known also {@link deSolvers.problems.ReferenceProblem#exactState}. State,
- * clock and the count of evaluations stand once, in {@link deSolvers.problems.ReferenceProblem}, and the layout of positions
- * and velocities in {@link deSolvers.problems.SecondOrderProblem}. To see what a solver of your own does:
+ * <p>A problem is its law, and where a formula is known also {@link deSolvers.problems.ReferenceProblem#exactState}.
+ * State, clock and the count of evaluations stand once, in {@link deSolvers.problems.ReferenceProblem}, and the layout
+ * of positions and velocities in {@link deSolvers.problems.SecondOrderProblem}. To see what a solver of your own does:
  * <pre>
  * Oscillator oscillator = new Oscillator();
  * for (int i = 0; i &lt; 100; i++) {
@@ -13,6 +13,7 @@
  * oscillator.evaluations();      // what it cost
  * </pre>
  *
- * <p>{@link deSolvers.problems.StepMatrix} measures the matrix by which a step multiplies the state of a linear problem.
+ * <p>{@link deSolvers.problems.StepMatrix} measures the matrix by which a step multiplies the state of a linear
+ * problem.
  */
 package deSolvers.problems;

@@ -11,8 +11,8 @@ import java.util.List;
  *   ----+-------
  *       | 0   1
  * </pre>
- * Each line above the rule is c and the row of a; the lines below it are b and, where there are more, further weights for
- * the same stages.
+ * Each line above the rule is c and the row of a; the lines below it are b and, where there are more, further weights
+ * for the same stages.
  */
 public final class ButcherTableau {
     private final double[] c;
@@ -85,7 +85,8 @@ public final class ButcherTableau {
         if (parts.length > 2) {
             throw new IllegalArgumentException("not a number of a tableau: " + text);
         }
-        return parts.length == 1 ? Double.parseDouble(text) : Double.parseDouble(parts[0]) / Double.parseDouble(parts[1]);
+        return parts.length == 1 ? Double.parseDouble(text)
+                : Double.parseDouble(parts[0]) / Double.parseDouble(parts[1]);
     }
 
     /** @return the number of stages */

@@ -9,13 +9,13 @@ import deSolvers.DEStateSource;
  *   v(t + h) = v(t) + h a(x(t), v(t), t)
  *   x(t + h) = x(t) + h v(t + h)
  * </pre>
- * One line differs from the Euler method of the later slides, which moves with the old velocity: this one is stable where
- * that one spirals out. (The slide's loop moves the clock first; here, as in the field, forces are those at t.)
+ * One line differs from the Euler method of the later slides, which moves with the old velocity: this one is stable
+ * where that one spirals out. (The slide's loop moves the clock first; here, as in the field, forces are those at t.)
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> 1 a step.<br>
- * <b>Stability</b> an undamped spring for h omega &lt; 2. On x'' = -x from (1, 0) the energy error stays below h/(2 - h) of
- * the energy for ever; the exact quadratic invariant is x<sup>2</sup> + v<sup>2</sup> - h x v.<br>
+ * <b>Stability</b> an undamped spring for h omega &lt; 2. On x'' = -x from (1, 0) the energy error stays below h/(2 -
+ * h) of the energy for ever; the exact quadratic invariant is x<sup>2</sup> + v<sup>2</sup> - h x v.<br>
  * <b>When to use</b> games and first animations: one evaluation, robust; not where phase or amplitude matter, since
  * {@code verlet} costs the same and has order 2. It is not reversible.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "A Simple Particle System Algorithm"; R. de Vogelaere (1956).

@@ -48,7 +48,8 @@ abstract class SymplecticSolver extends FixedStepSolver {
     private int[] velocityEntries(int n, int d) {
         if (d < 1 || n % (2 * d) != 0) {
             throw new IllegalArgumentException(getTransaction().getClient().getClass().getName() + " has dimension " + d
-                    + " and " + n + " state entries; the state has to be made of blocks of d positions and d velocities,"
+                    + " and " + n
+                    + " state entries; the state has to be made of blocks of d positions and d velocities,"
                     + " d >= 1");
         }
         int[] entries = new int[n / 2];
@@ -58,7 +59,9 @@ abstract class SymplecticSolver extends FixedStepSolver {
         return entries;
     }
 
-    /** The acceleration at the start: the remembered one where this step continues the last, which saves an evaluation. */
+    /**
+     * The acceleration at the start: the remembered one where this step continues the last, which saves an evaluation.
+     */
     final double[] startAcceleration(double[] s) {
         return continuesLastStep() ? remembered : derivative(s);
     }

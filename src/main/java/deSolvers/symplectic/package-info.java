@@ -5,8 +5,8 @@
  * exactly where the forces are linear, and else up to an error that falls exponentially with 1/h. The true energy
  * therefore oscillates about its value with an amplitude of order h<sup>p</sup> and does not drift, in as many steps as
  * anyone makes: what the slides' Euler, midpoint and RK4 cannot do. That is for steps that are small beside the fastest
- * motion. In a pendulum that swings to 2.9 rad (omega = 1), a million steps of verlet keep the energy within 0.0033 m g l
- * at h = 0.1 and within 0.086 at h = 0.5; at h = 0.8 it goes over the top, though a linear spring is stable up to 2.
+ * motion. In a pendulum that swings to 2.9 rad (omega = 1), a million steps of verlet keep the energy within 0.0033 m g
+ * l at h = 0.1 and within 0.086 at h = 0.5; at h = 0.8 it goes over the top, though a linear spring is stable up to 2.
  *
  * <p>The price is a source that says which entries are positions and which are velocities
  * ({@link deSolvers.SecondOrderStateSource}), and a hard limit on the step: h omega &lt; 2, and 1.57 for yoshida4.

@@ -3,8 +3,36 @@ package particles.app;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.cli.ProgramCommand;
+import particles.app.experiments.EffectCostCommand;
+import particles.app.experiments.EnergyDriftCommand;
+import particles.app.experiments.ExperimentCommand;
+import particles.app.experiments.LectureFiguresCommand;
+import particles.app.experiments.PhasePlotsCommand;
+import particles.app.experiments.RaceCommand;
+import particles.app.experiments.ReportCommand;
+import particles.app.experiments.StabilityCommand;
+import particles.app.experiments.StiffGalleryCommand;
+import particles.app.experiments.WorkPrecisionCommand;
+import particles.app.run.GalleryCommand;
+import particles.app.run.LabCommand;
+import particles.app.run.RunCommand;
+import particles.app.run.ScenesCommand;
+import particles.app.run.SolversCommand;
+import particles.app.run.StopRequest;
+import particles.app.student.CheckEffectCommand;
+import particles.app.student.CheckSolverCommand;
+import particles.app.student.ExerciseCommand;
+import particles.app.student.ExercisesCommand;
+import particles.app.student.GradeCommand;
+import particles.app.student.NewClassCommand;
+import particles.app.student.StudentLoader;
 
-/** Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}. */
+/**
+ * Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}.
+ */
 public final class Main {
     private static final Path SCENES = Path.of("scenes");
     private static final Path EXERCISES = Path.of("src", "main", "java", "exercises");
@@ -33,7 +61,7 @@ public final class Main {
      * @param stop  tells commands when they have to end early
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
-    static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
+    public static List<ProgramCommand> commands(OptionStyle style, StopRequest stop) {
         return List.of(new RunCommand(SCENES, style, stop), new ScenesCommand(SCENES), new GalleryCommand(SCENES),
                 new SolversCommand(),
                 new LectureFiguresCommand(style),

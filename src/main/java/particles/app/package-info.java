@@ -1,8 +1,8 @@
 /**
  * The command line behind the gradle tasks: the only package that prints and that ends with an exit code.
  *
- * <p>Each command is one class, a {@link particles.app.ProgramCommand} with its options declared as annotated fields, and
- * one entry of {@code Main.commands}; its gradle task is one line of {@code build.gradle}. A command
- * that cannot do what was asked throws: {@link particles.app.Failures} alone makes lines and exit codes of it.
+ * <p>Each command is one class, a {@link particles.app.cli.ProgramCommand} with its options declared as annotated
+ * fields, and one entry of {@code Main.commands}; its gradle task is one line of {@code build.gradle}. A command
+ * that cannot do what was asked throws: {@link particles.app.cli.Failures} alone makes lines and exit codes of it.
  */
 package particles.app;

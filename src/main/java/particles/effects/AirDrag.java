@@ -1,10 +1,10 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
-import particles.Particles;
-import particles.PerParticleEffect;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
 
 /**
  * Base class for air drag: the force -c(|w|) w against the velocity w = v - u through the air. Its power is

@@ -1,9 +1,9 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
-import particles.Particles;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
@@ -17,12 +17,13 @@ import particles.spec.Values;
  *   damping of the pair    : F_i = -c u^2 (r . r') r / h^2
  * </pre>
  * The potential is -e at the distance d, where the force is 0, and smooth everywhere: at |r| = 0, where no direction is
- * needed, and at |r| = h, where the force goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and go.
+ * needed, and at |r| = h, where the force goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and
+ * go.
  *
- * <p>Forces are central and opposite: momentum and angular momentum are kept. Neighbours come from a {@link NeighbourGrid},
- * built anew in every call for all particles, so that the work is proportional to their number; calls must not overlap.
- * Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with the inverse powers replaced by
- * powers of u.
+ * <p>Forces are central and opposite: momentum and angular momentum are kept. Neighbours come from a
+ * {@link NeighbourGrid}, built anew in every call for all particles, so that the work is proportional to their number;
+ * calls must not overlap. Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with
+ * the inverse powers replaced by powers of u.
  */
 public final class Cohesion implements DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;

@@ -1,9 +1,9 @@
 package particles.effects;
 
-import particles.Effect;
-import particles.Obstacle;
-import particles.Particles;
-import particles.Vector3;
+import particles.law.Effect;
+import particles.law.Obstacle;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /** A scene that is being built, as an effect sees it. */
 public interface EffectContext {

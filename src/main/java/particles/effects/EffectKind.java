@@ -7,8 +7,8 @@ import particles.spec.MappingType;
 import particles.spec.Values;
 
 /**
- * An effect's entry in scene files: its name, its keys, and how it is built from their values. Each effect declares it in
- * a nested class {@code Keys} with a public constructor without parameters.
+ * An effect's entry in scene files: its name, its keys, and how it is built from their values. Each effect declares it
+ * in a nested class {@code Keys} with a public constructor without parameters.
  */
 public abstract class EffectKind implements Kind {
     private final String name;

@@ -1,10 +1,10 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.Particles;
-import particles.PerParticleEffect;
-import particles.Vector3;
+import particles.law.DifferentiableEffect;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.Values;
 import particles.spec.VectorType;

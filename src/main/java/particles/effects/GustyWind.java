@@ -1,15 +1,16 @@
 package particles.effects;
 
 import java.util.List;
-import particles.Vector3;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * A wind that is the same everywhere and swells and falls in time: u(t) = mean + gust sin(2 pi t / period). With no gust it
- * is a steady wind. "In mass-spring systems, often no t dependence but might have e.g. time-varying wind field."
+ * A wind that is the same everywhere and swells and falls in time: u(t) = mean + gust sin(2 pi t / period). With no
+ * gust it is a steady wind. "In mass-spring systems, often no t dependence but might have e.g. time-varying wind
+ * field."
  */
 public final class GustyWind implements Wind {
     private final Vector3 mean;

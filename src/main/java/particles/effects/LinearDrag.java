@@ -1,13 +1,13 @@
 package particles.effects;
 
-import particles.Particles;
+import particles.law.Particles;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
 
 /**
- * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air. Wind
- * acts through drag and in no other way.
+ * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air.
+ * Wind acts through drag and in no other way.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".
  */

@@ -1,13 +1,13 @@
 package particles.effects;
 
 import java.util.Arrays;
-import particles.Particles;
+import particles.law.Particles;
 
 /**
- * Finds particles near a given one: space is divided into cubes as wide as the range, so that all within range are in the
- * particle's own cube or the 26 around it. Cubes are kept in a hash table, so that particles may be anywhere; the
- * particles of a cube stand in the order of their indices. Work and memory are proportional to the number of particles as
- * long as no cube gets more crowded.
+ * Finds particles near a given one: space is divided into cubes as wide as the range, so that all within range are in
+ * the particle's own cube or the 26 around it. Cubes are kept in a hash table, so that particles may be anywhere; the
+ * particles of a cube stand in the order of their indices. Work and memory are proportional to the number of particles
+ * as long as no cube gets more crowded.
  *
  * <p>Source: M. Teschner et al., "Optimized spatial hashing for collision detection of deformable objects", VMV 2003.
  */
@@ -42,7 +42,8 @@ public final class NeighbourGrid {
             bucketStart[bucket(cubes[3 * i], cubes[3 * i + 1], cubes[3 * i + 2])]++;
         }
         int end = 0;
-        for (int b = 0; b <= buckets; b++) {            // to ends, which sorting from the last particle turns into beginnings
+        // to ends, which sorting from the last particle turns into beginnings
+        for (int b = 0; b <= buckets; b++) {
             end += bucketStart[b];
             bucketStart[b] = end;
         }
@@ -64,8 +65,8 @@ public final class NeighbourGrid {
     }
 
     /**
-     * The particles that may be within range of particle i and come after it, each once and always in the same order. All
-     * that are within range are among them; the caller looks at the distance.
+     * The particles that may be within range of particle i and come after it, each once and always in the same order.
+     * All that are within range are among them; the caller looks at the distance.
      *
      * @param i     a particle
      * @param found receives their indices; as long as there are particles

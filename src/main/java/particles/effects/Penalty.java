@@ -1,21 +1,22 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
-import particles.Particles;
-import particles.PerParticleEffect;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
 
 /**
- * What penalty forces have in common: a particle that is inside a solid by the depth d is pushed out along the surface's
- * normal N,
+ * What penalty forces have in common: a particle that is inside a solid by the depth d is pushed out along the
+ * surface's normal N,
  * <pre>
  *   F = k d max(0, 1 - b v_n) N        for d &gt; 0
  * </pre>
- * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. Instead of stopping
- * particles at the surface it is only stiff: the deeper, the harder; what is not allowed is penalised.
+ * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. Instead of
+ * stopping particles at the surface it is only stiff: the deeper, the harder; what is not allowed is penalised.
  *
- * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact" (1975).
+ * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact"
+ * (1975).
  */
 abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
     static final int STRIDE = Particles.STRIDE;
@@ -30,7 +31,8 @@ abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
 
     Penalty(Particles particles, double stiffness, double loss) {
         if (!(stiffness >= 0 && stiffness <= Double.MAX_VALUE && loss >= 0 && loss <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a penalty's stiffness and loss have to be 0 or more and finite, not " + stiffness
+            throw new IllegalArgumentException("a penalty's stiffness and loss have to be 0 or more and finite, not "
+                    + stiffness
                     + ", " + loss);
         }
         this.particles = particles;

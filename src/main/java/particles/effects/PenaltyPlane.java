@@ -1,15 +1,16 @@
 package particles.effects;
 
-import particles.Particles;
-import particles.Plane;
-import particles.Vector3;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * A plane that pushes back particles that are below it: the slides' "penalty force". {@link Penalty} says how. With a push
- * proportional to the depth and no loss a particle of mass m is inside for pi sqrt(m/k) and leaves as fast as it came.
+ * A plane that pushes back particles that are below it: the slides' "penalty force". {@link Penalty} says how. With a
+ * push proportional to the depth and no loss a particle of mass m is inside for pi sqrt(m/k) and leaves as fast as it
+ * came.
  */
 public final class PenaltyPlane extends Penalty {
     private final Plane plane;
@@ -18,7 +19,8 @@ public final class PenaltyPlane extends Penalty {
      * @param particles on whom it acts
      * @param plane     where it is
      * @param stiffness k, the push for each metre of depth (N/m), 0 or more
-     * @param loss      b, by what part the push is larger for each m/s of speed inwards (s/m), 0 or more; 0 loses no energy
+     * @param loss      b, by what part the push is larger for each m/s of speed inwards (s/m), 0 or more; 0 loses no
+     *                  energy
      * @throws IllegalArgumentException if a number is out of its range
      */
     public PenaltyPlane(Particles particles, Plane plane, double stiffness, double loss) {

@@ -1,12 +1,12 @@
 package particles.effects;
 
-import particles.Particles;
-import particles.Sphere;
+import particles.law.Particles;
+import particles.law.Sphere;
 import particles.spec.Values;
 
 /**
- * A sphere that pushes back particles that are inside it, or outside it if it is hollow. {@link Penalty} says how. At the
- * very centre of a ball there is no direction to push to, and no force.
+ * A sphere that pushes back particles that are inside it, or outside it if it is hollow. {@link Penalty} says how. At
+ * the very centre of a ball there is no direction to push to, and no force.
  */
 public final class PenaltySphere extends Penalty {
     private final Sphere sphere;
@@ -16,7 +16,8 @@ public final class PenaltySphere extends Penalty {
      * @param particles on whom it acts
      * @param sphere    where it is
      * @param stiffness k, the push for each metre of depth (N/m), 0 or more
-     * @param loss      b, by what part the push is larger for each m/s of speed inwards (s/m), 0 or more; 0 loses no energy
+     * @param loss      b, by what part the push is larger for each m/s of speed inwards (s/m), 0 or more; 0 loses no
+     *                  energy
      * @throws IllegalArgumentException if a number is out of its range
      */
     public PenaltySphere(Particles particles, Sphere sphere, double stiffness, double loss) {

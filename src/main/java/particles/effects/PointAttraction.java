@@ -1,11 +1,11 @@
 package particles.effects;
 
 import java.util.Set;
-import particles.DifferentiableEffect;
-import particles.ForceDerivatives;
-import particles.Particles;
-import particles.PerParticleEffect;
-import particles.Vector3;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
@@ -16,9 +16,9 @@ import particles.spec.VectorType;
  * <pre>
  *   F = -m mu r / (|r|^2 + s^2)^(3/2)
  * </pre>
- * mu is G times the mass at the point. Without softening (s = 0) orbits are Kepler's ellipses, and there is no finite force
- * at the point itself. With s &gt; 0 the force falls to 0 within about s of the point, which lets particles pass through it
- * with reasonable steps, and ellipses turn slowly.
+ * mu is G times the mass at the point. Without softening (s = 0) orbits are Kepler's ellipses, and there is no finite
+ * force at the point itself. With s &gt; 0 the force falls to 0 within about s of the point, which lets particles pass
+ * through it with reasonable steps, and ellipses turn slowly.
  *
  * <p>Potential energy -m mu / sqrt(|r|&sup2; + s&sup2;). Source of the softening: H. Plummer (1911), S. Aarseth (1963).
  */

@@ -1,6 +1,6 @@
 package particles.effects;
 
-import particles.Particles;
+import particles.law.Particles;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
@@ -9,8 +9,8 @@ import particles.spec.Values;
  * Quadratic air drag, that of things larger than dust and faster than a crawl: F = -c |v - u| (v - u), where u is the
  * velocity of the air and c = rho A C<sub>d</sub>/2, half the air's density times cross-section times drag coefficient.
  *
- * <p>From rest under gravity v = v<sub>t</sub> tanh(g t/v<sub>t</sub>) with the terminal speed v<sub>t</sub> = sqrt(m g/c).
- * The force's derivative is continuous at v = u, its second derivative is not.
+ * <p>From rest under gravity v = v<sub>t</sub> tanh(g t/v<sub>t</sub>) with the terminal speed v<sub>t</sub> = sqrt(m
+ * g/c). The force's derivative is continuous at v = u, its second derivative is not.
  */
 public final class QuadraticDrag extends AirDrag {
     private final double c;

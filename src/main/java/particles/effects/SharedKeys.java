@@ -1,7 +1,7 @@
 package particles.effects;
 
-import particles.Sphere;
-import particles.Vector3;
+import particles.law.Sphere;
+import particles.law.Vector3;
 import particles.spec.FlagType;
 import particles.spec.Key;
 import particles.spec.NumberType;

@@ -2,9 +2,9 @@ package particles.effects;
 
 import java.util.Arrays;
 import java.util.List;
-import particles.Particles;
-import particles.SeededRandom;
-import particles.Vector3;
+import particles.law.Particles;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 import particles.spec.Key;
 import particles.spec.NumberType;
 import particles.spec.Values;
@@ -15,10 +15,10 @@ import particles.spec.VectorType;
  * <pre>
  *   u(x, t) = mean + sum of a_k e_k cos(k . (x - mean t) - w_k t + phase_k),     e_k perpendicular to k
  * </pre>
- * Each wave is free of divergence, so air is nowhere made or lost. Wave lengths go in a geometric sequence from twice the
- * size of the largest eddies to an eighth of that; amplitudes go with |k|<sup>-1/3</sup>, as Kolmogorov's spectrum has it for
- * waves in a geometric sequence, and an eddy lives about as long as it takes to turn once. The field follows from the seed
- * alone, and is the same on every machine.
+ * Each wave is free of divergence, so air is nowhere made or lost. Wave lengths go in a geometric sequence from twice
+ * the size of the largest eddies to an eighth of that; amplitudes go with |k|<sup>-1/3</sup>, as Kolmogorov's spectrum
+ * has it for waves in a geometric sequence, and an eddy lives about as long as it takes to turn once. The field follows
+ * from the seed alone, and is the same on every machine.
  *
  * <p>Source: R. Kraichnan, "Diffusion by a random velocity field", Physics of Fluids 13 (1970).
  */

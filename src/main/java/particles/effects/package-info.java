@@ -1,6 +1,6 @@
 /**
  * Force laws: one law, one file. Each law says what energy it stores, dissipates or brings in, and which properties
- * it claims ({@link particles.Effect.Trait}); tests hold it to that. Its nested class {@code Keys} declares its
+ * it claims ({@link particles.law.Effect.Trait}); tests hold it to that. Its nested class {@code Keys} declares its
  * keys in a scene, and {@link particles.effects.EffectCatalog} lists all laws.
  *
  * <h2>A law of your own</h2>
@@ -11,9 +11,9 @@
  * package exercises;
  *
  * import java.util.Set;
- * import particles.ParticleForce;
- * import particles.Particles;
- * import particles.Vector3;
+ * import particles.law.ParticleForce;
+ * import particles.law.Particles;
+ * import particles.law.Vector3;
  * import particles.effects.EffectContext;
  * import particles.effects.EffectKind;
  * import particles.spec.Key;
@@ -58,7 +58,7 @@
  * A scene names the class:
  * <pre>{@code
  * title: A puck on a turntable
- * teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table turns once.
+ * teaches: On a turntable shaped to cancel the centrifugal force, a puck goes round twice a turn.
  * solver: rk4
  * deltaT: 0.01
  * duration: 2
@@ -67,7 +67,7 @@
  * effects:
  *   - exercises.Coriolis: {angularVelocity: [0, 0, 1.5707963267948966]}
  * }</pre>
- * If a force on one particle is not enough, implement {@link particles.Effect}, which adds up the forces on all
+ * If a force on one particle is not enough, implement {@link particles.law.Effect}, which adds up the forces on all
  * particles, as springs do.
  *
  * <h2>Adding a law to the program</h2>

@@ -2,7 +2,7 @@ package particles.lab;
 
 import java.util.ArrayList;
 import java.util.List;
-import particles.Effect;
+import particles.law.Effect;
 import particles.EnergyLedger;
 import particles.ParticleSystem;
 

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The moments of a run that were seen, in a limited amount of memory: when it is full, every second moment is dropped, and
- * from then on moments are kept half as often.
+ * The moments of a run that were seen, in a limited amount of memory: when it is full, every second moment is dropped,
+ * and from then on moments are kept half as often.
  */
 final class History {
     private final long mostBytes;
@@ -44,7 +44,8 @@ final class History {
     }
 
     private void append(Frame frame) {
-        bytes += frame.bytes() + (frames.isEmpty() || last().structure() != frame.structure() ? frame.structure().bytes() : 0);
+        bytes += frame.bytes() + (frames.isEmpty() || last().structure() != frame.structure()
+                ? frame.structure().bytes() : 0);
         frames.add(frame);
     }
 

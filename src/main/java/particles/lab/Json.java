@@ -14,7 +14,8 @@ final class Json {
     /** Numbers that JSON does not know, NaN and infinity, are null. */
     static String of(Object value) {
         if (value instanceof Map<?, ?> map) {
-            return map.entrySet().stream().map(entry -> quote(String.valueOf(entry.getKey())) + ":" + of(entry.getValue()))
+            return map.entrySet().stream().map(entry -> quote(String.valueOf(entry.getKey())) + ":"
+                    + of(entry.getValue()))
                     .collect(Collectors.joining(",", "{", "}"));
         }
         if (value instanceof Collection<?> list) {

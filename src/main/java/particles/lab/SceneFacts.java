@@ -7,14 +7,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import particles.Camera;
-import particles.CurveView;
-import particles.Look;
-import particles.Plane;
-import particles.Sphere;
-import particles.Surface;
-import particles.Vector3;
-import particles.experiments.SpringRates;
+import particles.view.Camera;
+import particles.view.CurveView;
+import particles.view.RenderOptions;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.view.Surface;
+import particles.law.Vector3;
+import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
 
 /** What a page has to know of a scene before its first frame. */
@@ -52,7 +52,9 @@ final class SceneFacts {
         return facts;
     }
 
-    /** The longest stable step of each solver, by the springs of the scene; null where there is none or it is not known. */
+    /**
+     * The longest stable step of each solver, by the springs of the scene; null where there is none or it is not known.
+     */
     private static Map<String, Object> limits(Scene scene) {
         SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());
         Map<String, Object> limits = new LinkedHashMap<>();
@@ -65,11 +67,12 @@ final class SceneFacts {
     }
 
     private static Map<String, Object> camera(Camera camera) {
-        return Map.of("position", vector(camera.position()), "target", vector(camera.target()), "up", vector(camera.up()),
+        return Map.of("position", vector(camera.position()), "target", vector(camera.target()), "up",
+                vector(camera.up()),
                 "perspective", camera.perspective(), "fieldOfView", camera.fieldOfView(), "height", camera.height());
     }
 
-    private static Map<String, Object> look(Look look) {
+    private static Map<String, Object> look(RenderOptions look) {
         Map<String, Object> facts = new LinkedHashMap<>();
         facts.put("particles", name(look.particles()));
         facts.put("springs", name(look.springs()));

@@ -11,13 +11,13 @@ import java.util.Optional;
 import particles.SimulationException;
 import particles.messages.BlowUpMessage;
 import particles.messages.FrictionMessage;
-import particles.scene.Overrides;
+import particles.scene.format.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneDescription;
+import particles.scene.format.SceneDescription;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
-import particles.scene.Tolerances;
+import particles.scene.format.Tolerances;
 import particles.spec.ClassNames;
 
 /** What a page does with scenes: opens one, runs it for a while, looks back. One scene at a time. */
@@ -172,7 +172,8 @@ public final class Session {
         for (Frame frame : run.history().frames()) {
             int i = List.of(frame.structure().ids()).indexOf(id);
             if (i >= 0) {
-                points.add(new float[] {(float) frame.time(), frame.state()[6 * i + axis], frame.state()[6 * i + axis + 3]});
+                points.add(new float[] {(float) frame.time(), frame.state()[6 * i + axis],
+                        frame.state()[6 * i + axis + 3]});
             }
         }
         float[] all = new float[3 * points.size()];

@@ -3,8 +3,8 @@ package particles.lab;
 import java.util.List;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.SpringView;
+import particles.law.Particles;
+import particles.view.SpringView;
 
 /**
  * Which particles, springs and rods there are, until some come or go.
@@ -17,7 +17,8 @@ import particles.SpringView;
  * @param restLengths their lengths at rest (m)
  * @param rigid       1 for rods, else 0
  */
-record Structure(String[] ids, int[] fixed, float[] births, float[] lives, int[] springs, float[] restLengths, int[] rigid) {
+record Structure(String[] ids, int[] fixed, float[] births, float[] lives, int[] springs, float[] restLengths,
+        int[] rigid) {
 
     static Structure of(ParticleSystem system) {
         Particles particles = system.getParticles();

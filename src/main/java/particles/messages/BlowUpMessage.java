@@ -5,16 +5,17 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.function.UnaryOperator;
 import particles.BlowUpException;
-import particles.Effect;
-import particles.Particles;
+import particles.law.Effect;
+import particles.law.Particles;
 import particles.SimulationException;
 import particles.effects.LinearDrag;
-import particles.experiments.SpringRates;
+import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
 
 /**
- * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame, how fast
- * the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of springs.
+ * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame,
+ * how fast the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of
+ * springs.
  */
 public final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
@@ -50,9 +51,11 @@ public final class BlowUpMessage {
      * @return the line
      */
     public String of(SimulationException e) {
-        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e) + ": ";
+        String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
+                + ": ";
         if (e.getCause() instanceof DESolverException cause) {
-            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + stiffest() + advice();
+            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ",
+                    "") + stiffest() + advice();
         }
         return line + (e instanceof BlowUpException ? energy() + stiffest() + advice() : e.getMessage());
     }
@@ -99,14 +102,16 @@ public final class BlowUpMessage {
                             : ", and where springs buckle it makes energy: try " + option("solver", STIFF));
         }
         String stated = "; the limit of " + name + " is " + Digits.few(limit) + ": try ";
-        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4)) + ", as springs are not the cause"
+        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4))
+                + ", as springs are not the cause"
                 : stated + option("deltaT", Digits.roundedDown(stableStep(solver)));
     }
 
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""
-                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver", STIFF));
+                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver",
+                STIFF));
     }
 
     /** A step below the solver's limit, whatever the springs do (s). */
@@ -117,7 +122,9 @@ public final class BlowUpMessage {
         return SAFETY * limit(solver) / fastest;
     }
 
-    /** Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller. */
+    /**
+     * Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller.
+     */
     private double limit(SolverInfo solver) {
         boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
         return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();

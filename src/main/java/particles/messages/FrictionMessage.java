@@ -6,14 +6,15 @@ import deSolvers.catalog.SolverInfo;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import particles.SimulationException;
-import particles.experiments.SpringRates;
+import particles.experiments.stability.SpringRates;
 import particles.reactions.RestingContacts;
 import particles.scene.Scene;
 
 /**
- * The line that a run ends with where a solver finds no step because Coulomb friction turns in it. Near a stop its direction
- * changes as fast as the velocity's, however slow that is; so a shorter step is no sure way out, and springs and drag are
- * not the cause. A solver that has nothing to solve goes over the turn, and the rule after the step sees that it was a stop.
+ * The line that a run ends with where a solver finds no step because Coulomb friction turns in it. Near a stop its
+ * direction changes as fast as the velocity's, however slow that is; so a shorter step is no sure way out, and springs
+ * and drag are not the cause. A solver that has nothing to solve goes over the turn, and the rule after the step sees
+ * that it was a stop.
  */
 public final class FrictionMessage {
     private static final String EXPLICIT = "rk4";
@@ -34,8 +35,10 @@ public final class FrictionMessage {
             return Optional.empty();
         }
         String name = scene.description().solver();
-        String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "").replaceFirst("; .*", "");
-        return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found + "; something slides that"
+        String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "").replaceFirst("; .*",
+                "");
+        return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found
+                + "; something slides that"
                 + " is about to stop, and there Coulomb friction turns faster than " + name + " can solve for: try "
                 + options.apply("solver") + "=" + EXPLICIT + step(scene, options) + ", which has nothing to solve for");
     }

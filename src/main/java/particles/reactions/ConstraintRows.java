@@ -1,13 +1,15 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.Particles;
+import particles.law.Particles;
+import particles.reactions.wires.Curve;
 
 /**
  * The rows C_r(x) = 0 of rods and wires at one state, in flat arrays: values C, rates C' = J v, bends J' v (the second
  * derivative of C along the velocity), and the gradients that make up J. A row is about one particle or two.
  *
- * <p>For a rod C = (|d|&sup2; - l&sup2;) / (2 l) with d = x_to - x_from: like |d| - l to first order, and smooth at d = 0.
+ * <p>For a rod C = (|d|&sup2; - l&sup2;) / (2 l) with d = x_to - x_from: like |d| - l to first order, and smooth at d =
+ * 0.
  */
 final class ConstraintRows {
     private static final int STRIDE = Particles.STRIDE;
@@ -159,7 +161,9 @@ final class ConstraintRows {
         return sum;
     }
 
-    /** The part that moving anchors have in the rate of a row: gradients times velocities of what forces do not move. */
+    /**
+     * The part that moving anchors have in the rate of a row: gradients times velocities of what forces do not move.
+     */
     double rateOfAnchors(int row, double[] state, double[] inverseMasses) {
         double sum = 0;
         for (int k = 0, g = 6 * row; k < (row < rods ? 2 : 1); k++, g += 3) {

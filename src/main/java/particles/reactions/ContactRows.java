@@ -1,14 +1,16 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.Obstacle;
-import particles.Particles;
-import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
+import particles.law.Obstacle;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.Friction;
+import particles.reactions.contact.SlidingDirection;
 
 /**
- * The contacts of particles that hang on rods or wires, as rows beside theirs: the distance d of a particle from what it
- * touches, with N as its gradient. A particle that sticks has none; it does not move at all.
+ * The contacts of particles that hang on rods or wires, as rows beside theirs: the distance d of a particle from what
+ * it touches, with N as its gradient. A particle that sticks has none; it does not move at all.
  */
 final class ContactRows {
     private static final int STRIDE = Particles.STRIDE;
@@ -97,7 +99,7 @@ final class ContactRows {
      */
     void findSlip(int k, double push, double[] force, double[] state) {
         int f = STRIDE * particle[k] + 3;
-        Sliding sliding = contacts.sliding();
+        SlidingDirection sliding = contacts.sliding();
         System.arraycopy(force, f, pressing, 0, 3);
         double reference = push > 0 ? push : 1;
         Vector3 across = new Vector3(normal[3 * k], normal[3 * k + 1], normal[3 * k + 2]);

@@ -3,9 +3,10 @@ package particles.reactions;
 import java.util.Arrays;
 import java.util.Optional;
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.SimulationException;
-import particles.reactions.ContactModes.Mode;
+import particles.law.Particles;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
 
 /**
  * What particles that hang on rods or wires touch: pushes, friction and constraint forces found together, since each
@@ -20,7 +21,7 @@ final class CoupledContacts {
     private final RestingContacts contacts;
     private final double feedback;
     private final JointSystem joint;
-    private final HoldSearch holdSearch;
+    private final StaticFrictionFeasibility holdSearch;
     private double[] accelerations = {};
     private double[] total = {};                        // forces with those of rods and wires
     private double[] queryState = {};                   // what the last query was about
@@ -36,7 +37,7 @@ final class CoupledContacts {
         this.contacts = contacts;
         this.feedback = feedback;
         joint = new JointSystem(rows, particles, contacts);
-        holdSearch = new HoldSearch(rows, contacts);
+        holdSearch = new StaticFrictionFeasibility(rows, contacts);
     }
 
     /**
@@ -100,7 +101,9 @@ final class CoupledContacts {
                 + particles.id(particle) + "' at t = " + time + " s: " + reason, null);
     }
 
-    /** b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in it. */
+    /**
+     * b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in it.
+     */
     private double putRight(Linkage linkage, double time, double[] force) {
         if (accelerations.length != system.getStateSize()) {
             accelerations = new double[system.getStateSize()];
@@ -187,7 +190,8 @@ final class CoupledContacts {
             queryChanges = contacts.getModes().changes();
         }
         if (contacts.getModes().isSticking(particle)) {
-            return contacts.response().pressure(surface, particle, state, forcesAtRest(linkage, state, force, queryLambda));
+            return contacts.response().pressure(surface, particle, state,
+                    forcesAtRest(linkage, state, force, queryLambda));
         }
         for (int k = 0; k < joint.touching.count; k++) {
             if (joint.touching.particle[k] == particle && joint.touching.surface[k] == surface) {
@@ -208,7 +212,8 @@ final class CoupledContacts {
         rows.evaluate(state);
         joint.take(linkage, state, particle);
         if (find(linkage, state, system.getTime(), force, lambda).isPresent()) {
-            return -1;                                  // what moves on its rods does not let it stand still: no failure
+            // what moves on its rods does not let it stand still: no failure
+            return -1;
         }
         return contacts.response().holdMargin(particle, state, forcesAtRest(linkage, state, force, lambda));
     }

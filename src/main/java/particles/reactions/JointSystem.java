@@ -1,13 +1,15 @@
 package particles.reactions;
 
 import java.util.Arrays;
-import particles.Particles;
+import particles.law.Particles;
+import particles.reactions.algebra.ActiveSetMethod;
+import particles.reactions.contact.ContactModes;
 
 /**
- * Rods, wires and contacts of one linkage as one dense system: rows of rods and wires first, then contacts. Column c is what
- * a force of 1 N of row c does to all of them, for a sliding contact with the friction that comes with it, so that the
- * matrix is not symmetric: A = J W (J - S)<sup>T</sup>. Its solution takes time in proportion to the cube of the number of
- * rows: a few milliseconds for a hundred.
+ * Rods, wires and contacts of one linkage as one dense system: rows of rods and wires first, then contacts. Column c is
+ * what a force of 1 N of row c does to all of them, for a sliding contact with the friction that comes with it, so that
+ * the matrix is not symmetric: A = J W (J - S)<sup>T</sup>. Its solution takes time in proportion to the cube of the
+ * number of rows: a few milliseconds for a hundred.
  */
 final class JointSystem {
     private static final int STRIDE = Particles.STRIDE;
@@ -15,7 +17,7 @@ final class JointSystem {
     private final ConstraintRows rows;
     private final Particles particles;
     private final RestingContacts contacts;
-    private final ActiveSet activeSet = new ActiveSet();
+    private final ActiveSetMethod activeSet = new ActiveSetMethod();
     final ContactRows touching;
     double[] mobility = {};                             // 1/m, 0 for what does not move
     double[] right = {};
@@ -37,8 +39,8 @@ final class JointSystem {
     /**
      * Takes up a linkage.
      *
-     * @param held a particle to be held still although it does not stick, and with it all that hardly move and may be held
-     *             by friction too, or -1 for those that stick
+     * @param held a particle to be held still although it does not stick, and with it all that hardly move and may be
+     *             held by friction too, or -1 for those that stick
      * @return whether any of its particles touches anything
      */
     boolean take(Linkage linkage, double[] state, int held) {
@@ -149,7 +151,7 @@ final class JointSystem {
     /**
      * Solves for {@link #right}.
      *
-     * @param signed as for {@link ActiveSet#solve}
+     * @param signed as for {@link ActiveSetMethod#solve}
      * @param bound  how many contacts, the first, hold in any case
      */
     boolean solve(boolean signed, int bound) {

@@ -4,15 +4,17 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
-import particles.Particles;
+import particles.law.Particles;
+import particles.reactions.algebra.EnvelopeCholesky;
+import particles.reactions.algebra.MinimumNormSolution;
 
 /**
- * Rods and beads that hang together: solves A lambda = b with A = J W J<sup>T</sup>, W the inverse masses. A has an entry
- * wherever two rows share a movable particle, so that a chain's is tridiagonal and its solution takes time in proportion to
- * its length.
+ * Rods and beads that hang together: solves A lambda = b with A = J W J<sup>T</sup>, W the inverse masses. A has an
+ * entry wherever two rows share a movable particle, so that a chain's is tridiagonal and its solution takes time in
+ * proportion to its length.
  *
- * <p>Where the rows are dependent, as in a triangle with a rod too many, there are many solutions with the same motion; then
- * it is the smallest, by the sum of squares: what equally and hardly elastic rods would carry.
+ * <p>Where the rows are dependent, as in a triangle with a rod too many, there are many solutions with the same motion;
+ * then it is the smallest, by the sum of squares: what equally and hardly elastic rods would carry.
  */
 final class Linkage {
     /** Below this part of a diagonal entry a pivot is rounding: rows within an angle of 3e-6 of being dependent. */
@@ -24,7 +26,7 @@ final class Linkage {
     private final int[] pairs;                          // five ints each: see findPairs
     private final EnvelopeCholesky cholesky;
     private final double[] work;
-    private final MinimumNorm minimumNorm = new MinimumNorm();
+    private final MinimumNormSolution minimumNorm = new MinimumNormSolution();
     private boolean regular;
 
     Linkage(ConstraintRows rows, int[] members, Particles all) {
@@ -107,7 +109,8 @@ final class Linkage {
      *
      * @param right  b, by row of all there are
      * @param result receives lambda, by row of all there are
-     * @return by how much the rows contradict each other: the largest entry of what is left; 0 where there is a solution
+     * @return by how much the rows contradict each other: the largest entry of what is left; 0 where there is a
+     *         solution
      */
     double solve(double[] right, double[] result) {
         for (int r = 0; r < members.length; r++) {
@@ -126,8 +129,8 @@ final class Linkage {
     }
 
     /**
-     * What is large here, for what is left over to be compared with. In free fall nothing but the rounding of forces stands
-     * on the right, and the accelerations say how large that may be.
+     * What is large here, for what is left over to be compared with. In free fall nothing but the rounding of forces
+     * stands on the right, and the accelerations say how large that may be.
      *
      * @param right         b, by row of all there are
      * @param accelerations of the particles without these forces (m/s&sup2;), where velocities stand in the state

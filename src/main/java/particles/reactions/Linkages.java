@@ -3,7 +3,7 @@ package particles.reactions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import particles.Particles;
+import particles.law.Particles;
 
 /** All that hangs together by rods and wires, and which particle hangs where. */
 final class Linkages {

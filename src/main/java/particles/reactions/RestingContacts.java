@@ -2,18 +2,24 @@ package particles.reactions;
 
 import java.util.List;
 import java.util.Optional;
-import particles.ForceDerivatives;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Reaction;
-import particles.Vector3;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactResponse;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
+import particles.reactions.contact.NormalForces;
+import particles.reactions.contact.SlidingDirection;
 
 /**
  * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 none;
  * otherwise the surface pushes back just as hard as it is pressed, lambda = -(N . F), and rubs with lambda times the
- * friction law. Several surfaces on one particle share the load ({@link NormalForces}). The surface of a sphere pushes by m
- * v_t&sup2;/R less where it curves away from the particle, and more where it curves towards it: (N . a) is what the circle
- * needs, not 0.
+ * friction law. Several surfaces on one particle share the load ({@link NormalForces}). The surface of a sphere pushes
+ * by m v_t&sup2;/R less where it curves away from the particle, and more where it curves towards it: (N . a) is what
+ * the circle needs, not 0.
  *
  * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step:
  * {@code particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
@@ -32,7 +38,7 @@ public final class RestingContacts implements Reaction {
     private final List<ContactSurface> surfaces;
     private final ContactModes modes;
     private Optional<RigidConstraints> coupled = Optional.empty();
-    private final Sliding sliding = new Sliding();
+    private final SlidingDirection sliding = new SlidingDirection();
     private final ContactResponse response;
 
     /**
@@ -56,8 +62,9 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Notes where a step begins. Coulomb friction has the direction of the sliding and would flip with it; within a step
-     * it is continued smoothly as if the sliding had not turned round, so that the step's end shows whether it did.
+     * Notes where a step begins. Coulomb friction has the direction of the sliding and would flip with it; within a
+     * step it is continued smoothly as if the sliding had not turned round, so that the step's end shows whether it
+     * did.
      *
      * @param system the system before a step
      */
@@ -66,8 +73,9 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Whether a surface holds on to a particle until a rule says that it lets go. Without that the surface stops pushing
-     * wherever N . F turns positive, as on the slide; then the force has a kink there, and a step across it loses its order.
+     * Whether a surface holds on to a particle until a rule says that it lets go. Without that the surface stops
+     * pushing wherever N . F turns positive, as on the slide; then the force has a kink there, and a step across it
+     * loses its order.
      *
      * @param holdsOn true where a rule finds the exact time of letting go
      */
@@ -80,7 +88,7 @@ public final class RestingContacts implements Reaction {
         return response;
     }
 
-    Sliding sliding() {
+    SlidingDirection sliding() {
         return sliding;
     }
 
@@ -97,9 +105,9 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Lets a surface strike a particle that hangs on rods or wires: all that hang together change their velocities by the
-     * impulses that rods and other touched surfaces pass on, without friction. What stuck slides from now on, and what was
-     * lifted off touches no more.
+     * Lets a surface strike a particle that hangs on rods or wires: all that hang together change their velocities by
+     * the impulses that rods and other touched surfaces pass on, without friction. What stuck slides from now on, and
+     * what was lifted off touches no more.
      *
      * @param surface  the surface's index
      * @param particle the particle's index
@@ -111,8 +119,8 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Makes the velocities of all that hang together fit each other after one of them was changed: no rod is stretched, no
-     * touched surface entered, and what sticks stays where it is. Does nothing for a particle that hangs on nothing.
+     * Makes the velocities of all that hang together fit each other after one of them was changed: no rod is stretched,
+     * no touched surface entered, and what sticks stays where it is. Does nothing for a particle that hangs on nothing.
      *
      * @param particle one of them
      * @param state    the state, in which velocities are changed
@@ -136,23 +144,25 @@ public final class RestingContacts implements Reaction {
     /**
      * @param particle its index
      * @param state    the state
-     * @return whether static friction may hold it as far as its speed goes: it touches something rough and is slower than
-     *         the threshold there, or as slow as rounding
+     * @return whether static friction may hold it as far as its speed goes: it touches something rough and is slower
+     *         than the threshold there, or as slow as rounding
      */
     public boolean isSlow(int particle, double[] state) {
         double limit = -1;
         for (int p = 0; p < surfaces.size(); p++) {
-            if (modes.get(p, particle) != ContactModes.Mode.FREE && surfaces.get(p).friction().staticCoefficient() > 0) {
+            if (modes.get(p, particle) != ContactModes.Mode.FREE
+                    && surfaces.get(p).friction().staticCoefficient() > 0) {
                 limit = Math.max(limit, Math.max(ROUNDING, surfaces.get(p).friction().threshold()));
             }
         }
         int v = STRIDE * particle + 3;
-        return state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2] <= limit * Math.abs(limit);
+        return state[v] * state[v] + state[v + 1] * state[v + 1]
+                + state[v + 2] * state[v + 2] <= limit * Math.abs(limit);
     }
 
     /**
-     * Whether Coulomb friction may turn within a time so sharply that a solver does not find the way in one step: near a
-     * stop it turns as fast as the velocity, however slow that is.
+     * Whether Coulomb friction may turn within a time so sharply that a solver does not find the way in one step: near
+     * a stop it turns as fast as the velocity, however slow that is.
      *
      * @param system the system
      * @param time   from now (s)
@@ -243,8 +253,8 @@ public final class RestingContacts implements Reaction {
      * @param particle its index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
-     * @return what the surfaces it touches withstand minus the force along them (N); negative if they cannot hold it, and
-     *         where nothing presses it on
+     * @return what the surfaces it touches withstand minus the force along them (N); negative if they cannot hold it,
+     *         and where nothing presses it on
      */
     public double holdMargin(int particle, double[] state, double[] force) {
         return isCoupled(particle) ? coupled.get().holdMargin(particle, state, force)
@@ -266,8 +276,9 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Takes away what of a particle's velocity points into surfaces that it touches: the smallest pushes along their normals
-     * after which none is entered any more. One after the other would not do where the push of one drives into the next.
+     * Takes away what of a particle's velocity points into surfaces that it touches: the smallest pushes along their
+     * normals after which none is entered any more. One after the other would not do where the push of one drives into
+     * the next.
      *
      * @param particle its index
      * @param state    the state, in which its velocity is changed

@@ -2,36 +2,39 @@ package particles.reactions;
 
 import java.util.Optional;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Reaction;
 import particles.SimulationException;
-import particles.SpringView;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.reactions.wires.Curve;
+import particles.view.SpringView;
 
 /**
- * Rods and wires: distances that do not change, and beads that stay on curves, by the forces that this takes and no others.
- * With the rows C(x) = 0, J their derivative and W the inverse masses, the forces J<sup>T</sup> lambda are those with
+ * Rods and wires: distances that do not change, and beads that stay on curves, by the forces that this takes and no
+ * others. With the rows C(x) = 0, J their derivative and W the inverse masses, the forces J<sup>T</sup> lambda are
+ * those with
  * <pre>
  *   J W J^T lambda = -(J W F + J' v) - k_s C - k_d C',     k_s = alpha&sup2;, k_d = 2 alpha,
  * </pre>
  * so that C'' = -2 alpha C' - alpha&sup2; C: the small errors of a solver's steps decay at the feedback rate alpha,
- * critically damped, and do not add up. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte 1972.)
+ * critically damped, and do not add up. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte
+ * 1972.)
  *
- * <p>How large may alpha be? The decay is one more thing to solve. A solver has to be stable for it - alpha deltaT &lt; 2
- * for euler and midpoint, 2.78 for rk4 - and that is the least of it: at the stages in the middle of a step C is off by
- * O(deltaT&sup2;) as a matter of course, because a straight piece leaves a circle, and the feedback answers with an
+ * <p>How large may alpha be? The decay is one more thing to solve. A solver has to be stable for it - alpha deltaT &lt;
+ * 2 for euler and midpoint, 2.78 for rk4 - and that is the least of it: at the stages in the middle of a step C is off
+ * by O(deltaT&sup2;) as a matter of course, because a straight piece leaves a circle, and the feedback answers with an
  * acceleration of alpha&sup2; O(deltaT&sup2;), which is an error. It is small beside the true acceleration for
- * (alpha deltaT)&sup2; &lt;&lt; 1 only, and falls with deltaT as the solver's order says only if alpha does not grow with
- * 1/deltaT. Measured for a pendulum of 1 m released at 90 degrees, rk4 at 0.01 s, the largest error of the length in ten
- * minutes:
+ * (alpha deltaT)&sup2; &lt;&lt; 1 only, and falls with deltaT as the solver's order says only if alpha does not grow
+ * with 1/deltaT. Measured for a pendulum of 1 m released at 90 degrees, rk4 at 0.01 s, the largest error of the length
+ * in ten minutes:
  * <pre>
  *   alpha (1/s)   0       1      3      5      10     20     50     100    200    280
  *   error (m)     0.15    7e-7   5e-8   1e-7   4e-7   1e-6   8e-6   5e-5   7e-4   unstable
  * </pre>
- * Below, errors stay longer than they take to come; above, the feedback itself makes them. So it is 5 /s where nothing else
- * is asked for.
+ * Below, errors stay longer than they take to come; above, the feedback itself makes them. So it is 5 /s where nothing
+ * else is asked for.
  *
- * <p>The forces do no work but that of moving anchors; what they change of the energy beside that, of the order of C and C',
- * is an error. There are no derivatives of the forces for implicit solvers; those take differences.
+ * <p>The forces do no work but that of moving anchors; what they change of the energy beside that, of the order of C
+ * and C', is an error. There are no derivatives of the forces for implicit solvers; those take differences.
  */
 public final class RigidConstraints implements Reaction, SpringView {
     /** The feedback rate alpha where none is asked for (1/s). */
@@ -49,7 +52,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     private double[] accelerations = {};
     private double[] right = {};
     private double[] lambda = {};
-    private Projection projection = new Projection(rows, linkages, Optional.empty());
+    private ConstraintCorrection projection = new ConstraintCorrection(rows, linkages, Optional.empty());
     private Optional<CoupledContacts> coupled = Optional.empty();
     private boolean arranged;
 
@@ -107,7 +110,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     private void arrange() {
         if (!arranged) {
             linkages.arrange(rows, particles);
-            projection = new Projection(rows, linkages, coupled);
+            projection = new ConstraintCorrection(rows, linkages, coupled);
             right = new double[rows.count()];
             lambda = new double[rows.count()];
             arranged = true;
@@ -148,7 +151,9 @@ public final class RigidConstraints implements Reaction, SpringView {
         }
     }
 
-    /** {@inheritDoc} Only what moves the anchors works; what errors of the lengths give or take is an error as they are. */
+    /**
+     * {@inheritDoc} Only what moves the anchors works; what errors of the lengths give or take is an error as they are.
+     */
     @Override
     public double getPower(double[] state, double time, double[] force) {
         prepare(state, time, force);

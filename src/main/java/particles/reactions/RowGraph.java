@@ -6,7 +6,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import particles.Particles;
+import particles.law.Particles;
 
 /** Which rows have a movable particle in common: what hangs together, and in which order its matrix is narrow. */
 final class RowGraph {
@@ -30,8 +30,9 @@ final class RowGraph {
     }
 
     /**
-     * The rows, by what hangs together. Within each part they are in the order of E. Cuthill and J. McKee 1969: from a row
-     * with few neighbours outwards, so that neighbours are near each other and the matrix of a chain is tridiagonal.
+     * The rows, by what hangs together. Within each part they are in the order of E. Cuthill and J. McKee 1969: from a
+     * row with few neighbours outwards, so that neighbours are near each other and the matrix of a chain is
+     * tridiagonal.
      */
     List<int[]> parts() {
         List<int[]> parts = new ArrayList<>();

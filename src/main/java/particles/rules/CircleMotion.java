@@ -1,7 +1,7 @@
 package particles.rules;
 
-import particles.AnchorMotion;
-import particles.Vector3;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
 /** Round and round an axis, a turning crank: counter-clockwise seen against the axis. */
 public final class CircleMotion implements AnchorMotion {
@@ -18,8 +18,10 @@ public final class CircleMotion implements AnchorMotion {
      * @throws IllegalArgumentException if the axis has no direction, the period is 0 or a number not finite
      */
     public CircleMotion(Vector3 start, Vector3 centre, Vector3 axis, double period) {
-        if (!start.isFinite() || !centre.isFinite() || !(Math.abs(period) > 0) || !(Math.abs(period) <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a circle needs finite points and a period other than 0, not " + start + ", "
+        if (!start.isFinite() || !centre.isFinite() || !(Math.abs(period) > 0)
+                || !(Math.abs(period) <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a circle needs finite points and a period other than 0, not " + start
+                    + ", "
                     + centre + ", " + period);
         }
         Vector3 unit = axis.normalized();

@@ -12,28 +12,28 @@ import static particles.rules.ContactGeometry.stopAlong;
 import static particles.rules.ContactGeometry.velocity;
 
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.Rule;
-import particles.Vector3;
-import particles.reactions.ContactModes;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
 
 /**
  * Particles bounce off planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and
  * v_t' = v_t. "Should back-off simulation until it's just on the plane. But usually don't bother!" - this rule does not
  * bother: a particle found below a surface after a step is put onto it, at the end of the step.
  *
- * <p>It is put there with the speed that it had there. With the acceleration a across the surface as constant within the
- * step, a = delta v/deltaT, its square is v_n&sup2; + 2 a depth: whoever is lifted against gravity pays with speed. So a
- * bounce multiplies the energy across the surface by r&sup2;, and adds none; what the solver's own steps add or lose it
- * leaves. Each bounce comes late, by less than deltaT; {@link ExactImpacts} is in time.
+ * <p>It is put there with the speed that it had there. With the acceleration a across the surface as constant within
+ * the step, a = delta v/deltaT, its square is v_n&sup2; + 2 a depth: whoever is lifted against gravity pays with speed.
+ * So a bounce multiplies the energy across the surface by r&sup2;, and adds none; what the solver's own steps add or
+ * lose it leaves. Each bounce comes late, by less than deltaT; {@link ExactImpacts} is in time.
  *
  * <p>It also decides what happens where bounces get smaller and smaller. A particle that would leave slower than the
- * surface's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step cannot
- * resolve), stays in contact. In contact it slides, or sticks once it is slower than the friction's threshold or has turned
- * round within a step, provided that static friction can hold it.
+ * surface's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step
+ * cannot resolve), stays in contact. In contact it slides, or sticks once it is slower than the friction's threshold or
+ * has turned round within a step, provided that static friction can hold it.
  */
 public final class ClampedImpacts implements Rule {
     private static final int STRIDE = Particles.STRIDE;
@@ -115,7 +115,9 @@ public final class ClampedImpacts implements Rule {
         return slideOrStickAll(system) || changed;
     }
 
-    /** After all have been put back: what sticks moves no more, and a rod between two that stick could not be put right. */
+    /**
+     * After all have been put back: what sticks moves no more, and a rod between two that stick could not be put right.
+     */
     private boolean slideOrStickAll(ParticleSystem system) {
         double[] state = system.getOwnState();
         boolean changed = false;
@@ -127,15 +129,6 @@ public final class ClampedImpacts implements Rule {
             }
         }
         return changed;
-    }
-
-    /** Takes away the speed into a surface; what hangs on rods or wires passes the blow on. */
-    private void stop(Vector3 normal, int p, int i, double[] state) {
-        if (contacts.isCoupled(i)) {
-            contacts.strike(p, i, 0, state);
-        } else {
-            stopAlong(normal, state, i);
-        }
     }
 
     /** A particle that was free: an impact if it is below the surface now. */
@@ -168,20 +161,23 @@ public final class ClampedImpacts implements Rule {
         double[] state = system.getOwnState();
         ContactSurface surface = contacts.getSurfaces().get(p);
         Vector3 normal = normal(surface, state, i);
-        if (leaving <= Math.max(surface.restSpeed(), gained)) {
-            stop(normal, p, i, state);
-            touch(p, i);
-            keepOnOthers(system, p, i, deltaT);
-        } else if (contacts.isCoupled(i)) {
-            contacts.strike(p, i, leaving, state);
+        boolean rests = leaving <= Math.max(surface.restSpeed(), gained);
+        if (contacts.isCoupled(i)) {
+            contacts.strike(p, i, rests ? 0 : leaving, state);      // its rods and wires pass the blow on
+        } else if (rests) {
+            stopAlong(normal, state, i);
         } else {
             moveAlong(normal, state, STRIDE * i + 3, leaving - normalSpeed(surface, state, i));
+        }
+        if (rests) {
+            touch(p, i);
+            keepOnOthers(system, p, i, deltaT);
         }
     }
 
     /**
-     * A particle that came to rest on surface p may touch others: in the bottom of a groove it is put onto all of them. One
-     * that it leaves so slowly that it would be back within half a step is not left.
+     * A particle that came to rest on surface p may touch others: in the bottom of a groove it is put onto all of them.
+     * One that it leaves so slowly that it would be back within half a step is not left.
      */
     private void keepOnOthers(ParticleSystem system, int p, int i, double deltaT) {
         double[] state = system.getOwnState();
@@ -230,7 +226,9 @@ public final class ClampedImpacts implements Rule {
         return false;
     }
 
-    /** A particle that sticks begins to slide where it cannot be held; one that slides sticks where it stops and can be. */
+    /**
+     * A particle that sticks begins to slide where it cannot be held; one that slides sticks where it stops and can be.
+     */
     private boolean slideOrStick(ParticleSystem system, int i, double[] state) {
         if (!modes.isTouching(i)) {
             return false;
@@ -264,8 +262,8 @@ public final class ClampedImpacts implements Rule {
     }
 
     /**
-     * Takes a particle that flew through a ball within the step back to where it went in, so that it is found there with the
-     * velocity that it had there.
+     * Takes a particle that flew through a ball within the step back to where it went in, so that it is found there
+     * with the velocity that it had there.
      */
     private void stopFlight(ContactSurface surface, int i, double[] state, double deltaT) {
         bezier(before, state, deltaT, i, points);

@@ -10,17 +10,17 @@ import java.util.function.ToDoubleFunction;
 import particles.EventRule.Event;
 import particles.Motion;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
-import particles.reactions.ContactModes;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.Friction;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.Friction;
 
 /**
- * What happens to particles in contact, at its time: a surface no longer presses and lets go, a sliding particle comes to a
- * stop, a sticking one breaks away. Each is a function of the state that is positive until then; whether it changed its sign
- * is looked at at the end of every motion.
+ * What happens to particles in contact, at its time: a surface no longer presses and lets go, a sliding particle comes
+ * to a stop, a sticking one breaks away. Each is a function of the state that is positive until then; whether it
+ * changed its sign is looked at at the end of every motion.
  */
 final class ContactEvents {
     private static final int STRIDE = Particles.STRIDE;
@@ -128,9 +128,10 @@ final class ContactEvents {
     }
 
     /**
-     * Sliding has slowed down to the threshold, or has turned round: by way of a stop, or by more than a right angle within
-     * the step while it goes on. Only what is as slow as the threshold or as rounding stops; after that it sticks, or slides
-     * off again from rest where it cannot be held. Otherwise nothing changes but the direction that friction opposes.
+     * Sliding has slowed down to the threshold, or has turned round: by way of a stop, or by more than a right angle
+     * within the step while it goes on. Only what is as slow as the threshold or as rounding stops; after that it
+     * sticks, or slides off again from rest where it cannot be held. Otherwise nothing changes but the direction that
+     * friction opposes.
      *
      * @param speed its speed at the beginning of the motion (m/s)
      */
@@ -153,15 +154,19 @@ final class ContactEvents {
     /** A speed that is 0 but for the rounding of a larger one, and of the clock while a force acts (m/s). */
     private double rounding(ParticleSystem system, int i, double speed) {
         int f = STRIDE * i + 3;
-        double acceleration = new Vector3(force[f], force[f + 1], force[f + 2]).length() / system.getParticles().mass(i);
+        double acceleration = new Vector3(force[f], force[f + 1],
+                force[f + 2]).length() / system.getParticles().mass(i);
         return ROUNDING * speed + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * acceleration;
     }
 
-    /** What hangs on what has come to rest may rest as well; on its own it would not be asked, since it does not slide. */
+    /**
+     * What hangs on what has come to rest may rest as well; on its own it would not be asked, since it does not slide.
+     */
     void stickOthers(ParticleSystem system) {
         double[] state = system.getOwnState();
         for (int i = 0; i < system.getParticles().count(); i++) {
-            if (contacts.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, state) && holdMargin(system, i) >= 0) {
+            if (contacts.isCoupled(i) && !modes.isSticking(i) && contacts.isSlow(i, state) && holdMargin(system,
+                    i) >= 0) {
                 moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
                 modes.setWhereTouching(i, Mode.STICKING);
                 contacts.settle(i, state);

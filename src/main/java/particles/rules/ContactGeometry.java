@@ -1,10 +1,10 @@
 package particles.rules;
 
-import particles.Particles;
-import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
 
 /** Where particles are with respect to surfaces, and small moves of one particle in a flat state. */
 final class ContactGeometry {
@@ -54,8 +54,8 @@ final class ContactGeometry {
     }
 
     /**
-     * Puts a particle onto all surfaces that it touches, and takes away its speed across them: what the one moves, the other
-     * puts right, in turn, until nothing but rounding is left.
+     * Puts a particle onto all surfaces that it touches, and takes away its speed across them: what the one moves, the
+     * other puts right, in turn, until nothing but rounding is left.
      *
      * @param slow a speed that is rounding (m/s)
      */
@@ -67,7 +67,8 @@ final class ContactGeometry {
             for (int q = 0; q < contacts.getSurfaces().size(); q++) {
                 if (contacts.getModes().get(q, i) != Mode.FREE) {
                     ContactSurface surface = contacts.getSurfaces().get(q);
-                    put &= Math.abs(distance(surface, state, i)) <= near && Math.abs(normalSpeed(surface, state, i)) <= slow;
+                    put &= Math.abs(distance(surface, state, i)) <= near
+                            && Math.abs(normalSpeed(surface, state, i)) <= slow;
                     putOn(surface, state, i);
                 }
             }

@@ -2,14 +2,14 @@ package particles.rules;
 
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.SeededRandom;
-import particles.Vector3;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 
 /**
- * A source of particles: the nozzle of a fountain, a fire's embers. Particle number n comes into being n/rate after the run
- * began, whatever the step; one that is due within a step is put where it would be at the step's end if nothing had acted
- * on it. Where and in which direction follows from the seed alone. Ids are the emitter's own with a number that is never
- * used again: {@code fountain[17]}.
+ * A source of particles: the nozzle of a fountain, a fire's embers. Particle number n comes into being n/rate after the
+ * run began, whatever the step; one that is due within a step is put where it would be at the step's end if nothing had
+ * acted on it. Where and in which direction follows from the seed alone. Ids are the emitter's own with a number that
+ * is never used again: {@code fountain[17]}.
  */
 public final class Emitter implements Rule {
     private final Nozzle nozzle;
@@ -36,11 +36,14 @@ public final class Emitter implements Rule {
         /** @throws IllegalArgumentException if a number is out of its range or the direction has none */
         public Nozzle {
             direction = direction.normalized();
-            if (!position.isFinite() || !(radius >= 0 && radius <= Double.MAX_VALUE) || !(spread >= 0 && spread <= Math.PI)
+            if (!position.isFinite() || !(radius >= 0 && radius <= Double.MAX_VALUE)
+                    || !(spread >= 0 && spread <= Math.PI)
                     || !(speed >= 0 && speed <= Double.MAX_VALUE) || !(rate > 0 && rate <= Double.MAX_VALUE)
                     || !(mass > 0 && mass <= Double.MAX_VALUE) || !(lifetime > 0)) {
-                throw new IllegalArgumentException("emitter '" + id + "' needs a finite position, radius and speed of 0 or"
-                        + " more, a spread from 0 to pi, positive rate, mass and lifetime, not " + position + ", " + radius
+                throw new IllegalArgumentException("emitter '" + id
+                        + "' needs a finite position, radius and speed of 0 or"
+                        + " more, a spread from 0 to pi, positive rate, mass and lifetime, not " + position + ", "
+                        + radius
                         + ", " + speed + ", " + spread + ", " + rate + ", " + mass + ", " + lifetime);
             }
         }

@@ -15,24 +15,27 @@ import java.util.List;
 import particles.EventRule;
 import particles.Motion;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
-import particles.reactions.ContactModes;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
 
 /**
- * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on the
- * plane", done. At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than the surface's rest
- * speed while it is pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at their times
- * too. Nothing is ever lifted, so that no energy is added and the solver keeps its order from impact to impact.
+ * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on
+ * the plane", done. At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than the surface's
+ * rest speed while it is pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at
+ * their times too. Nothing is ever lifted, so that no energy is added and the solver keeps its order from impact to
+ * impact.
  */
 public final class ExactImpacts implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
     /** Relative to what is compared: what is less is the rounding of a few operations. */
     private static final double ROUNDING = 1e-13;
-    /** Relative to the size of what moves: 32 roundings, those of a solver's stages, a spring's force and a distance. */
+    /**
+     * Relative to the size of what moves: 32 roundings, those of a solver's stages, a spring's force and a distance.
+     */
     private static final double DEEP = 0x1p-48;
 
     private final RestingContacts contacts;
@@ -83,8 +86,8 @@ public final class ExactImpacts implements EventRule {
     }
 
     /**
-     * All that this rule does happens at events. Only the solver's error is taken away that would let particles drift off a
-     * curved surface: no change of the laws, and no energy to be booked.
+     * All that this rule does happens at events. Only the solver's error is taken away that would let particles drift
+     * off a curved surface: no change of the laws, and no energy to be booked.
      */
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
@@ -127,8 +130,8 @@ public final class ExactImpacts implements EventRule {
      * Looks when particle i first goes below a surface, by the cubic between the motion's ends. Where it begins on the
      * surface, because it bounced or was let go or was born there, its place and the sign of its first small motion are
      * rounding: it meets the surface again only where it goes deeper than that, or than it was. How deep decides the
-     * solver's step, not the cubic. That may well dip: of what is let go at 0 speed and 0 acceleration, rising as t&sup3;,
-     * its error of the order of t&sup2; h&sup2; is the larger part at first.
+     * solver's step, not the cubic. That may well dip: of what is let go at 0 speed and 0 acceleration, rising as
+     * t&sup3;, its error of the order of t&sup2; h&sup2; is the larger part at first.
      *
      * @param begins whether it begins on the surface
      * @param size   what positions are rounded to the last bits of (m); of use where it begins on the surface
@@ -143,7 +146,8 @@ public final class ExactImpacts implements EventRule {
         double radius = radius(surface, begin, i);
         double below = begins ? Math.max(0, DEEP * (size + radius) - distance(surface, begin, i)) : 0;
         for (int k = 0; k < count; k++) {
-            coefficients[k] += surface.obstacle().isFlat() ? below : 2 * radius * below;    // r^2 - R^2 = (r - R) (r + R)
+            // r^2 - R^2 = (r - R) (r + R)
+            coefficients[k] += surface.obstacle().isFlat() ? below : 2 * radius * below;
         }
         double u = crossing.of(coefficients, count);
         if (!Double.isNaN(u)) {
@@ -159,8 +163,9 @@ public final class ExactImpacts implements EventRule {
     }
 
     /**
-     * The largest coordinate of any particle, or the way that its speed takes it, if that is more (m). What a spring pulls
-     * is rounded with its length, and in a stable step that moves its ends no further than some roundings of the length.
+     * The largest coordinate of any particle, or the way that its speed takes it, if that is more (m). What a spring
+     * pulls is rounded with its length, and in a stable step that moves its ends no further than some roundings of the
+     * length.
      */
     private static double size(Motion motion) {
         double h = motion.getEndTime() - motion.getStartTime();
@@ -231,7 +236,9 @@ public final class ExactImpacts implements EventRule {
             contacts.beginStep(system);
         }
 
-        /** A push by one surface must not drive the particle into another one on which it rests, but may lift it off. */
+        /**
+         * A push by one surface must not drive the particle into another one on which it rests, but may lift it off.
+         */
         private void stayOutOfAll(double rounding, double[] state) {
             contacts.stopEntering(i, state);
             for (int q = 0; q < contacts.getSurfaces().size(); q++) {

@@ -1,9 +1,9 @@
 package particles.rules;
 
 /**
- * The first place where a polynomial becomes negative, by subdivision of its B&eacute;zier form: a piece whose coefficients
- * are all not negative is nowhere negative, so that nothing is missed, however short the dip. (Method: T. Sederberg,
- * T. Nishita 1990, B&eacute;zier clipping, with halving in place of clipping.)
+ * The first place where a polynomial becomes negative, by subdivision of its B&eacute;zier form: a piece whose
+ * coefficients are all not negative is nowhere negative, so that nothing is missed, however short the dip. (Method: T.
+ * Sederberg, T. Nishita 1990, B&eacute;zier clipping, with halving in place of clipping.)
  */
 final class FirstCrossing {
     /** Enough for the square of a cubic. */
@@ -14,8 +14,8 @@ final class FirstCrossing {
     private final double[][] pieces = new double[DEEPEST + 2][MOST_COEFFICIENTS];
 
     /**
-     * @param coefficients B&eacute;zier coefficients; for a cubic the value at 0, that plus a third of the slope there, the
-     *                     value at 1 minus a third of the slope there, and that
+     * @param coefficients B&eacute;zier coefficients; for a cubic the value at 0, that plus a third of the slope there,
+     *                     the value at 1 minus a third of the slope there, and that
      * @param count        how many there are
      * @return the u in 0 ... 1 where the polynomial first becomes negative, within 2^-45; NaN if it never does
      */

@@ -1,11 +1,11 @@
 package particles.rules;
 
-import particles.AnchorMotion;
-import particles.Vector3;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
 /**
- * Straight from one place to another, starting and stopping without a jerk: the part of the way is s = u&sup3; (10 - 15 u +
- * 6 u&sup2;) with u = t/duration, so that velocity and acceleration begin and end with 0; then it stays.
+ * Straight from one place to another, starting and stopping without a jerk: the part of the way is s = u&sup3; (10 - 15
+ * u + 6 u&sup2;) with u = t/duration, so that velocity and acceleration begin and end with 0; then it stays.
  *
  * <p>Source: T. Flash, N. Hogan, "The coordination of arm movements" (1985): the motion of least jerk.
  */
@@ -22,7 +22,8 @@ public final class GlideMotion implements AnchorMotion {
      */
     public GlideMotion(Vector3 from, Vector3 to, double duration) {
         if (!from.isFinite() || !to.isFinite() || !(duration > 0) || !(duration <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a glide needs finite places and a positive duration, not " + from + ", " + to
+            throw new IllegalArgumentException("a glide needs finite places and a positive duration, not " + from
+                    + ", " + to
                     + ", " + duration);
         }
         this.from = new double[] {from.x(), from.y(), from.z()};

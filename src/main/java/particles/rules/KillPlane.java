@@ -1,9 +1,9 @@
 package particles.rules;
 
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Plane;
 import particles.Rule;
+import particles.law.Particles;
+import particles.law.Plane;
 
 /** Particles that are behind a plane at the end of a step are gone: the drain of a fountain, the end of the world. */
 public final class KillPlane implements Rule {

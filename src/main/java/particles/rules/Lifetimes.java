@@ -3,7 +3,9 @@ package particles.rules;
 import particles.ParticleSystem;
 import particles.Rule;
 
-/** Particles die of age: those whose time has come are gone at the end of a step. Only emitted ones have such a time. */
+/**
+ * Particles die of age: those whose time has come are gone at the end of a step. Only emitted ones have such a time.
+ */
 public final class Lifetimes implements Rule {
     @Override
     public String getName() {

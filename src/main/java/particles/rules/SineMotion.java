@@ -1,9 +1,11 @@
 package particles.rules;
 
-import particles.AnchorMotion;
-import particles.Vector3;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
-/** To and fro: x = centre + amplitude sin(2 pi t / period), the hand that shakes a spring. Begins in the middle, moving. */
+/**
+ * To and fro: x = centre + amplitude sin(2 pi t / period), the hand that shakes a spring. Begins in the middle, moving.
+ */
 public final class SineMotion implements AnchorMotion {
     private final double[] centre;
     private final double[] amplitude;
@@ -17,7 +19,8 @@ public final class SineMotion implements AnchorMotion {
      */
     public SineMotion(Vector3 centre, Vector3 amplitude, double period) {
         if (!centre.isFinite() || !amplitude.isFinite() || !(period > 0) || !(period <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("an oscillation needs a finite centre and amplitude and a positive period,"
+            throw new IllegalArgumentException(
+                    "an oscillation needs a finite centre and amplitude and a positive period,"
                     + " not " + centre + ", " + amplitude + ", " + period);
         }
         this.centre = new double[] {centre.x(), centre.y(), centre.z()};

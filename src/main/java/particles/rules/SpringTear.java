@@ -2,11 +2,11 @@ package particles.rules;
 
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 
 /**
- * Springs tear when they are stretched too far: at the end of a step a spring longer than (1 + strain) times its rest length
- * is gone, and what it stored with it. Springs of rest length 0 have no strain and never tear.
+ * Springs tear when they are stretched too far: at the end of a step a spring longer than (1 + strain) times its rest
+ * length is gone, and what it stored with it. Springs of rest length 0 have no strain and never tear.
  */
 public final class SpringTear implements Rule {
     private final SpringForce springs;

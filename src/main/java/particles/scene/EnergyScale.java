@@ -1,25 +1,27 @@
 package particles.scene;
 
-import particles.Effect;
-import particles.Effect.Trait;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.scene.parts.SceneAssembly;
 
 /**
- * How much energy of motion is to be expected in a scene, so that "a million times more" means that it blew up. The largest
- * of
+ * How much energy of motion is to be expected in a scene, so that "a million times more" means that it blew up. The
+ * largest of
  * <ul>
  * <li>kinetic energy plus what springs, attraction, cohesion and penalties store at the start;</li>
  * <li>what gravity can give: the sum of m g (H + g T&sup2;/2), with H the extent of all particles along g and T the
  *     duration, since everything may fall for as long as the run lasts;</li>
- * <li>what wind, emitters and moving anchors can give: the sum of m w&sup2;/2, with w the largest of their speeds, over all
+ * <li>what wind, emitters and moving anchors can give: the sum of m w&sup2;/2, with w the largest of their speeds, over
+ * all
  *     particles, those too that are born during the run.</li>
  * </ul>
  * Where all three are 0 nothing that the scene names sets anything in motion. Then it is the kinetic energy with which
- * every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
- * that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
+ * every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1
+ * m if that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
  */
 final class EnergyScale {
     private EnergyScale() {

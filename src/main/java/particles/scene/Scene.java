@@ -2,12 +2,14 @@ package particles.scene;
 
 import deSolvers.DESolver;
 import java.util.Optional;
-import particles.Camera;
-import particles.Look;
 import particles.ParticleSystem;
-import particles.Scenery;
 import particles.Simulation;
-import particles.SpringView;
+import particles.scene.format.OutputDescription;
+import particles.scene.format.SceneDescription;
+import particles.view.Camera;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+import particles.view.SpringView;
 
 /**
  * A scene, ready to run.
@@ -25,7 +27,7 @@ import particles.SpringView;
  * @param energyScale how much energy of motion is to be expected (J); {@code blowUpFactor} times that ends the run
  */
 public record Scene(SceneDescription description, Simulation simulation, ParticleSystem system, DESolver solver,
-                    SpringView springs, Scenery scenery, Optional<Camera> camera, Look look,
+                    SpringView springs, Scenery scenery, Optional<Camera> camera, RenderOptions look,
                     OutputDescription output, Optional<Phase> phase, double energyScale) {
 
     /**

@@ -7,18 +7,30 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import particles.ParticleSystem;
-import particles.Scenery;
 import particles.Simulation;
-import particles.Surface;
-import particles.Vector3;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
+import particles.scene.checks.MemoryEstimate;
+import particles.scene.checks.RunLimits;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SolverFormat;
+import particles.scene.parts.Lattice;
+import particles.scene.parts.LatticeSurface;
+import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.ParticleIndex;
+import particles.scene.parts.SceneAssembly;
+import particles.scene.parts.ShapeDescription;
+import particles.scene.parts.SpringDescription;
+import particles.scene.parts.SpringFamily;
 import particles.spec.Chosen;
-import particles.spec.Problems;
+import particles.spec.messages.Problems;
+import particles.view.Surface;
 
 /** From a description to a simulation: what it names is built, and nothing else. */
 public final class SceneBuilder {
@@ -34,7 +46,8 @@ public final class SceneBuilder {
     public static Scene build(SceneDescription described, Overrides overrides) {
         Problems problems = new Problems();
         SceneDescription scene = overrides.applyTo(described, problems);
-        Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene, problems);
+        Optional<Supplier<DESolver>> solver = problems.count() > 0 ? Optional.empty() : SolverFormat.maker(scene,
+                problems);
         RunLimits.check(scene.deltaT(), scene.duration(), scene.output().frameRate(), scene.places(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
         if (problems.count() > 0) {
@@ -104,7 +117,8 @@ public final class SceneBuilder {
     /** In the order of {@link ParticleIndex}. */
     private static List<Surface> addParticles(SceneDescription scene, ParticleSystem system, SpringForce springs) {
         for (ParticleDescription particle : scene.particles()) {
-            system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(), particle.fixed());
+            system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(),
+                    particle.fixed());
         }
         List<Surface> surfaces = new ArrayList<>();
         for (ShapeDescription shape : scene.shapes()) {

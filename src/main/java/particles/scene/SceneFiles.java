@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import particles.spec.Wording;
+import particles.spec.messages.Wording;
 
 /** Finds scenes: by path, by name with or without number, or by number. */
 public final class SceneFiles {
@@ -40,8 +40,8 @@ public final class SceneFiles {
      * Finds a scene.
      *
      * @param folder where scenes are
-     * @param wanted a path; or the name of a scene of the folder, such as {@code 09-cloth-in-wind}, {@code cloth-in-wind},
-     *               either with the ending too; or its number, {@code 9} or {@code 09}
+     * @param wanted a path; or the name of a scene of the folder, such as {@code 09-cloth-in-wind},
+     *               {@code cloth-in-wind}, either with the ending too; or its number, {@code 9} or {@code 09}
      * @return the file
      * @throws SceneException if there is none, or more than one
      */
@@ -99,7 +99,8 @@ public final class SceneFiles {
     private static String nearest(Path folder, String wanted) {
         List<Path> scenes = list(folder);
         List<String> titles = scenes.stream().map(file -> namesOf(file).get(namesOf(file).size() > 1 ? 1 : 0)).toList();
-        String bare = wanted.replace('\\', '/').replaceFirst(".*/", "").replaceFirst("\\.yaml$", "").replaceFirst("^\\d+-",
+        String bare = wanted.replace('\\', '/').replaceFirst(".*/", "").replaceFirst("\\.yaml$",
+                "").replaceFirst("^\\d+-",
                 "");
         String known = " scenes: " + String.join(", ", scenes.stream().map(file -> name(file).orElseThrow()).toList());
         if (bare.length() < 3 || bare.length() > 60) {

@@ -2,12 +2,15 @@ package particles.scene;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.scene.checks.SceneChecks;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 import particles.spec.ClassNames;
-import particles.spec.Problems;
 import particles.spec.Reading;
 import particles.spec.SourceText;
 import particles.spec.Values;
 import particles.spec.YamlText;
+import particles.spec.messages.Problems;
 
 /** Reads scene files. */
 public final class SceneReader {
@@ -63,7 +66,9 @@ public final class SceneReader {
                 .orElseThrow(() -> new SceneException(problems.lines()));
     }
 
-    /** As far as the format says what is allowed, without what has to hold between the parts: this the schema knows too. */
+    /**
+     * As far as the format says what is allowed, without what has to hold between the parts: this the schema knows too.
+     */
     static Optional<Values> readValues(byte[] bytes, Reading in) {
         return YamlText.compose(bytes, in).map(root -> SceneFormat.SCENE.readRoot(root, in));
     }

@@ -1,5 +1,7 @@
 package particles.spec;
 
+import particles.spec.messages.Place;
+
 /**
  * An entry that chose a kind.
  *

@@ -8,7 +8,8 @@ import java.util.Optional;
  * @param name         how it is written
  * @param type         what values it takes
  * @param required     whether it must be there
- * @param defaultValue its value where it is not there; none if its absence means something else, which the sentence says
+ * @param defaultValue its value where it is not there; none if its absence means something else, which the sentence
+ *                     says
  * @param sentence     what it means
  * @param <T>          what a value is in Java
  */
@@ -29,7 +30,8 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
         return new Key<>(name, type, false, Optional.empty(), sentence);
     }
 
-    // Written out, as what a record does by itself is put together at run time, which is several per cent of a short run.
+    // Written out, as what a record does by itself is put together at run time, which is several per cent of a short
+    // run.
 
     @Override
     public boolean equals(Object other) {
@@ -44,7 +46,7 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
     }
 
     /** @return the default as JSON has it, if there is one */
-    Optional<Object> defaultJson() {
+    public Optional<Object> defaultJson() {
         return defaultValue.map(type::toJson);
     }
 }

@@ -10,6 +10,8 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Place;
+import particles.spec.messages.Wording;
 
 /**
  * A choice of one kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} where it needs no keys.
@@ -72,12 +74,15 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         }
         Node valueNode = entries.get(0).getValueNode();
         if (valueNode.getTag().equals(Tag.NULL)) {
-            in.problem(nameNode, "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
-                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon" : ""));
+            in.problem(nameNode,
+                    "'" + kind.get().name() + "' has no value; it has to be " + kind.get().keys().describe()
+                    + (kind.get().keys().mayBeEmpty() ? "; or write '- " + kind.get().name() + "', without the colon"
+                    : ""));
             return Optional.empty();
         }
         Place place = in.place(nameNode);
-        return kind.get().keys().read(valueNode, "'" + kind.get().name() + "'", in).map(values -> new Chosen<>(kind.get(),
+        return kind.get().keys().read(valueNode, "'" + kind.get().name() + "'",
+                in).map(values -> new Chosen<>(kind.get(),
                 values, place));
     }
 
@@ -100,7 +105,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
         if (!kind.keys().mayBeEmpty()) {
-            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it needs " + kind.keys().describe());
+            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it needs "
+                    + kind.keys().describe());
             return Optional.empty();
         }
         return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));
@@ -113,7 +119,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     /** @return what else than a kind's name may stand in its place, to follow the names */
-    String orClass() {
+    public String orClass() {
         return byClass.map(other -> ", or " + other.form().describe()).orElse("");
     }
 

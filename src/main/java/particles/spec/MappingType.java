@@ -12,6 +12,8 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Place;
+import particles.spec.messages.Wording;
 
 /** A mapping with known keys. */
 public final class MappingType extends Type<Values> {
@@ -100,7 +102,8 @@ public final class MappingType extends Type<Values> {
         if (key.isEmpty()) {
             List<String> known = keys.stream().map(Key::name).toList();
             in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
-                    ? "a number where a key of " + name + " should be; numbers have a decimal point, not a comma, and several"
+                    ? "a number where a key of " + name
+                    + " should be; numbers have a decimal point, not a comma, and several"
                     + " of them stand in [ ]"
                     : Wording.unknown("key", text, known).replaceFirst("known:", "known in " + name + ":"));
         } else if (!seen.add(text)) {
@@ -155,7 +158,7 @@ public final class MappingType extends Type<Values> {
     }
 
     @Override
-    Map<String, Object> schema() {
+    public Map<String, Object> schema() {
         Map<String, Object> schema = new LinkedHashMap<>();
         Map<String, Object> properties = new LinkedHashMap<>();
         for (Key<?> key : keys) {
@@ -192,7 +195,7 @@ public final class MappingType extends Type<Values> {
     }
 
     /** @return the key whose value may stand alone, if there is one */
-    Optional<Key<?>> shortForm() {
+    public Optional<Key<?>> shortForm() {
         return shortFor;
     }
 

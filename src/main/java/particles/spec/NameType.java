@@ -7,6 +7,8 @@ import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
 
 /** One of some names; or else, where that is allowed, a text of another form. */
 public final class NameType extends Type<String> {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Wording;
 
 /** A finite number in a range. */
 public final class NumberType extends Type<Double> {
@@ -57,7 +58,8 @@ public final class NumberType extends Type<Double> {
             return number;
         }
         if (value > 0 && value < TINY) {
-            in.problem(node, what + " is " + Wording.describe(node) + "; no number that has to be positive is below 1e-30");
+            in.problem(node, what + " is " + Wording.describe(node)
+                    + "; no number that has to be positive is below 1e-30");
             return Optional.empty();
         }
         if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {

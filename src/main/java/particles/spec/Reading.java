@@ -1,6 +1,8 @@
 package particles.spec;
 
 import org.snakeyaml.engine.v2.nodes.Node;
+import particles.spec.messages.Place;
+import particles.spec.messages.Problems;
 
 /**
  * One source being read.

@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import particles.spec.messages.Wording;
 
 /** A text, perhaps of a certain form. */
 public final class TextType extends Type<String> {
@@ -29,7 +30,8 @@ public final class TextType extends Type<String> {
 
     /**
      * @param description what it is, with what is allowed
-     * @param pattern     a regular expression that means the same in Java and in ECMA 262; it has to be found in the text
+     * @param pattern     a regular expression that means the same in Java and in ECMA 262; it has to be found in the
+     *                    text
      * @return texts of that form
      */
     public static TextType of(String description, String pattern) {

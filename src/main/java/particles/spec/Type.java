@@ -6,6 +6,8 @@ import org.snakeyaml.engine.v2.common.ScalarStyle;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
+import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
 
 /**
  * What kind of value a key takes.

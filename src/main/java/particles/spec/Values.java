@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import particles.spec.messages.Place;
 
 /** What a mapping of a file says: the values of its keys and where they stand. */
 public final class Values {

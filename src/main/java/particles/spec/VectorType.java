@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
-import particles.Vector3;
+import particles.law.Vector3;
 
 /** A vector in space, written [x, y, z]. */
 public final class VectorType extends Type<Vector3> {
@@ -46,7 +46,8 @@ public final class VectorType extends Type<Vector3> {
         }
         List<Node> nodes = ((SequenceNode) node).getValue();
         if (nodes.size() != 3) {
-            in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries") + "; it has to be "
+            in.problem(node, what + " has " + nodes.size() + (nodes.size() == 1 ? " entry" : " entries")
+                    + "; it has to be "
                     + describe());
             return Optional.empty();
         }

@@ -15,6 +15,7 @@ import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
+import particles.spec.messages.Place;
 
 /**
  * From a text to a tree of nodes with places, in YAML 1.2's core schema, so that 1e-3 is a number. The text is looked
@@ -59,9 +60,10 @@ public final class YamlText {
             in.problems().add(Place.of(in.source()), "not valid YAML: " + e.getMessage());
         } catch (NumberFormatException e) {
             Matcher escape = NO_CHARACTER.matcher(text);
-            in.problems().add(escape.find() ? SourceText.end(text.substring(0, escape.start()), in) : Place.of(in.source()),
-                    "not valid YAML: an escape has to give a character's number in hexadecimal digits, such as \\xe9, \\u00e9"
-                    + " or \\U000000e9");
+            in.problems().add(escape.find() ? SourceText.end(text.substring(0, escape.start()), in)
+                    : Place.of(in.source()),
+                    "not valid YAML: an escape has to give a character's number in hexadecimal digits, such as \\xe9,"
+                    + " \\u00e9 or \\U000000e9");
         }
         return Optional.empty();
     }
@@ -99,7 +101,8 @@ public final class YamlText {
         Optional<String> tag = event instanceof ScalarEvent ? ((ScalarEvent) event).getTag()
                 : event instanceof CollectionStartEvent ? ((CollectionStartEvent) event).getTag() : Optional.empty();
         if (tag.isPresent()) {
-            in.problems().add(place, "tags (!name) are not used in scenes; put quotes around a text that begins with !");
+            in.problems().add(place,
+                    "tags (!name) are not used in scenes; put quotes around a text that begins with !");
             return true;
         }
         return false;
@@ -109,7 +112,8 @@ public final class YamlText {
     private static String reason(MarkedYamlEngineException e, String text) {
         String problem = e.getProblem() == null ? "the text ends or goes on unexpectedly" : e.getProblem();
         int index = e.getProblemMark().map(mark -> mark.getIndex()).orElse(0);
-        if (index < text.codePointCount(0, text.length()) && text.codePointAt(text.offsetByCodePoints(0, index)) == '\t') {
+        if (index < text.codePointCount(0, text.length()) && text.codePointAt(text.offsetByCodePoints(0,
+                index)) == '\t') {
             return "a tab; YAML is indented by spaces";
         }
         String hint = "";

@@ -1,11 +1,15 @@
 package particles.teaching;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Writes coefficients as people do: 1/6, deltaT/2, s + k1/2. */
 public final class Formula {
     private static final double SAME = 1e-9;
+    private static final double SAME_TIME = 1e-13;
     private static final int LARGEST_DENOMINATOR = 48;
 
     private Formula() {
@@ -16,20 +20,36 @@ public final class Formula {
         return Math.abs(x - y) <= SAME * Math.max(1, Math.abs(y));
     }
 
+    /** @return whether two times in units of deltaT are the same but for a few roundings of double arithmetic */
+    public static boolean sameTime(double x, double y) {
+        return Math.abs(x - y) <= SAME_TIME * Math.max(1, Math.abs(y));
+    }
+
     /** @return the number as a fraction where it is a simple one, else with four digits */
     public static String number(double x) {
+        return fraction(x, SAME).orElseGet(() -> String.format(Locale.ROOT, "%.4g", x));
+    }
+
+    private static Optional<String> fraction(double x, double tolerance) {
         for (int q = 1; q <= LARGEST_DENOMINATOR; q++) {
             double p = Math.rint(x * q);
-            if (Math.abs(p) < 1e6 && Math.abs(x * q - p) <= SAME * q * Math.max(1, Math.abs(x))) {
-                return q == 1 ? Long.toString((long) p) : (long) p + "/" + q;
+            if (Math.abs(p) < 1e6 && Math.abs(x * q - p) <= tolerance * q * Math.max(1, Math.abs(x))) {
+                return Optional.of(q == 1 ? Long.toString((long) p) : (long) p + "/" + q);
             }
         }
-        return String.format(Locale.ROOT, "%.4g", x);
+        return Optional.empty();
+    }
+
+    /** Enough digits to see that 1.000000001 is not 1. */
+    private static String exactly(double x) {
+        return fraction(x, SAME_TIME).orElseGet(() -> fraction(x, 1e-4).isEmpty() ? String.format(Locale.ROOT, "%.4g",
+                x)
+                : new BigDecimal(x).round(new MathContext(13)).stripTrailingZeros().toPlainString());
     }
 
     /** @return such as {@code t + deltaT/2}; c is in units of deltaT */
     public static String time(double c) {
-        return same(c, 0) ? "t" : "t" + term(c, "deltaT");
+        return sameTime(c, 0) ? "t" : "t" + term(c, "deltaT", exactly(Math.abs(c)));
     }
 
     /**
@@ -42,19 +62,15 @@ public final class Formula {
         StringBuilder text = new StringBuilder(same(kept, 1) ? "s" : same(kept, 0) ? "" : number(kept) + " s");
         for (int j = 0; j < weight.length; j++) {
             if (!same(weight[j], 0)) {
-                text.append(term(weight[j], j < names.size() ? names.get(j) : "k" + (j + 1)));
+                text.append(term(weight[j], j < names.size() ? names.get(j) : "k" + (j + 1),
+                        number(Math.abs(weight[j]))));
             }
         }
         return text.isEmpty() ? "0" : text.toString().replaceFirst("^ \\+ ", "");
     }
 
-    private static String term(double coefficient, String name) {
-        String sign = coefficient < 0 ? " - " : " + ";
-        double size = Math.abs(coefficient);
-        if (same(size, 1)) {
-            return sign + name;
-        }
-        String number = number(size);
-        return sign + (number.startsWith("1/") ? name + number.substring(1) : number + " " + name);
+    private static String term(double coefficient, String name, String size) {
+        return (coefficient < 0 ? " - " : " + ") + (size.equals("1") ? name
+                : size.startsWith("1/") ? name + size.substring(1) : size + " " + name);
     }
 }

@@ -13,7 +13,9 @@ import particles.teaching.Finding.Kind;
  * machine makes nobody's loop endless. Against {@code System.exit} only a process of its own helps.
  */
 public final class GuardedRun {
-    /** On a busy machine a loop gets only a part of the processor; it is its own time that counts, up to this multiple. */
+    /**
+     * On a busy machine a loop gets only a part of the processor; it is its own time that counts, up to this multiple.
+     */
     private static final double BUSY_MACHINE = 50;
     private static final double NANOS = 1e9;
     private static final long POLL_MILLIS = 20;
@@ -80,7 +82,8 @@ public final class GuardedRun {
             if (computed > seconds || waits || elapsed > BUSY_MACHINE * seconds) {
                 String place = StudentFailure.place(thread.getStackTrace());
                 thread.interrupt();
-                return Optional.of(new Finding(Kind.FAILURE, "it did not come back within " + Formula.number(seconds) + " s: "
+                return Optional.of(new Finding(Kind.FAILURE, "it did not come back within " + Formula.number(seconds)
+                        + " s: "
                         + (waits ? "it waits for something that never comes" : "an endless loop") + place));
             }
         }
@@ -93,14 +96,16 @@ public final class GuardedRun {
             return new Finding(Kind.FAILURE, "the stack overflows: a method calls itself without end" + place);
         }
         if (thrown instanceof OutOfMemoryError) {
-            return new Finding(Kind.FAILURE, "it asks for more memory than the " + Runtime.getRuntime().maxMemory() / (1 << 20)
+            return new Finding(Kind.FAILURE, "it asks for more memory than the " + Runtime.getRuntime()
+                    .maxMemory() / (1 << 20)
                     + " MB that there are" + place);
         }
         return new Finding(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(thrown));
     }
 
     /**
-     * @return where the student's class is at this moment, if it is running; for a hook that runs when the program is ended
+     * @return where the student's class is at this moment, if it is running; for a hook that runs when the program is
+     * ended
      */
     public Optional<String> runningAt() {
         return Optional.ofNullable(running.get()).map(thread -> StudentFailure.place(thread.getStackTrace()));

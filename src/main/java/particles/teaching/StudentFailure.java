@@ -16,12 +16,14 @@ public final class StudentFailure {
     }
 
     /**
-     * @return such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that is neither the
+     * @return such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that is neither
+     * the
      *         JDK's nor the program's; if there is none, the innermost of the program outside the checker;
      *         empty without either
      */
     public static String place(StackTraceElement[] stack) {
-        List<StackTraceElement> written = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && isWritten(frame)).toList();
+        List<StackTraceElement> written = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && isWritten(frame))
+                .toList();
         Optional<StackTraceElement> found = written.stream().filter(frame -> !isOurs(frame)).findFirst()
                 .or(() -> written.stream().filter(frame ->
                         !frame.getClassName().startsWith("particles.teaching.")).findFirst());
@@ -39,7 +41,9 @@ public final class StudentFailure {
         return frame.getLineNumber() > 0 && !frame.getClassName().contains("/");
     }
 
-    /** Students' classes are of their package, or come from another place than the program's, whatever their package is. */
+    /**
+     * Students' classes are of their package, or come from another place than the program's, whatever their package is.
+     */
     private static boolean isOurs(StackTraceElement frame) {
         if (frame.getClassName().startsWith("exercises.")) {
             return false;

@@ -22,7 +22,9 @@ import org.junit.jupiter.api.Test;
 
 /** What a solver that chooses its own sub-steps promises besides the contract of all solvers. */
 public abstract class AdaptiveContract extends DESolverContract {
-    /** What the first sub-step, raised to the clock's resolution, changes the error; measured 3.3e-8 (bulirsch-stoer). */
+    /**
+     * What the first sub-step, raised to the clock's resolution, changes the error; measured 3.3e-8 (bulirsch-stoer).
+     */
     private static final double LATE = 1e-7;
 
     /** @return a new solver with these tolerances */
@@ -70,7 +72,8 @@ public abstract class AdaptiveContract extends DESolverContract {
         ReferenceProblem[] problems = {new Kepler(0.5), new DragInWind(2, 2), new GrowthInSeason()};
         for (ReferenceProblem problem : problems) {
             double exponent = fittedExponent(problem, 12);
-            // Measured: step-doubling 0.84, 0.82, 0.91 and, with local extrapolation, 0.92, 1.01, 0.93; dormand-prince 1.05,
+            // Measured: step-doubling 0.84, 0.82, 0.91 and, with local extrapolation, 0.92, 1.01, 0.93; dormand-prince
+            // 1.05,
             // 1.03, 0.93; bulirsch-stoer 1.10, 1.05, 1.02. They scatter because errors of sub-steps partly cancel.
             assertTrue(exponent > 0.7 && exponent < 1.3, problem.getClass().getSimpleName() + ": " + exponent);
             assertEquals(toleranceExponent(), exponent, 0.15, problem.getClass().getSimpleName());
@@ -195,7 +198,8 @@ public abstract class AdaptiveContract extends DESolverContract {
     void aSystemTooFastForItsClockIsNamedWithTheClocksResolution() {
         Oscillator problem = new Oscillator(1e5, 1, 0);
         problem.incTime(1e12);
-        DESolverException e = assertThrows(DESolverException.class, () -> createSolver(1e-6, 1e-9).stepState(problem, 0.01));
+        DESolverException e = assertThrows(DESolverException.class, () -> createSolver(1e-6, 1e-9).stepState(problem,
+                0.01));
         assertTrue(e.getMessage().contains("the resolution of the clock is 4.8828125E-4 s"), e.getMessage());
     }
 
@@ -241,8 +245,9 @@ public abstract class AdaptiveContract extends DESolverContract {
     }
 
     /**
-     * The error of a sub-step is judged by the size of the state after it, so that a loose tolerance lets a vibration grow,
-     * as it does in other codes (Hairer's dopri5, SciPy's RK45); from 1e-3 down, which SUNDIALS advises, by little.
+     * The error of a sub-step is judged by the size of the state after it, so that a loose tolerance lets a vibration
+     * grow, as it does in other codes (Hairer's dopri5, SciPy's RK45); from 1e-3 down, which SUNDIALS advises, by
+     * little.
      */
     @Test
     void aVibrationGrowsInProportionToTheTolerance() {

@@ -16,8 +16,9 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Parts of a solution that are too fast for an explicit method and have decayed, over many rates and lengths of a step: the
- * sub-steps grow until something grows again, and only the estimate of the error can tell. It must not be blind at any rate.
+ * Parts of a solution that are too fast for an explicit method and have decayed, over many rates and lengths of a step:
+ * the sub-steps grow until something grows again, and only the estimate of the error can tell. It must not be blind at
+ * any rate.
  */
 class FastPartScanTest {
     private static final double[][] TOLERANCES = {{1e-6, 1e-9}, {1e-3, 1e-6}};
@@ -32,8 +33,8 @@ class FastPartScanTest {
     }
 
     /**
-     * The bounds in units of the tolerance, for decay, damped spring and stiff pair. Measured, with the tolerances 1e-6/1e-9
-     * and 1e-3/1e-6: step-doubling 46, 150, 48; bulirsch-stoer 14, 25, 2.5; dormand-prince 2.4, 19,
+     * The bounds in units of the tolerance, for decay, damped spring and stiff pair. Measured, with the tolerances
+     * 1e-6/1e-9 and 1e-3/1e-6: step-doubling 46, 150, 48; bulirsch-stoer 14, 25, 2.5; dormand-prince 2.4, 19,
      * 1.3. Without their second estimates step-doubling reached 2.7e252 and
      * bulirsch-stoer infinity, over a finer scan.
      */
@@ -127,7 +128,8 @@ class FastPartScanTest {
             double[] state = problem.state();
             double units = 0;
             for (int i = 0; i < exact.length; i++) {
-                units = Math.max(units, Math.abs(state[i] - exact[i]) / (tolerance[1] + tolerance[0] * Math.abs(exact[i])));
+                units = Math.max(units,
+                        Math.abs(state[i] - exact[i]) / (tolerance[1] + tolerance[0] * Math.abs(exact[i])));
             }
             return units;
         };

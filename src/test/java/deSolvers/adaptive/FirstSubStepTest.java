@@ -16,15 +16,16 @@ class FirstSubStepTest {
     }
 
     /**
-     * Hairer, N&oslash;rsett and Wanner's guess: with d0 = |s|, d1 = |s'|, d2 = |s''| in units of the tolerance, the root of
-     * 0.01/max(d1, d2), but no more than d0/d1 and deltaT.
+     * Hairer, N&oslash;rsett and Wanner's guess: with d0 = |s|, d1 = |s'|, d2 = |s''| in units of the tolerance, the
+     * root of 0.01/max(d1, d2), but no more than d0/d1 and deltaT.
      */
     @Test
     void theFirstGuess() {
         for (double sign : new double[] {1, -1}) {
             assertEquals(sign * Math.sqrt(0.01 / 4), firstTried(100, sign * 50, t -> -4), CLOSE, "by d1");
             assertEquals(sign * Math.sqrt(0.01 / 9), firstTried(0, sign * 50, t -> 9 * t), CLOSE, "by d2");
-            assertEquals(sign * Math.sqrt(0.01 / 9), firstTried(0.5, sign * 50, t -> 5 - 9 * t), CLOSE, "by d2, from the trial");
+            assertEquals(sign * Math.sqrt(0.01 / 9), firstTried(0.5, sign * 50, t -> 5 - 9 * t), CLOSE,
+                    "by d2, from the trial");
             assertEquals(sign * 2e-4, firstTried(2, sign * 50, t -> 1e4), CLOSE, "by d0/d1");
             assertEquals(sign * 0.0625, firstTried(0, sign * 0.0625, t -> 1e-3), CLOSE, "all of deltaT");
             assertEquals(sign * 7, firstTried(0, sign * 7, t -> 0), CLOSE, "nothing moves");
@@ -52,10 +53,14 @@ class FirstSubStepTest {
         return source.asked.get(1);
     }
 
-    /** A state that changes beyond all numbers, or too fast for the trial to be told from 0, still gives a first attempt. */
+    /**
+     * A state that changes beyond all numbers, or too fast for the trial to be told from 0, still gives a first
+     * attempt.
+     */
     @Test
     void aGuessIsAlwaysALength() {
-        assertEquals(0.02, firstTried(8, 50, t -> t > 0.01 ? Double.POSITIVE_INFINITY : 4), CLOSE, "as long as the trial");
+        assertEquals(0.02, firstTried(8, 50, t -> t > 0.01 ? Double.POSITIVE_INFINITY : 4), CLOSE,
+                "as long as the trial");
         assertEquals(1e-310, firstTried(1, 1e-310, t -> 1), 0);
         assertEquals(1e-300, firstTried(1, 1e-300, t -> 1), 0);
     }

@@ -11,7 +11,9 @@ import deSolvers.problems.Oscillator;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
-/** One sub-step of the pairs, as long as deltaT because the tolerance allows everything, against its stability function. */
+/**
+ * One sub-step of the pairs, as long as deltaT because the tolerance allows everything, against its stability function.
+ */
 class OneSubStepTest {
     private static final double EVERYTHING = 1e6;
     private static final double[] RK4 = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24};
@@ -43,7 +45,8 @@ class OneSubStepTest {
     @Test
     void theOscillatorsStepIsTheClosedForm() {
         for (double h : new double[] {0.01, 0.1, 0.5, 1, -0.5}) {
-            assertStep(new DormandPrinceSolver(EVERYTHING, EVERYTHING), h, StepMatrixFormula.polynomial(h, DORMAND_PRINCE));
+            assertStep(new DormandPrinceSolver(EVERYTHING, EVERYTHING), h,
+                    StepMatrixFormula.polynomial(h, DORMAND_PRINCE));
             double[] twice = square(StepMatrixFormula.polynomial(h / 2, RK4));
             assertStep(new StepDoublingSolver(EVERYTHING, EVERYTHING), h, twice);
         }
@@ -88,8 +91,11 @@ class OneSubStepTest {
     /** One for the derivative at the beginning and one for the first guess; then what the javadoc says. */
     @Test
     void evaluationsASubStep() {
-        assertArrayEquals(new long[] {2 + 6, 6}, evaluationsOfTwoSteps(new DormandPrinceSolver(EVERYTHING, EVERYTHING)));
-        assertArrayEquals(new long[] {2 + 10, 11}, evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING)));
-        assertArrayEquals(new long[] {2 + 8, 9}, evaluationsOfTwoSteps(new BulirschStoerSolver(EVERYTHING, EVERYTHING)));
+        assertArrayEquals(new long[] {2 + 6, 6},
+                evaluationsOfTwoSteps(new DormandPrinceSolver(EVERYTHING, EVERYTHING)));
+        assertArrayEquals(new long[] {2 + 10, 11},
+                evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING)));
+        assertArrayEquals(new long[] {2 + 8, 9},
+                evaluationsOfTwoSteps(new BulirschStoerSolver(EVERYTHING, EVERYTHING)));
     }
 }

@@ -29,7 +29,9 @@ class StepDoublingEstimateTest {
         }
     }
 
-    /** Where the two results agree by chance they are 436 and 402 times too large; what the second estimate says there. */
+    /**
+     * Where the two results agree by chance they are 436 and 402 times too large; what the second estimate says there.
+     */
     @Test
     void whereOneEstimateIsBlindTheOtherSees() {
         Trial real = tryOne(FIRST_ZERO, 0);

@@ -25,7 +25,8 @@ class SubStepControlTest {
     private static final double FIRST = 0.1;
 
     private static void assertTried(List<Double> tried, double... expected) {
-        assertArrayEquals(expected, tried.stream().limit(expected.length).mapToDouble(Double::doubleValue).toArray(), CLOSE);
+        assertArrayEquals(expected, tried.stream().limit(expected.length).mapToDouble(Double::doubleValue).toArray(),
+                CLOSE);
     }
 
     private static Scripted step(double deltaT, DoubleBinaryOperator error) {
@@ -82,7 +83,8 @@ class SubStepControlTest {
     void theEndIsMetExactly() {
         for (double direction : new double[] {1, -1}) {
             assertTried(step(direction * 0.25, 1.0625).tried, direction * FIRST, direction * 0.075, direction * 0.075);
-            assertTried(step(direction * 0.35, 1.0625).tried, direction * FIRST, direction * 0.10625, direction * 0.071875,
+            assertTried(step(direction * 0.35, 1.0625).tried, direction * FIRST, direction * 0.10625,
+                    direction * 0.071875,
                     direction * 0.071875);
             assertEquals(3, step(direction * 0.25, 1.0625).tried.size());
             assertEquals(4, step(direction * 0.35, 1.0625).tried.size());
@@ -121,7 +123,8 @@ class SubStepControlTest {
     void theSlopeOfASubStepIsThatOfItsBeginning() {
         for (boolean known : new boolean[] {false, true}) {
             for (double direction : new double[] {1, -1}) {
-                Scripted solver = new Scripted(known, (offset, h) -> Math.abs(offset) > 0.15 && Math.abs(h) > 0.05 ? 2 : 0.81);
+                Scripted solver = new Scripted(known, (offset, h) -> Math.abs(offset) > 0.15 && Math.abs(h) > 0.05 ? 2
+                        : 0.81);
                 Ramp source = new Ramp(0, t -> 1 + t / 8);
                 solver.stepState(source, direction * 2);
                 for (int k = 0; k < solver.tried.size(); k++) {
@@ -141,7 +144,8 @@ class SubStepControlTest {
         Scripted never = new Scripted(false, (offset, h) -> offset > 0.15 ? 2 : 0.81);
         Ramp source = constant();
         DESolverException e = assertThrows(DESolverException.class, () -> never.stepState(source, 1));
-        assertTrue(e.getMessage().matches(".*the sub-step fell to 1\\.11\\S+E-16 s after 0.2\\d* s, where the resolution of the"
+        assertTrue(e.getMessage()
+                .matches(".*the sub-step fell to 1\\.11\\S+E-16 s after 0.2\\d* s, where the resolution of the"
                 + " clock is 1\\.11\\S+E-16 s, and still cannot be made.*"), e.getMessage());
         // 4 ulp of what was done: a sub-step of exactly that was tried last.
         assertEquals(4 * Math.ulp(0.2), never.tried.get(never.tried.size() - 1));
@@ -156,7 +160,8 @@ class SubStepControlTest {
         Ramp far = constant();
         far.incTime(1e6);
         e = assertThrows(DESolverException.class, () -> late.stepState(far, 1));
-        assertTrue(e.getMessage().contains("the resolution of the clock is " + 4 * Math.ulp(1e6) + " s"), e.getMessage());
+        assertTrue(e.getMessage().contains("the resolution of the clock is " + 4 * Math.ulp(1e6) + " s"),
+                e.getMessage());
         assertEquals(4 * Math.ulp(1e6), late.tried.get(late.tried.size() - 1));
         // But deltaT itself may be as short as it likes.
         Scripted tiny = new Scripted(false, (offset, h) -> 0.5);
@@ -164,7 +169,10 @@ class SubStepControlTest {
         assertEquals(List.of(1e-300), tiny.tried);
     }
 
-    /** A guess or a plan below the clock's resolution is raised to it: only a sub-step of that size can be found too long. */
+    /**
+     * A guess or a plan below the clock's resolution is raised to it: only a sub-step of that size can be found too
+     * long.
+     */
     @Test
     void noSubStepIsFinerThanTheClock() {
         double resolution = 4 * Math.ulp(1e9);
@@ -207,7 +215,9 @@ class SubStepControlTest {
         assertEquals(4, solver.restarts);
     }
 
-    /** Whoever set the state is named, even if the derivative does not see it; or the source, where that is no number. */
+    /**
+     * Whoever set the state is named, even if the derivative does not see it; or the source, where that is no number.
+     */
     @Test
     void whatIsNotFiniteIsNamed() {
         for (boolean knowsEndSlope : new boolean[] {false, true}) {

@@ -35,15 +35,19 @@ class ToleranceTest {
     void whatIsNoNumberErrsInfinitely() {
         Tolerance tolerance = new Tolerance(0, 1);
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
-            assertEquals(Double.POSITIVE_INFINITY, tolerance.ratio(new double[] {5, bad, 0}, new double[3], new double[3]));
+            assertEquals(Double.POSITIVE_INFINITY, tolerance.ratio(new double[] {5, bad, 0}, new double[3],
+                    new double[3]));
             assertEquals(1, tolerance.worstEntry());
-            assertEquals(Double.POSITIVE_INFINITY, tolerance.ratio(new double[3], new double[3], new double[] {0, 0, bad}));
+            assertEquals(Double.POSITIVE_INFINITY, tolerance.ratio(new double[3], new double[3],
+                    new double[] {0, 0, bad}));
             assertEquals(2, tolerance.worstEntry());
         }
-        assertEquals(MAX, tolerance.ratio(new double[] {MAX}, new double[1], new double[1]), "the largest number is one");
+        assertEquals(MAX, tolerance.ratio(new double[] {MAX}, new double[1], new double[1]),
+                "the largest number is one");
         assertEquals(0, tolerance.ratio(new double[1], new double[] {MAX}, new double[] {-MAX}));
         assertEquals(0, new Tolerance(1, 0).ratio(new double[1], new double[1], new double[1]), "0 of nothing allowed");
-        assertEquals(Double.POSITIVE_INFINITY, new Tolerance(1, 0).ratio(new double[] {1e-300}, new double[1], new double[1]));
+        assertEquals(Double.POSITIVE_INFINITY, new Tolerance(1, 0).ratio(new double[] {1e-300}, new double[1],
+                new double[1]));
     }
 
     @Test
@@ -55,7 +59,8 @@ class ToleranceTest {
         double[][] refused = {{0, 0}, {MAX, MAX}, {1, -Double.MIN_VALUE}, {-Double.MIN_VALUE, 1}, {Double.NaN, 1},
                 {1, Double.NaN}};
         for (double[] pair : refused) {
-            assertThrows(IllegalArgumentException.class, () -> new Tolerance(pair[0], pair[1]), pair[0] + ", " + pair[1]);
+            assertThrows(IllegalArgumentException.class, () -> new Tolerance(pair[0], pair[1]),
+                    pair[0] + ", " + pair[1]);
         }
     }
 }

@@ -15,9 +15,10 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Evaluations for the same error at the end, against RK45 of SciPy 1.17.1: solve_ivp(f, (0, T), exact(0), method='RK45',
- * rtol=tol, atol=tol) for tol = 1e-3 ... 1e-10, its nfev and the largest error of an entry at T. One call of stepState over
- * T here, the same tolerances in half decades, averaged over the errors that both reach ({@link WorkCurve}).
+ * Evaluations for the same error at the end, against RK45 of SciPy 1.17.1: solve_ivp(f, (0, T), exact(0),
+ * method='RK45', rtol=tol, atol=tol) for tol = 1e-3 ... 1e-10, its nfev and the largest error of an entry at T. One
+ * call of stepState over T here, the same tolerances in half decades, averaged over the errors that both reach
+ * ({@link WorkCurve}).
  */
 class WorkAgainstSciPyTest {
     private static final Map<String, double[]> SCIPY = Map.of(
@@ -33,7 +34,8 @@ class WorkAgainstSciPyTest {
             1118, 6.885e-08, 1772, 7.110e-09, 2804, 7.231e-10});
 
     static Stream<Arguments> problems() {
-        return Stream.of(Arguments.of("Kepler 0.5", new Kepler(0.5), 12), Arguments.of("Kepler 0.9", new Kepler(0.9), 6),
+        return Stream.of(Arguments.of("Kepler 0.5", new Kepler(0.5), 12), Arguments.of("Kepler 0.9", new Kepler(0.9),
+                6),
                 Arguments.of("DragInWind", new DragInWind(2, 2), 12),
                 Arguments.of("GrowthInSeason", new GrowthInSeason(), 12),
                 Arguments.of("Oscillator", new Oscillator(), 20));

@@ -9,10 +9,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class DidYouMeanTest {
-    private static final List<String> KNOWN = List.of("gravity", "drag", "wind", "stiffness", "restLength", "deltaT", "duration");
+    private static final List<String> KNOWN = List.of("gravity", "drag", "wind", "stiffness", "restLength", "deltaT",
+            "duration");
 
     @ParameterizedTest
-    @CsvSource({"gravty,gravity", "gravityy,gravity", "gravtiy,gravity", "GRAVITY,gravity", "deltat,deltaT", "dletaT,deltaT",
+    @CsvSource({"gravty,gravity", "gravityy,gravity", "gravtiy,gravity", "GRAVITY,gravity", "deltat,deltaT",
+            "dletaT,deltaT",
         "restlenght,restLength", "wnd,wind", "stiff,stiffness", "durtaion,duration"})
     void slipsOfTheFingerAreSeenThrough(String found, String meant) {
         assertEquals(Optional.of(meant), DidYouMean.nearest(found, KNOWN));

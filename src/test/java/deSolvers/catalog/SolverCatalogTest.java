@@ -108,7 +108,8 @@ class SolverCatalogTest {
             }
         }
         assertThrows(NoSuchElementException.class, () -> SolverCatalog.create("rk5", 1e-3, 1e-3));
-        assertInstanceOf(DormandPrinceSolver.class, SolverCatalog.create(DormandPrinceSolver.class.getName(), 1e-3, 1e-3));
+        assertInstanceOf(DormandPrinceSolver.class, SolverCatalog.create(DormandPrinceSolver.class.getName(), 1e-3,
+                1e-3));
         assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create(Own.class.getName(), 1e-3, 1e-3));
         assertThrows(IllegalArgumentException.class, () -> SolverCatalog.create("dormand-prince", -1, 1e-3));
     }
@@ -135,7 +136,8 @@ class SolverCatalogTest {
     @Test
     void aClassThatCannotBeLoadedIsRefusedTheSecondTimeToo() {
         String name = Unloadable.class.getName();
-        assertRefused(name, "cannot be loaded: java.lang.ArrayIndexOutOfBoundsException: Index 2 out of bounds for length 2");
+        assertRefused(name,
+                "cannot be loaded: java.lang.ArrayIndexOutOfBoundsException: Index 2 out of bounds for length 2");
         assertRefused(name, "cannot be loaded: ");
     }
 

@@ -8,7 +8,10 @@ import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.TestEquation;
 import org.junit.jupiter.api.Test;
 
-/** The table for s' = lambda s over a stretch of 1 s: its columns' stability functions, and what they say of their errors. */
+/**
+ * The table for s' = lambda s over a stretch of 1 s: its columns' stability functions, and what they say of their
+ * errors.
+ */
 class ExtrapolationTableTest {
     /** A column's result, what is said of its error, and that without the smoothing: moduli. */
     private record Column(double result, double estimate, double correction, double smoothing) {
@@ -58,8 +61,8 @@ class ExtrapolationTableTest {
 
     /**
      * Over the left half of the plane, wherever a result grows by more than a twentieth: measured 4.8 to 74 times the
-     * estimate, but up to 2e6 times what the last column changed alone; on the real axis at most 0.67 times what is left of
-     * the smoothing.
+     * estimate, but up to 2e6 times what the last column changed alone; on the real axis at most 0.67 times what is
+     * left of the smoothing.
      */
     @Test
     void theEstimateIsNeverFarBelowAResultThatGrows() {

@@ -38,7 +38,8 @@ class OrderControlTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1e3, 1", "1, 1", "1e-1, 1", "1e-3, 1", "1e-5, 2", "1e-6, 3", "1e-9, 4", "1e-12, 6", "1e-15, 6", "0, 6"})
+    @CsvSource({"1e3, 1", "1, 1", "1e-1, 1", "1e-3, 1", "1e-5, 2", "1e-6, 3", "1e-9, 4", "1e-12, 6", "1e-15, 6",
+            "0, 6"})
     void theFirstTargetFollowsFromTheTolerance(double tolerance, int target) {
         control.restart(tolerance);
         assertEquals(2 * target + 1, control.targetExponent());

@@ -18,8 +18,9 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Evaluations for the same error at the end, against Gragg-Bulirsch-Stoer of Hipparchus (minimal step 1e-12, maximal step
- * the whole interval, the same tolerances 1e-3 ... 1e-11 in half decades), averaged over the errors that both reach.
+ * Evaluations for the same error at the end, against Gragg-Bulirsch-Stoer of Hipparchus (minimal step 1e-12, maximal
+ * step the whole interval, the same tolerances 1e-3 ... 1e-11 in half decades), averaged over the errors that both
+ * reach.
  */
 class WorkAgainstHipparchusTest {
 

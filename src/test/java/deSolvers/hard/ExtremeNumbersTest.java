@@ -12,8 +12,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * x'' = -x in units that make x 1e-300, denormal, 1e150 or 1e300. Hard, because squares of such numbers are 0 or infinite: a
- * norm that squares, a tolerance that is added, a quotient of differences can all go wrong where the motion is the same.
+ * x'' = -x in units that make x 1e-300, denormal, 1e150 or 1e300. Hard, because squares of such numbers are 0 or
+ * infinite: a norm that squares, a tolerance that is added, a quotient of differences can all go wrong where the motion
+ * is the same.
  */
 @Tag("hard")
 class ExtremeNumbersTest {
@@ -38,9 +39,9 @@ class ExtremeNumbersTest {
     }
 
     /**
-     * Solvers that step by deltaT make the same motion but for rounding: measured 1.1e-15, and 5e-14 (1e-310 has 13 digits
-     * left) among the denormal ones. Adaptive ones may differ by their tolerance, as far as the absolute one is left out of
-     * play or decides alone; measured 1.3e-7.
+     * Solvers that step by deltaT make the same motion but for rounding: measured 1.1e-15, and 5e-14 (1e-310 has 13
+     * digits left) among the denormal ones. Adaptive ones may differ by their tolerance, as far as the absolute one is
+     * left out of play or decides alone; measured 1.3e-7.
      */
     @ParameterizedTest
     @MethodSource("solvers")

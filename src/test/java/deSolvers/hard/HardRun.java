@@ -19,7 +19,8 @@ import java.util.stream.IntStream;
  * @param failure  why the run stopped before its end, if it did
  */
 record HardRun(double error, double largest, Optional<DESolverException> failure) {
-    static final List<String> SECOND_ORDER = SolverCatalog.all().stream().filter(s -> s.secondOrder()).map(s -> s.name())
+    static final List<String> SECOND_ORDER = SolverCatalog.all().stream().filter(s -> s.secondOrder())
+            .map(s -> s.name())
             .toList();
 
     /**
@@ -38,7 +39,8 @@ record HardRun(double error, double largest, Optional<DESolverException> failure
                 made.stepState(problem, deltaT);
             } catch (DESolverException e) {
                 assertEquals(time, problem.getTime(), "the clock after a failure");
-                IntStream.range(0, before.length).forEach(k -> assertEquals(before[k], problem.state()[k], "entry " + k));
+                IntStream.range(0, before.length).forEach(k -> assertEquals(before[k], problem.state()[k],
+                        "entry " + k));
                 return new HardRun(problem.error(), largest, Optional.of(e));
             }
             for (double entry : problem.state()) {
@@ -51,6 +53,7 @@ record HardRun(double error, double largest, Optional<DESolverException> failure
 
     /** @return the failure's message, or what happened instead */
     String message() {
-        return failure.map(Throwable::getMessage).orElse("ended without failure, error " + error + ", largest " + largest);
+        return failure.map(Throwable::getMessage).orElse("ended without failure, error " + error + ", largest "
+                + largest);
     }
 }

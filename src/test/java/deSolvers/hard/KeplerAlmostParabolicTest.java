@@ -11,8 +11,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * One orbit of eccentricity 0.99. Hard, because at the perihelion, 0.01 from the sun, everything is 1,000 times faster than
- * at the aphelion: a fixed step is wasted on most of the orbit and too long for the rest, and an error made at the
+ * One orbit of eccentricity 0.99. Hard, because at the perihelion, 0.01 from the sun, everything is 1,000 times faster
+ * than at the aphelion: a fixed step is wasted on most of the orbit and too long for the rest, and an error made at the
  * perihelion is magnified by 10,000 when the planet comes back to it.
  */
 @Tag("hard")
@@ -35,9 +35,13 @@ class KeplerAlmostParabolicTest {
         return HardRun.of(solver, planet, PERIOD / steps, steps);
     }
 
-    /** 8,192 steps, more than step control needs evaluations, put every fixed step on another orbit or out of the system. */
+    /**
+     * 8,192 steps, more than step control needs evaluations, put every fixed step on another orbit or out of the
+     * system.
+     */
     @ParameterizedTest
-    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler", "verlet", "yoshida4", "implicit-midpoint"})
+    @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler", "verlet", "yoshida4",
+            "implicit-midpoint"})
     void fixedStepsOfUsualLengthLoseTheOrbit(String solver) {
         Kepler planet = new Kepler(0.99);
         HardRun run = orbit(solver, planet, 8192);
@@ -46,7 +50,8 @@ class KeplerAlmostParabolicTest {
 
     /** 2^19 steps keep it, by their order: the error of the energy -1/2 was measured. */
     @ParameterizedTest
-    @CsvSource({"midpoint, 1.7e-3", "symplectic-euler, 3.4e-3", "verlet, 1.8e-3", "implicit-midpoint, 1.8e-3", "rk4, 1.6e-9",
+    @CsvSource({"midpoint, 1.7e-3", "symplectic-euler, 3.4e-3", "verlet, 1.8e-3", "implicit-midpoint, 1.8e-3",
+            "rk4, 1.6e-9",
         "adams, 1.3e-7", "yoshida4, 8e-12"})
     void fixedStepsOfATwoHundredthKeepIt(String solver, double measured) {
         Kepler planet = new Kepler(0.99);
@@ -65,7 +70,8 @@ class KeplerAlmostParabolicTest {
     }
 
     /**
-     * What damps springs takes energy from a planet too: it spirals into the sun, and there the equation has no solution.
+     * What damps springs takes energy from a planet too: it spirals into the sun, and there the equation has no
+     * solution.
      */
     @ParameterizedTest
     @CsvSource({"65536, -140", "524288, -660"})

@@ -11,8 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A million steps. Hard, because each solver moves the clock to stages and back, and a rounding a step would be a second's
- * error after 1e15 of them, or a time at which the derivative is never asked again.
+ * A million steps. Hard, because each solver moves the clock to stages and back, and a rounding a step would be a
+ * second's error after 1e15 of them, or a time at which the derivative is never asked again.
  */
 @Tag("hard")
 class MillionStepsTest {
@@ -38,7 +38,9 @@ class MillionStepsTest {
         assertEquals(15625.0, timeAfter(SolverCatalog.create(solver), 1.0 / 64));
     }
 
-    /** 0.1 is none; what comes out is bit for bit the sum of a million 0.1, 1.3e-6 too much, and not a rounding more. */
+    /**
+     * 0.1 is none; what comes out is bit for bit the sum of a million 0.1, 1.3e-6 too much, and not a rounding more.
+     */
     @ParameterizedTest
     @MethodSource("solvers")
     void theClockIsTheRoundedSumForAnyOtherStep(String solver) {

@@ -10,8 +10,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * y' = y^2 from 1 has its pole at t = 1 and no solution after it. Hard, because there is nothing to follow: a solver has to
- * say so, and neither hang nor step over it.
+ * y' = y^2 from 1 has its pole at t = 1 and no solution after it. Hard, because there is nothing to follow: a solver
+ * has to say so, and neither hang nor step over it.
  */
 @Tag("hard")
 class PoleTest {

@@ -39,9 +39,13 @@ class ResonanceTest {
         }
     }
 
-    /** After 200 s the amplitude is 100; the errors were measured, and are those of order 2, 4, 5 and the tolerance 1e-6. */
+    /**
+     * After 200 s the amplitude is 100; the errors were measured, and are those of order 2, 4, 5 and the tolerance
+     * 1e-6.
+     */
     @ParameterizedTest
-    @CsvSource({"midpoint, 5.8", "symplectic-euler, 1.3", "verlet, 1.5", "implicit-midpoint, 2.9", "rk4, 1.2e-3", "adams, 4.2e-3",
+    @CsvSource({"midpoint, 5.8", "symplectic-euler, 1.3", "verlet, 1.5", "implicit-midpoint, 2.9", "rk4, 1.2e-3",
+            "adams, 4.2e-3",
         "yoshida4, 9e-3", "step-doubling, 7.2e-5", "dormand-prince, 2.5e-6", "bulirsch-stoer, 7.2e-9", "radau, 1.2e-6"})
     void theAmplitudeGrowsAsItShould(String solver, double measured) {
         HardRun run = HardRun.of(solver, new Resonance(), H, STEPS);
@@ -49,7 +53,9 @@ class ResonanceTest {
         assertEquals(100, run.largest(), 0.5);
     }
 
-    /** Its own damping of h/2 ends the growth near (1/2)/(h/2) = 16, where the energy put in and that lost are equal. */
+    /**
+     * Its own damping of h/2 ends the growth near (1/2)/(h/2) = 16, where the energy put in and that lost are equal.
+     */
     @ParameterizedTest
     @CsvSource("backward-euler")
     void backwardEulerDampsTheResonanceAway(String solver) {

@@ -36,7 +36,8 @@ class StiffClassicsTest {
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer"})
     void vanDerPolIsGivenUpByExplicitStepControlWithTheReason(String solver) {
-        assertFails(HardRun.of(solver, new VanDerPol(), VanDerPol.END, 1), "the system is stiff (take an implicit solver)");
+        assertFails(HardRun.of(solver, new VanDerPol(), VanDerPol.END, 1),
+                "the system is stiff (take an implicit solver)");
     }
 
     /** In a jump y moves by 3 within a hundredth of the step: Newton's method has no near start, and says so. */
@@ -68,8 +69,10 @@ class StiffClassicsTest {
 
     /** Measured error and evaluations: explicit ones do arrive, in 240,000 and more; radau needs 628. */
     @ParameterizedTest
-    @CsvSource({"step-doubling, 40, 4.2e-7, 312808", "dormand-prince, 40, 1.6e-9, 242606", "bulirsch-stoer, 40, 1.5e-5, 602206",
-        "radau, 40, 4.0e-9, 628", "backward-euler, 0.015625, 5.5e-5, 18306", "implicit-midpoint, 0.015625, 1.7e-8, 18246"})
+    @CsvSource({"step-doubling, 40, 4.2e-7, 312808", "dormand-prince, 40, 1.6e-9, 242606",
+            "bulirsch-stoer, 40, 1.5e-5, 602206",
+        "radau, 40, 4.0e-9, 628", "backward-euler, 0.015625, 5.5e-5, 18306",
+        "implicit-midpoint, 0.015625, 1.7e-8, 18246"})
     void robertsonIsFollowed(String solver, double deltaT, double error, long evaluations) {
         Robertson problem = new Robertson();
         HardRun run = HardRun.of(solver, problem, deltaT, (int) (Robertson.END / deltaT));
@@ -85,7 +88,8 @@ class StiffClassicsTest {
     void theStiffPairGrowsInExplicitSteps(String solver, double atLeast) {
         HardRun run = HardRun.of(solver, new StiffPair(), 1.0 / 64, 64);
         assertTrue(run.largest() > atLeast, run.message());
-        assertTrue(HardRun.of(solver, new StiffPair(), 1.0 / 1024, 1024).error() < 5e-4, "and is followed by short ones");
+        assertTrue(HardRun.of(solver, new StiffPair(), 1.0 / 1024, 1024).error() < 5e-4,
+                "and is followed by short ones");
     }
 
     /** Measured errors; all but the two of low order keep their tolerance of 1e-6. */
@@ -111,7 +115,8 @@ class StiffClassicsTest {
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer"})
     void protheroAndRobinsonsProblemIsGivenUpByExplicitStepControl(String solver) {
-        assertFails(HardRun.of(solver, new ProtheroRobinson(-1e7), 1, 1), "the system is stiff (take an implicit solver)");
+        assertFails(HardRun.of(solver, new ProtheroRobinson(-1e7), 1, 1),
+                "the system is stiff (take an implicit solver)");
     }
 
     /** h/(2L), no damping at all of the error of h^2/16, and the rounding of radau. */

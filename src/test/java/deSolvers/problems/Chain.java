@@ -1,8 +1,8 @@
 package deSolvers.problems;
 
 /**
- * n unit masses between two walls on n + 1 unit springs, in one of the chain's modes: x_j = sin(j m pi / (n + 1)) cos wt, or
- * damped where the springs are: a mode then obeys q'' = -w^2 (q + c q').
+ * n unit masses between two walls on n + 1 unit springs, in one of the chain's modes: x_j = sin(j m pi / (n + 1)) cos
+ * wt, or damped where the springs are: a mode then obeys q'' = -w^2 (q + c q').
  */
 public final class Chain extends SecondOrderProblem {
     private final int n;

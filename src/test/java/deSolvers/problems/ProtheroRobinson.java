@@ -1,8 +1,8 @@
 package deSolvers.problems;
 
 /**
- * y' = L (y - cos t) - sin t, y(0) = 1: y = cos t for every L. The stiffer L is, the more a method's order on this problem
- * falls from its classical order towards the order of its stages.
+ * y' = L (y - cos t) - sin t, y(0) = 1: y = cos t for every L. The stiffer L is, the more a method's order on this
+ * problem falls from its classical order towards the order of its stages.
  *
  * <p>Source: A. Prothero, A. Robinson (1974), Math. Comp. 28, 145.
  */

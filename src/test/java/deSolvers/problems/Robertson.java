@@ -2,8 +2,8 @@ package deSolvers.problems;
 
 /**
  * Robertson's chemical reactions from (1, 0, 0), to t = 40: rate constants from 0.04 to 3e7. The state at the end
- * agrees with the ten digits of E. Hairer and G. Wanner, <i>Solving Ordinary Differential Equations II</i>; the others are
- * from Taylor series of degree 36 in numbers of 40 digits, 7,745 steps with a remainder of 1e-28 each.
+ * agrees with the ten digits of E. Hairer and G. Wanner, <i>Solving Ordinary Differential Equations II</i>; the others
+ * are from Taylor series of degree 36 in numbers of 40 digits, 7,745 steps with a remainder of 1e-28 each.
  */
 public final class Robertson extends ReferenceProblem {
     /** Where the solution is known besides the start (s). */

@@ -20,7 +20,8 @@ public final class SlowAndFastSpring extends ReferenceProblem {
         double damped = Math.sqrt(omega * omega - gamma * gamma);
         double c = 0.5 * StrictMath.exp(-gamma * t) * StrictMath.cos(damped * t);
         double s = 0.5 * StrictMath.exp(-gamma * t) * StrictMath.sin(damped * t);
-        return new double[] {StrictMath.cos(t), -StrictMath.sin(t), c + gamma / damped * s, -omega * omega / damped * s};
+        return new double[] {StrictMath.cos(t), -StrictMath.sin(t), c + gamma / damped * s,
+                -omega * omega / damped * s};
     }
 
     @Override

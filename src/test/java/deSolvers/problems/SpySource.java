@@ -13,7 +13,8 @@ import java.util.Map;
  */
 public class SpySource implements SecondOrderStateSource {
     /** The methods of a source. */
-    public enum Call { SIZE, GET_STATE, SET_STATE, DERIVATIVE, TIME, INC_TIME, DIMENSION, VELOCITY_ASKED, STATE_ARRAY, EXCHANGE }
+    public enum Call { SIZE, GET_STATE, SET_STATE, DERIVATIVE, TIME, INC_TIME, DIMENSION, VELOCITY_ASKED, STATE_ARRAY,
+            EXCHANGE }
 
     /** What a source throws when it fails. */
     public static final class Failure extends RuntimeException {
@@ -35,7 +36,9 @@ public class SpySource implements SecondOrderStateSource {
         this.problem = problem;
     }
 
-    /** Makes the k-th call of a method from now on throw a {@link Failure}, once; it first spoils what it was to fill. */
+    /**
+     * Makes the k-th call of a method from now on throw a {@link Failure}, once; it first spoils what it was to fill.
+     */
     public void failAt(Call call, int k) {
         calls.clear();
         failingCall = call;

@@ -1,8 +1,8 @@
 package deSolvers.problems;
 
 /**
- * Van der Pol's oscillator, eps y'' = (1 - y^2) y' - y with eps = 1e-6, from (2, 0) to t = 2: two slow stretches and the
- * jump between them.
+ * Van der Pol's oscillator, eps y'' = (1 - y^2) y' - y with eps = 1e-6, from (2, 0) to t = 2: two slow stretches and
+ * the jump between them.
  */
 public final class VanDerPol extends ReferenceProblem {
     /** Where the solution is known besides the start (s). */

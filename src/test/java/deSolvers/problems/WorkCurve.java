@@ -23,7 +23,8 @@ public final class WorkCurve {
     }
 
     /**
-     * Runs a solver over a problem with tolerances (relative = absolute) of 10^-from, half a decade smaller, ... 10^-to.
+     * Runs a solver over a problem with tolerances (relative = absolute) of 10^-from, half a decade smaller, ...
+     * 10^-to.
      *
      * @param problem  the problem, stepped from 0 in one step
      * @param duration its length (s)

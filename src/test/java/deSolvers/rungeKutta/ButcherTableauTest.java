@@ -55,6 +55,7 @@ class ButcherTableauTest {
     void whatIsNoTableauIsRefused(String printed, String message) {
         Exception e = assertThrows(IllegalArgumentException.class, () -> ButcherTableau.parse(printed, 1));
         assertTrue(e.getMessage().startsWith(message), e.getMessage());
-        assertThrows(IllegalArgumentException.class, () -> ButcherTableau.parse("0 |"), "no line of weights and no order");
+        assertThrows(IllegalArgumentException.class, () -> ButcherTableau.parse("0 |"),
+                "no line of weights and no order");
     }
 }

@@ -15,8 +15,8 @@ public final class EnergyKeeping {
     }
 
     /**
-     * Runs x'' = -x from (1, 0) for 100,000 periods. The energy error must stay within the bound, and its largest value in
-     * the last tenth must not exceed 1.1 times the one in the first.
+     * Runs x'' = -x from (1, 0) for 100,000 periods. The energy error must stay within the bound, and its largest value
+     * in the last tenth must not exceed 1.1 times the one in the first.
      *
      * @param solver the solver to be tested
      * @param h      the step

@@ -13,13 +13,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where verlet's closing kick is found by fixed point: when it ends well, when it gives up, and after how many evaluations. */
+/**
+ * Where verlet's closing kick is found by fixed point: when it ends well, when it gives up, and after how many
+ * evaluations.
+ */
 class ImplicitKickTest {
     private static final double H = 0.5;
 
     /**
-     * Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity, none
-     * for the others.
+     * Two blocks of d, of 2 where nothing else is said; a law for the acceleration of one entry by its own velocity,
+     * none for the others.
      */
     private static class OneMoves extends SecondOrderProblem {
         private static final int MOVING = 7;            // the last velocity where d is 2; its position is entry 5
@@ -51,8 +54,8 @@ class ImplicitKickTest {
     }
 
     /**
-     * Dry friction, whose sign follows the velocity's: no velocity satisfies the equation, and the iteration goes to and fro
-     * between 0 and h a. What that moves the place by, h a h/2, is allowed to be 2^-50 of the largest position.
+     * Dry friction, whose sign follows the velocity's: no velocity satisfies the equation, and the iteration goes to
+     * and fro between 0 and h a. What that moves the place by, h a h/2, is allowed to be 2^-50 of the largest position.
      */
     private static OneMoves toAndFro(int d, double a, int position, double place) {
         return new OneMoves(d, v -> v > 0 ? -a : a).with(position, place);
@@ -65,17 +68,20 @@ class ImplicitKickTest {
         for (int entry = 0; entry < 4 * d - 1; entry++) {
             if (entry % (2 * d) >= d) {                 // a velocity is not what a place's rounding is measured by
                 OneMoves source = toAndFro(d, 1e-3, entry, 1e3);
-                assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H), "velocity " + entry);
+                assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H),
+                        "velocity " + entry);
                 continue;
             }
-            double least = entry == 3 * d - 1 ? 1.5 : 1;        // its position itself moves a little, and towards 0 from -1
+            // its position itself moves a little, and towards 0 from -1
+            double least = entry == 3 * d - 1 ? 1.5 : 1;
             for (double place : new double[] {least, -least}) {
                 OneMoves source = toAndFro(d, a, entry, place);
                 assertDoesNotThrow(() -> new VelocityVerletSolver().stepState(source, H), entry + ": " + place);
                 assertEquals(H, source.getTime());
             }
             OneMoves source = toAndFro(d, a, entry, 0.75);
-            assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H), "position " + entry);
+            assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H),
+                    "position " + entry);
         }
     }
 
@@ -83,7 +89,8 @@ class ImplicitKickTest {
     @Test
     void aHundredIterationsAreTheMost() {
         OneMoves source = toAndFro(2, 1, 0, 1);
-        DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
+        DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source,
+                H));
         assertTrue(e.getMessage().contains("100 iterations (last change 0.5 of 0.75)"), e.getMessage());
         assertEquals(101, source.evaluations());
         assertEquals(0, source.getTime());
@@ -91,8 +98,9 @@ class ImplicitKickTest {
     }
 
     /**
-     * Linear drag, a = -c v: the iteration gains the factor c h/2 = 1/64 at a time, and begins one factor nearer with the
-     * acceleration of the beginning as a first guess: 2^-6 per iteration, 1e-13 = 2^-43 after seven and one that sees it.
+     * Linear drag, a = -c v: the iteration gains the factor c h/2 = 1/64 at a time, and begins one factor nearer with
+     * the acceleration of the beginning as a first guess: 2^-6 per iteration, 1e-13 = 2^-43 after seven and one that
+     * sees it.
      */
     @Test
     void theFirstGuessSavesAnIteration() {
@@ -105,9 +113,10 @@ class ImplicitKickTest {
     }
 
     /**
-     * Where the kick stops what moved, its length is what it is measured by: relative to the velocity that is left, which is 0,
-     * no change would ever be small. With a = -126 - v/16 from v = 64 the first kick leaves 31.5, and the closing one takes
-     * them: 0 solves 31.5 - (126 + v/16)/4 = v. Each iteration leaves 2^-6 of v: from -0.5 on, 31.5e-13 are reached in seven.
+     * Where the kick stops what moved, its length is what it is measured by: relative to the velocity that is left,
+     * which is 0, no change would ever be small. With a = -126 - v/16 from v = 64 the first kick leaves 31.5, and the
+     * closing one takes them: 0 solves 31.5 - (126 + v/16)/4 = v. Each iteration leaves 2^-6 of v: from -0.5 on,
+     * 31.5e-13 are reached in seven.
      */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
@@ -123,8 +132,8 @@ class ImplicitKickTest {
 
     /**
      * Where nothing moved before and a force sets in within the step, what it gives in the first round is the measure:
-     * v = (1 - v/16)/4 from 0, by 1/4 in the first round and 2^-6 of the last change in each later one, down to 1e-13 of 1/4
-     * in the ninth.
+     * v = (1 - v/16)/4 from 0, by 1/4 in the first round and 2^-6 of the last change in each later one, down to 1e-13
+     * of 1/4 in the ninth.
      */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
@@ -159,16 +168,21 @@ class ImplicitKickTest {
                 }
             }
         };
-        DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
+        DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source,
+                H));
         assertTrue(e.getMessage().contains("entry " + entry + " of the derivative is NaN at t = 0.5"), e.getMessage());
         assertEquals(0, source.getTime());
     }
 
-    /** A drag that grows beyond all bounds is no fault of the source, and no endless loop: it is said that deltaT is too long. */
+    /**
+     * A drag that grows beyond all bounds is no fault of the source, and no endless loop: it is said that deltaT is too
+     * long.
+     */
     @Test
     void divergenceIsSaidToBeDivergence() {
         OneMoves source = new OneMoves(v -> -v * v * v).with(OneMoves.MOVING, 100);
-        DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source, H));
+        DESolverException e = assertThrows(DESolverException.class, () -> new VelocityVerletSolver().stepState(source,
+                H));
         assertTrue(e.getMessage().contains("too stiff for this deltaT"), e.getMessage());
         assertTrue(source.evaluations() < 20, "overflows soon: " + source.evaluations());
     }
@@ -189,6 +203,7 @@ class ImplicitKickTest {
         solver.stepState(source, H);
         long after = source.evaluations();
         solver.stepState(source, H);
-        assertEquals(after - before - 1, source.evaluations() - after, "one evaluation less where the last one is remembered");
+        assertEquals(after - before - 1, source.evaluations() - after,
+                "one evaluation less where the last one is remembered");
     }
 }

@@ -37,7 +37,10 @@ class LeapfrogTest {
         }
     }
 
-    /** The first of the three ends at 1.35 H, beyond the step; no other one sees the time after H, and none uses that entry. */
+    /**
+     * The first of the three ends at 1.35 H, beyond the step; no other one sees the time after H, and none uses that
+     * entry.
+     */
     @Test
     void aDerivativeThatIsNotFiniteWithinTheStepIsNamed() {
         Falling source = new Falling(1);
@@ -48,7 +51,9 @@ class LeapfrogTest {
         assertArrayEquals(new double[2], source.state());
     }
 
-    /** Its zeros are those of arrays that were just made, and source, time and deltaT are as the last step left them. */
+    /**
+     * Its zeros are those of arrays that were just made, and source, time and deltaT are as the last step left them.
+     */
     @Test
     void aSourceThatGrewAndIsAtRestBeginsAnew() {
         for (DESolver solver : new DESolver[] {new VelocityVerletSolver(), new Yoshida4Solver()}) {

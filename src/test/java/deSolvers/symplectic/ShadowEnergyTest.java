@@ -35,7 +35,9 @@ class ShadowEnergyTest {
         assertEquals(0.0851, worstError(new VelocityVerletSolver(), 0.5), 1e-4);
     }
 
-    /** Far below the limit of 2 that a linear spring has. Measured with h = 0.8: 0.27, over the top; with 1.2 thousands. */
+    /**
+     * Far below the limit of 2 that a linear spring has. Measured with h = 0.8: 0.27, over the top; with 1.2 thousands.
+     */
     @Test
     void inLongStepsItDoes() {
         double overTheTop = 1 + StrictMath.cos(2.9);

@@ -17,8 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Files made to break a reader, given to the program with half a gigabyte: it ends with one clear line and the right code,
- * and has written nothing. Measured: 0.3 to 0.6 s each, of which 0.25 s is Java's start; nothing waits for a limit of time.
+ * Files made to break a reader, given to the program with half a gigabyte: it ends with one clear line and the right
+ * code, and has written nothing. Measured: 0.3 to 0.6 s each, of which 0.25 s is Java's start; nothing waits for a
+ * limit of time.
  */
 @Tag("slow")
 class BadInputTest {
@@ -37,7 +38,8 @@ class BadInputTest {
     private static final Map<String, List<Object>> FILES = new TreeMap<>();
 
     private static void put(String name, Object contents, String line) {
-        FILES.put(name, List.of(contents instanceof String text ? text.getBytes(StandardCharsets.UTF_8) : contents, line));
+        FILES.put(name, List.of(contents instanceof String text ? text.getBytes(StandardCharsets.UTF_8) : contents,
+                line));
     }
 
     static Stream<String> names() {

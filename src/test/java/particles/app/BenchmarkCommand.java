@@ -8,10 +8,13 @@ import java.util.List;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.regex.PatternSyntaxException;
-import particles.DataTable;
-import particles.experiments.ProgressListener;
-import particles.output.OutputFolder;
-import particles.output.ResultPage;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.experiments.ExperimentCommand;
+import particles.experiments.runs.ProgressListener;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage;
+import particles.view.DataTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -21,7 +24,8 @@ final class BenchmarkCommand extends ExperimentCommand {
     static final String NAME = "benchmark";
 
     @Option(names = "--include", paramLabel = "REGEX", defaultValue = "",
-            description = "Only what this regular expression is found in, such as 'chain rk4' or '^effect' (default: all).")
+            description = "Only what this regular expression is found in, such as 'chain rk4' or '^effect' (default:"
+                    + " all).")
     private String include;
 
     @Option(names = "--forks", paramLabel = "NUMBER", defaultValue = "1",
@@ -29,7 +33,8 @@ final class BenchmarkCommand extends ExperimentCommand {
     private int forks;
 
     @Option(names = "--iterations", paramLabel = "NUMBER", defaultValue = "5",
-            description = "How often in each of them, after as many times that do not count (default: ${DEFAULT-VALUE}).")
+            description = "How often in each of them, after as many times that do not count (default:"
+                    + " ${DEFAULT-VALUE}).")
     private int iterations;
 
     @Option(names = "--seconds", paramLabel = "SECONDS", defaultValue = "0.06",
@@ -41,12 +46,12 @@ final class BenchmarkCommand extends ExperimentCommand {
     }
 
     @Override
-    String name() {
+    protected String name() {
         return NAME;
     }
 
     @Override
-    void check() {
+    protected void check() {
         requireWithin("forks", forks, 1, Integer.MAX_VALUE);
         requireWithin("iterations", iterations, 1, Integer.MAX_VALUE);
         positive("seconds", seconds);
@@ -64,13 +69,15 @@ final class BenchmarkCommand extends ExperimentCommand {
     }
 
     @Override
-    ResultPage measure(OutputFolder folder, ProgressListener progress) {
-        List<DataTable> tables = new Benchmarks(included(), new Measurement(forks, iterations, seconds), progress).measure();
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        List<DataTable> tables = new Benchmarks(included(), new Measurement(forks, iterations, seconds),
+                progress).measure();
         return new ResultPage(NAME, BenchmarkTables.finding(tables),
                 List.of("Medians of " + forks + " x " + iterations + " iterations of " + seconds + " s by JMH, Java "
-                        + Runtime.version().feature() + ", one thread. At equal evaluations both make the same steps of the same"
-                        + " method; at equal error each has the coarsest setting that ends within 1e-6 of a reference solution,"
-                        + " over the largest entry of the state."), List.of(), tables);
+                        + Runtime.version().feature()
+                        + ", one thread. At equal evaluations both make the same steps of the same method; at equal"
+                        + " error each has the coarsest setting that ends within 1e-6 of a reference solution, over"
+                        + " the largest entry of the state."), List.of(), tables);
     }
 
     /** @param args options, as for any command of the program */

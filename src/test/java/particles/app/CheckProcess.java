@@ -8,9 +8,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import particles.app.cli.ExitCode;
 
 /** A check in a process with as little memory as the program gives it, of a class that does not come back. */
-final class CheckProcess {
+public final class CheckProcess {
     private static final int PATIENCE_SECONDS = 120;
 
     private CheckProcess() {
@@ -26,9 +27,10 @@ final class CheckProcess {
      * @param folder  for the report
      * @return the screen's first line
      */
-    static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException,
+    public static String failureOf(String command, String option, Class<?> planted, Path folder) throws IOException,
             InterruptedException {
-        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-Xmx256m",
+        Process process = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx256m",
                 "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), Main.class.getName(), command,
                 option + planted.getName(), "--inThisProcess", "--out=" + folder).redirectErrorStream(true).start();
         String screen = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

@@ -11,6 +11,10 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.run.StopRequest;
 
 /** What cannot be measured is refused in one line, before any file is written. */
 class ExperimentOptionsTest {
@@ -19,13 +23,15 @@ class ExperimentOptionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean 'block'?",
+        "phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean"
+                + " 'block'?",
         "phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''",
         "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be of the letters x, y and z",
         "phasePlots     | -Psolvers=rk5       | option -Psolvers: no solver is called 'rk5'; did you mean 'rk4'?",
         "phasePlots     | -Pscene=27          | option -Pscene: no particle of this scene can move when it begins",
         "phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?",
-        "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean 'kepler'?",
+        "workPrecision  | -Pproblem=keplar    | option -Pproblem: no problem is called 'keplar'; did you mean"
+        + " 'kepler'?",
         "workPrecision  | '-Pproblem= ,'      | option -Pproblem: no problem is named",
         "workPrecision  | -Psolvers=no.Such   | option -Psolvers: ",
         "stability      | -Psolvers=rk4       | option -Psolvers: goes with -Pscene only",

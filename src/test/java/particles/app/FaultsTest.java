@@ -20,8 +20,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * What may go wrong around the program, with a process of its own each time: there are whole files or none, a clear line
- * and the right exit code, and what was reached is not lost.
+ * What may go wrong around the program, with a process of its own each time: there are whole files or none, a clear
+ * line and the right exit code, and what was reached is not lost.
  */
 @Tag("slow")
 class FaultsTest {
@@ -186,7 +186,8 @@ class FaultsTest {
         Path none = Files.writeString(top.resolve("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
         Path scene = scene(SHORT);
         ChildProgram.End end = child().environment("FONTCONFIG_FILE", none.toString())
-                .jvm("-Dsun.java2d.fontpath=" + top, "-Duser.home=" + top, "-Dsun.awt.fontconfig=" + top.resolve("none"))
+                .jvm("-Dsun.java2d.fontpath=" + top, "-Duser.home=" + top,
+                "-Dsun.awt.fontconfig=" + top.resolve("none"))
                 .run("run", "--scene=" + scene, "--out=" + out);
         WholeFiles.assertWhole(out);
         assertTrue(Files.exists(out.resolve("trajectory.csv")) && Files.exists(out.resolve("run.json")), end.lines());
@@ -196,7 +197,9 @@ class FaultsTest {
         }
     }
 
-    /** Commas for points, Arabic digits, a dotless i, other calendars: numbers in files and lines are always the same. */
+    /**
+     * Commas for points, Arabic digits, a dotless i, other calendars: numbers in files and lines are always the same.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"-Duser.language=de -Duser.country=DE", "-Duser.language=tr -Duser.country=TR",
             "-Duser.language=ar -Duser.country=EG -Duser.extensions=u-nu-arab",
@@ -229,7 +232,8 @@ class FaultsTest {
         ChildProgram.End end = child().run("run", "--scene=" + top.resolve("scene.yaml"), "--out=" + expected);
         assertEquals(0, end.code(), end.lines());
         Path scene = FaultScene.write(Files.createDirectory(folder).resolve("scene.yaml"), SHORT);
-        end = child().environment("LC_ALL", "C.UTF-8").run("run", "--scene=" + scene, "--out=" + folder.resolve("größe 2"));
+        end = child().environment("LC_ALL", "C.UTF-8").run("run", "--scene=" + scene,
+                "--out=" + folder.resolve("größe 2"));
         assertEquals(0, end.code(), end.lines());
         assertEquals(WholeFiles.sums(expected), WholeFiles.sums(folder.resolve("größe 2")));
     }
@@ -242,7 +246,8 @@ class FaultsTest {
         ChildProgram.End end = child().environment("LC_ALL", "C").run("run", "--scene=" + scene, "--out="
                 + top.resolve("\u00fcbung"));
         assertEquals(2, end.code(), end.lines());
-        assertTrue(end.lastLine().endsWith("is no folder's name: Malformed input or input contains unmappable characters"),
+        assertTrue(end.lastLine()
+                .endsWith("is no folder's name: Malformed input or input contains unmappable characters"),
                 end.lines());
     }
 }

@@ -11,6 +11,9 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.app.run.StopRequest;
 import picocli.CommandLine.Command;
 
 /** Every command is a gradle task of the same name and with the same sentence, and the other way round. */

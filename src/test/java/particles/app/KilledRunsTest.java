@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The program is killed at a random moment, fifty times, by SIGTERM and by SIGKILL. Every file in the folder is whole each
- * time, and a later run into the same folder leaves exactly what a run into a new folder does.
+ * The program is killed at a random moment, fifty times, by SIGTERM and by SIGKILL. Every file in the folder is whole
+ * each time, and a later run into the same folder leaves exactly what a run into a new folder does.
  */
 @Tag("slow")
 class KilledRunsTest {
@@ -62,7 +62,8 @@ class KilledRunsTest {
         assertEquals(0, end.code(), end.lines());
         assertEquals(expected, WholeFiles.sums(out), "seed " + seed);
         assertTrue(begun >= KILLS / 5, "only " + begun + " of " + KILLS + " had begun to write");
-        System.out.println("KilledRunsTest: killed while writing " + begun + " times, ran to the end " + finished + " times");
+        System.out.println("KilledRunsTest: killed while writing " + begun + " times, ran to the end " + finished
+                + " times");
     }
 
     private void kill(Process process, boolean gently, String moment, ChildProgram child) throws Exception {

@@ -13,10 +13,11 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.app.cli.ExitCode;
 
 /**
- * 250,000 particles are simulated, drawn, filmed, plotted and written down by a program of its own, in the memory that it
- * says it needs and no more. A state is 12 MB: a trajectory that is held, or objects for particles,
+ * 250,000 particles are simulated, drawn, filmed, plotted and written down by a program of its own, in the memory that
+ * it says it needs and no more. A state is 12 MB: a trajectory that is held, or objects for particles,
  * do not fit beside the rest.
  */
 @Tag("hard")
@@ -33,8 +34,10 @@ class LargeSceneTest {
             deltaT: 0.001
             duration: 0.03
             shapes:
-              - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0, 2], columns: 500, rows: 500, totalMass: 0.6,
-                        fixed: [top-left, top-right], structural: {stiffness: 0.5, damping: 1e-4}, shear: {stiffness: 0.2},
+              - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0, 2], columns: 500, rows: 500,
+                    totalMass: 0.6,
+                        fixed: [top-left, top-right], structural: {stiffness: 0.5, damping: 1e-4},
+                              shear: {stiffness: 0.2},
                         bend: {stiffness: 0.05}}
             effects:
               - gravity
@@ -52,7 +55,8 @@ class LargeSceneTest {
     private Path folder;
 
     private ChildProgram.End run(String heap, Path scene, Path out) throws IOException, InterruptedException {
-        return new ChildProgram(folder.resolve("lines.txt")).jvm("-Xmx" + heap).run("run", "--scene=" + scene, "--out=" + out);
+        return new ChildProgram(folder.resolve("lines.txt")).jvm("-Xmx" + heap).run("run", "--scene=" + scene,
+                "--out=" + out);
     }
 
     @Test
@@ -72,7 +76,8 @@ class LargeSceneTest {
         for (String file : List.of("animation.gif", "film.mp4", "energy.png", "phase.png", "run.json")) {
             assertTrue(Files.size(out.resolve(file)) > 0, file);
         }
-        try (Stream<Path> frames = Files.list(out.resolve("frames")); Stream<String> lines = Files.lines(out.resolve("trajectory.csv"))) {
+        try (Stream<Path> frames = Files.list(out.resolve("frames"));
+                Stream<String> lines = Files.lines(out.resolve("trajectory.csv"))) {
             assertEquals(4, frames.count());
             assertEquals(1 + (STEPS / STRIDE + 1) * PARTICLES, lines.count());
         }

@@ -15,11 +15,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.scene.Overrides;
+import particles.app.student.StudentClasses;
+import particles.app.student.StudentLoader;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectSample;
 import particles.teaching.effects.EffectSkeleton;
@@ -30,9 +32,9 @@ class OwnEffectTest {
             package exercises;
 
             import java.util.Set;
-            import particles.ParticleForce;
-            import particles.Particles;
-            import particles.Vector3;
+            import particles.law.ParticleForce;
+            import particles.law.Particles;
+            import particles.law.Vector3;
             import particles.effects.EffectContext;
             import particles.effects.EffectKind;
             import particles.spec.Key;
@@ -78,7 +80,7 @@ class OwnEffectTest {
     /** A turn takes pi/w = 2 s. */
     private static final String SCENE = """
             title: A puck on a turntable
-            teaches: A puck on a turntable whose slope cancels the centrifugal force goes round twice while the table turns once.
+            teaches: On a turntable shaped to cancel the centrifugal force, a puck goes round twice a turn.
             solver: rk4
             deltaT: 0.01
             duration: 2
@@ -163,7 +165,8 @@ class OwnEffectTest {
 
     @Test
     void aLawThatFailsWhileItIsBuiltIsOneLine() throws IOException {
-        write("Coriolis", LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
+        write("Coriolis",
+                LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
         SceneException e = assertThrows(SceneException.class, () -> scene(SCENE));
         assertEquals(1, e.getLines().size());
         assertTrue(e.getMessage().startsWith("x.yaml:9:5: exercises.Coriolis cannot be built: java.lang.ArrayIndex"),

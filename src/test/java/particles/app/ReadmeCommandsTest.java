@@ -21,11 +21,15 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.run.StopRequest;
 
 /**
  * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through
- * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as a
- * line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
+ * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as
+ * a line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
  * {@code shorter gradle ...} for one with options that README has not, since it would take long without them.
  * A command that only names a scene by its number is run by this test for a short duration and without pictures.
  */
@@ -35,7 +39,8 @@ class ReadmeCommandsTest {
     private static final Pattern IN_TEXT = Pattern.compile("`(" + COMMAND + ")`");
     private static final Pattern IN_BLOCK = Pattern.compile("(?m)^    (?:.*&& )?(" + COMMAND + ")$");
     private static final Pattern IN_CI = Pattern.compile("(?m)^(?:step|refused) (" + COMMAND + ")$");
-    private static final Pattern SHORTER_IN_CI = Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^']*'? ?)+$");
+    private static final Pattern SHORTER_IN_CI =
+            Pattern.compile("(?m)^shorter (gradle [a-z]\\w*) (?:'?-P\\w+=[^']*'? ?)+$");
 
     private static final Pattern WORD = Pattern.compile("'[^']*'|\\S+");
     private static final Path README = Path.of("README.md");

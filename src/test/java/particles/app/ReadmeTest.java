@@ -16,6 +16,10 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.run.RunCommand;
+import particles.app.run.StopRequest;
 import particles.teaching.exercises.Exercises;
 import picocli.CommandLine;
 

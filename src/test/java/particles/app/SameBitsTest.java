@@ -24,8 +24,8 @@ import particles.scene.SceneFiles;
 
 /**
  * A scene has one trajectory: the same bytes in three runs, with and without pictures, with optimising compilers and
- * without, with one thread and with two, on the JDK of this test and on the newest one that is found beside it or named by
- * JAVA_HOME_... in the environment, as continuous integration does, or by the system property desolver.jdk
+ * without, with one thread and with two, on the JDK of this test and on the newest one that is found beside it or named
+ * by JAVA_HOME_... in the environment, as continuous integration does, or by the system property desolver.jdk
  * ({@code gradle hardTests -Pjdk=FOLDER}).
  */
 @Tag("slow")
@@ -41,7 +41,8 @@ class SameBitsTest {
             duration: 1
             shapes:
               - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0, 2], columns: 64, rows: 64, totalMass: 0.6,
-                        fixed: [top-left], structural: {stiffness: 9, damping: 0.01}, shear: {stiffness: 3}, bend: {stiffness: 1}}
+                        fixed: [top-left], structural: {stiffness: 9, damping: 0.01}, shear: {stiffness: 3},
+                              bend: {stiffness: 1}}
             effects:
               - gravity
               - drag: {coefficient: 2e-4}
@@ -88,7 +89,9 @@ class SameBitsTest {
         return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
     }
 
-    /** One of the runs that have to come to the same sums: with which Java, its options, and those of {@link SceneSums}. */
+    /**
+     * One of the runs that have to come to the same sums: with which Java, its options, and those of {@link SceneSums}.
+     */
     private record Run(Path jdk, List<String> jvm, Path scenes, List<String> options) {
         Run(Path jdk, Path scenes, String... options) {
             this(jdk, List.of(), scenes, List.of(options));
@@ -101,7 +104,8 @@ class SameBitsTest {
 
     private Map<String, String> sums(Run run) throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory(top, "run");
-        List<String> command = new ArrayList<>(List.of(run.jdk.resolve("bin/java").toString(), "-Djava.awt.headless=true",
+        List<String> command = new ArrayList<>(List.of(run.jdk.resolve("bin/java").toString(),
+                "-Djava.awt.headless=true",
                 "-Xmx1g"));
         command.addAll(run.jvm);
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), "particles.app.SceneSums",
@@ -118,8 +122,11 @@ class SameBitsTest {
         return sums;
     }
 
-    /** Does the runs, two at a time, and compares them; returns the first one's sums, without whether a thread helped. */
-    private Map<String, String> allTheSame(List<Run> runs, boolean helpedInFirst, boolean helpedInOthers) throws Exception {
+    /**
+     * Does the runs, two at a time, and compares them; returns the first one's sums, without whether a thread helped.
+     */
+    private Map<String, String> allTheSame(List<Run> runs, boolean helpedInFirst, boolean helpedInOthers)
+            throws Exception {
         ExecutorService two = Executors.newFixedThreadPool(2);
         try {
             List<Callable<Map<String, String>>> tasks = new ArrayList<>();
@@ -128,7 +135,8 @@ class SameBitsTest {
             }
             List<Future<Map<String, String>>> results = two.invokeAll(tasks);
             Map<String, String> expected = results.get(0).get();
-            assertEquals(Boolean.toString(helpedInFirst), expected.put(SceneSums.HELPED, Boolean.toString(helpedInOthers)));
+            assertEquals(Boolean.toString(helpedInFirst),
+                    expected.put(SceneSums.HELPED, Boolean.toString(helpedInOthers)));
             for (int i = 1; i < runs.size(); i++) {
                 assertEquals(expected, results.get(i).get(), runs.get(i).toString());
             }

@@ -10,11 +10,16 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
-import particles.scene.Overrides;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.run.RunCommand;
+import particles.app.run.StopRequest;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneDescription;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
 
 /**
  * Runs all scenes of a folder in this process and prints the SHA-256 of each trajectory, one line a scene, and at last
@@ -81,7 +86,8 @@ final class SceneSums {
         args.addAll(more);
         args.add("--duration=" + duration(scene));
         StringWriter lines = new StringWriter();
-        ExitCode code = new Program(List.of(new RunCommand(scenes, OptionStyle.SHELL, new StopRequest())), OptionStyle.SHELL,
+        ExitCode code = new Program(List.of(new RunCommand(scenes, OptionStyle.SHELL, new StopRequest())),
+                OptionStyle.SHELL,
                 new PrintWriter(lines), new PrintWriter(lines)).execute(args.toArray(String[]::new));
         return code == ExitCode.DONE ? WholeFiles.sums(out).get("trajectory.csv") : code + ": " + lines;
     }

@@ -12,12 +12,20 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.scene.SceneDescription;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.cli.ProgramCommand;
+import particles.app.run.RunCommand;
+import particles.app.run.SceneName;
+import particles.app.run.StopRequest;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
 
 /**
- * Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to err.
+ * Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to
+ * err.
  */
 @Tag("slow")
 class ScenesRunTest {
@@ -41,7 +49,8 @@ class ScenesRunTest {
         assertEquals("", errors.toString());
         assertEquals(ExitCode.DONE, code);
         assertTrue(lines.toString().contains(scene.title()), lines.toString());
-        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "trajectory.csv", "run.json")) {
+        for (String name : List.of("frames/frame-00000.png", "animation.gif", "energy.png", "trajectory.csv",
+                "run.json")) {
             assertTrue(Files.isRegularFile(out.resolve(name)), name);
         }
         assertEquals(scene.output().phase().isPresent(), Files.isRegularFile(out.resolve("phase.png")), "phase.png");

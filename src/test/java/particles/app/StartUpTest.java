@@ -12,7 +12,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** What starting costs, in classes that are loaded: what a run does not use is not looked at. */
 class StartUpTest {
-    private static final String PICTURES = "java\\.awt\\..*|sun\\.(awt|java2d|font)\\..*|javax\\.imageio\\..*|org\\.(jfree|jcodec)\\..*";
+    private static final String PICTURES =
+            "java\\.awt\\..*|sun\\.(awt|java2d|font)\\..*|javax\\.imageio\\..*|org\\.(jfree|jcodec)\\..*";
     private static final String ALGEBRA = "org\\.ejml\\..*|edu\\.ufl\\..*";
     private static final String SCENE = """
             title: A spring
@@ -34,7 +35,8 @@ class StartUpTest {
     private List<String> loaded(boolean energy) throws IOException, InterruptedException {
         Path scene = Files.writeString(top.resolve("scene.yaml"), SCENE.replace("ENERGY", Boolean.toString(energy)));
         Path classes = top.resolve("classes.txt");
-        ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).jvm("-Xlog:class+load:file=" + classes + "::filesize=0")
+        ChildProgram.End end = new ChildProgram(top.resolve("lines.txt")).jvm("-Xlog:class+load:file=" + classes
+                + "::filesize=0")
                 .run("run", "--scene=" + scene, "--frames=false", "--out=" + top.resolve("out"));
         assertEquals(0, end.code(), end.lines());
         return Files.readAllLines(classes).stream().map(line -> line.replaceFirst("^(\\[[^\\]]*\\])* ?",
@@ -70,7 +72,7 @@ class StartUpTest {
     @Test
     void onlyTheNamedCommandIsMadeReady() throws IOException, InterruptedException {
         List<String> loaded = loaded(false);
-        assertTrue(loaded.contains("particles.app.RunCommand"));
+        assertTrue(loaded.contains("particles.app.run.RunCommand"));
         assertEquals(List.of(), of(loaded, "particles\\.(experiments\\.problems|teaching)\\..*"));
     }
 }

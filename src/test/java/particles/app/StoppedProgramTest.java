@@ -28,7 +28,8 @@ class StoppedProgramTest {
                 "particles.app.Main", "run", "--scene=scenes/02-one-spring.yaml",
                 "--out=" + out));
         command.addAll(List.of(more));
-        return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(top.resolve("lines.txt").toFile()).start();
+        return new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(top.resolve("lines.txt").toFile())
+                .start();
     }
 
     private void awaitFile(Process process, Path file) throws InterruptedException, IOException {

@@ -43,7 +43,8 @@ final class WholeFiles {
             } else if (name.endsWith(".gif")) {
                 assertEnds(GIF_END, bytes, name);
             } else if (name.endsWith(".mp4")) {
-                try (MP4Demuxer film = MP4Demuxer.createMP4Demuxer(new ByteBufferSeekableByteChannel(ByteBuffer.wrap(bytes),
+                try (MP4Demuxer film = MP4Demuxer.createMP4Demuxer(
+                        new ByteBufferSeekableByteChannel(ByteBuffer.wrap(bytes),
                         bytes.length))) {
                     assertTrue(film.getVideoTrack().getMeta().getTotalFrames() > 0, name);
                 }
@@ -81,7 +82,9 @@ final class WholeFiles {
         }
     }
 
-    /** Names and SHA-256 of all results, of run.json without the time that the run took, of a film without its dates. */
+    /**
+     * Names and SHA-256 of all results, of run.json without the time that the run took, of a film without its dates.
+     */
     static Map<String, String> sums(Path folder) throws IOException {
         Map<String, String> sums = new TreeMap<>();
         for (Path file : files(folder)) {

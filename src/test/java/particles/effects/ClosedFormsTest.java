@@ -12,9 +12,12 @@ import deSolvers.RK4Solver;
 import deSolvers.symplectic.VelocityVerletSolver;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.Vector3;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 
-/** Particle systems against closed forms: falling with drag, damped and undamped springs, a driven particle, a pendulum. */
+/**
+ * Particle systems against closed forms: falling with drag, damped and undamped springs, a driven particle, a pendulum.
+ */
 class ClosedFormsTest {
 
     private static ParticleSystem damped(double stiffness, double restLength, double damping, double start) {
@@ -27,7 +30,9 @@ class ClosedFormsTest {
         return system;
     }
 
-    /** m = 1, k = 100, c = 2, x0 = 1: x(1) = -0.336851680590413. Measured with rk4 at 0.001: 2.5e-10 (h^4 (h omega)...). */
+    /**
+     * m = 1, k = 100, c = 2, x0 = 1: x(1) = -0.336851680590413. Measured with rk4 at 0.001: 2.5e-10 (h^4 (h omega)...).
+     */
     @Test
     void dampedSpring() {
         ParticleSystem system = damped(100, 5, 2, 1);
@@ -63,8 +68,8 @@ class ClosedFormsTest {
     }
 
     /**
-     * v' = -c (v - a sin(w t)) from rest has v = c a / (c&sup2; + w&sup2;) (c sin w t - w cos w t + w e^-ct): the wind's time is
-     * the stage's time, or rk4 would not be this close. Measured: 7e-12.
+     * v' = -c (v - a sin(w t)) from rest has v = c a / (c&sup2; + w&sup2;) (c sin w t - w cos w t + w e^-ct): the
+     * wind's time is the stage's time, or rk4 would not be this close. Measured: 7e-12.
      */
     @Test
     void particleInAGust() {
@@ -72,15 +77,16 @@ class ClosedFormsTest {
         double a = 3;
         double w = 2 * Math.PI / 1.5;
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
-        system.addEffect(new LinearDrag(system.getParticles(), c, new GustyWind(Vector3.ZERO, new Vector3(a, 0, 0), 1.5)));
+        system.addEffect(new LinearDrag(system.getParticles(), c, new GustyWind(Vector3.ZERO, new Vector3(a, 0, 0),
+                1.5)));
         run(system, new RK4Solver(), 0.002, 2);
         double exact = c * a / (c * c + w * w) * (c * Math.sin(2 * w) - w * Math.cos(2 * w) + w * Math.exp(-2 * c));
         assertEquals(exact, entry(system, 3), 5e-11);
     }
 
     /**
-     * A stiff spring is nearly a rod: the period at 90 degrees is 1.180340599016096 times 2 pi sqrt(l/g). With k = 1e6 the
-     * rod stretches by 3 m g / k = 3e-5 of its length at the bottom, so the quarter period is met to about 1e-5.
+     * A stiff spring is nearly a rod: the period at 90 degrees is 1.180340599016096 times 2 pi sqrt(l/g). With k = 1e6
+     * the rod stretches by 3 m g / k = 3e-5 of its length at the bottom, so the quarter period is met to about 1e-5.
      */
     @Test
     void pendulumPeriod() {

@@ -9,14 +9,15 @@ import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.DifferentiableEffect;
-import particles.Effect;
-import particles.ForceDerivatives;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Plane;
-import particles.Sphere;
-import particles.Vector3;
+import particles.effects.springs.SpringForce;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 import particles.teaching.effects.EffectClaims;
 import particles.teaching.effects.EffectSample;
 
@@ -101,23 +102,31 @@ class EffectClaimsTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.8, 5})
     void penaltiesKeepTheirClaims(double loss) {
-        assertEquals(List.of(), broken(p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30,
+        assertEquals(List.of(),
+                broken(p -> new PenaltyPlane(p, new Plane(new Vector3(1, 0.5, 1), new Vector3(1, 2, -1)), 30,
                 loss)));
-        assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 1.2, false), 30, loss)));
-        assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 0.8, true), 30, loss)));
+        assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 1.2, false), 30,
+                loss)));
+        assertEquals(List.of(), broken(p -> new PenaltySphere(p, new Sphere(new Vector3(1, 0.3, 0.8), 0.8, true), 30,
+                loss)));
     }
 
     @Test
     void plantedErrorsAreFound() {
         assertFalse(broken(p -> new Altered(springs(p, 0), 1, -1)).isEmpty(), "springs that push when stretched");
         assertFalse(broken(p -> new Altered(springs(p, 0.8), 1, 0.5)).isEmpty(), "half of the force");
-        assertFalse(broken(p -> new Altered(new Gravity(p, new Vector3(0, -9.81, 0)), 1, -1)).isEmpty(), "gravity upwards");
+        assertFalse(broken(p -> new Altered(new Gravity(p, new Vector3(0, -9.81, 0)), 1, -1)).isEmpty(),
+                "gravity upwards");
         assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, Wind.STILL), 1, -1)).isEmpty(), "drag that drives");
-        assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, WIND), 1, 1.01)).isEmpty(), "a percent too much drag");
+        assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, WIND), 1, 1.01)).isEmpty(),
+                "a percent too much drag");
         assertFalse(broken(p -> new Altered(springs(p, 0), 0, 1)).isEmpty(), "a partner that is forgotten");
-        assertFalse(broken(p -> new Altered(new PointAttraction(p, Vector3.ZERO, 3, 0.5), 1, -1)).isEmpty(), "repulsion");
-        assertFalse(broken(p -> new Altered(new Cohesion(p, 1.9, 1.1, 2, 0.5), 1, 1.01)).isEmpty(), "a percent on one side");
-        assertFalse(broken(p -> new Altered(new QuadraticDrag(p, 0.4, TURBULENCE), 1, 1.01)).isEmpty(), "a percent too much");
+        assertFalse(broken(p -> new Altered(new PointAttraction(p, Vector3.ZERO, 3, 0.5), 1, -1)).isEmpty(),
+                "repulsion");
+        assertFalse(broken(p -> new Altered(new Cohesion(p, 1.9, 1.1, 2, 0.5), 1, 1.01)).isEmpty(),
+                "a percent on one side");
+        assertFalse(broken(p -> new Altered(new QuadraticDrag(p, 0.4, TURBULENCE), 1, 1.01)).isEmpty(),
+                "a percent too much");
         assertFalse(broken(p -> new Altered(new PenaltyPlane(p, Plane.ground(0.5), 30, 0.8), 1, -1)).isEmpty(),
                 "a plane that sucks");
     }

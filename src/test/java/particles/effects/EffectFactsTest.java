@@ -10,16 +10,19 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
-import particles.DifferentiableEffect;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.PerParticleEffect;
-import particles.Plane;
-import particles.Sphere;
-import particles.Vector3;
+import particles.effects.springs.SpringForce;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 
-/** What each law says of itself to those who evaluate it, and the numbers it takes: all up to the ends of their ranges. */
+/**
+ * What each law says of itself to those who evaluate it, and the numbers it takes: all up to the ends of their ranges.
+ */
 class EffectFactsTest {
     private static final double MAX = Double.MAX_VALUE;
     private static final double TINY = Double.MIN_VALUE;
@@ -34,7 +37,8 @@ class EffectFactsTest {
 
     private final Particles particles = new ParticleSystem().getParticles();
 
-    private static void assertFacts(Effect effect, String name, boolean perParticle, boolean byVelocity, Effect.Trait trait) {
+    private static void assertFacts(Effect effect, String name, boolean perParticle, boolean byVelocity,
+            Effect.Trait trait) {
         assertEquals(name, effect.getName());
         assertEquals(perParticle, effect instanceof PerParticleEffect, name + " acts on each particle by itself");
         assertEquals(byVelocity, effect.dependsOnVelocity(), name + " depends on velocity");
@@ -46,7 +50,8 @@ class EffectFactsTest {
     @Test
     void eachSaysWhatItIs() {
         assertFacts(new Gravity(particles, Vector3.ZERO), "gravity", true, false, Effect.Trait.CONSERVATIVE);
-        assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false, Effect.Trait.CONSERVATIVE);
+        assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false,
+                Effect.Trait.CONSERVATIVE);
         assertFacts(new LinearDrag(particles, 1, Wind.STILL), "drag", true, true, Effect.Trait.DISSIPATIVE);
         assertFacts(new QuadraticDrag(particles, 1, Wind.STILL), "quadraticDrag", true, true, Effect.Trait.DISSIPATIVE);
         for (double damping : new double[] {0, TINY, 1}) {
@@ -147,7 +152,10 @@ class EffectFactsTest {
         assertThrows(IllegalArgumentException.class, () -> new TurbulentWind(nowhere, 1, 1, 1));
     }
 
-    /** At the surface, at the end of the range and at the centre a law is the limit from either side: nothing, and a number. */
+    /**
+     * At the surface, at the end of the range and at the centre a law is the limit from either side: nothing, and a
+     * number.
+     */
     @Test
     void nothingHappensJustAtTheEdge() {
         ParticleSystem system = new ParticleSystem();
@@ -161,7 +169,8 @@ class EffectFactsTest {
             effect.addForces(state, 0, force);
             assertArrayEquals(new double[12], force, effect.getName());
         }
-        // The particle at a ball's centre is as deep as can be, and there is no way out that would be nearer than another.
+        // The particle at a ball's centre is as deep as can be, and there is no way out that would be nearer than
+        // another.
         assertEquals(3.5, new PenaltySphere(both, BALL, 7, 0.5).getPotentialEnergy(state, 0));
         assertEquals(0, new PenaltyPlane(both, GROUND, 7, 0.5).getPotentialEnergy(state, 0));
         assertEquals(0, new Cohesion(both, 1, 0.5, 7, 0.5).getPotentialEnergy(state, 0));

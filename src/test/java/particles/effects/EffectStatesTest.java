@@ -9,14 +9,15 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.DifferentiableEffect;
-import particles.Effect;
-import particles.ForceDerivatives;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Plane;
-import particles.Sphere;
-import particles.Vector3;
+import particles.effects.springs.SpringForce;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 
 /** Of the particles an effect sees the state that it is given: nothing beyond it, and none that it was given before. */
 class EffectStatesTest {

@@ -11,15 +11,17 @@ import deSolvers.RK4Solver;
 import deSolvers.symplectic.Yoshida4Solver;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.Plane;
-import particles.SeededRandom;
-import particles.Sphere;
-import particles.Vector3;
+import particles.law.Plane;
+import particles.law.SeededRandom;
+import particles.law.Sphere;
+import particles.law.Vector3;
 
 /** Drag, orbits, penalties and cohesion against their closed forms. */
 class ForceLawsTest {
 
-    /** v = v_t tanh(g t/v_t), fall = v_t&sup2;/g ln cosh(g t/v_t), v_t = sqrt(m g/c). Measured with rk4 at 0.01: 7e-9. */
+    /**
+     * v = v_t tanh(g t/v_t), fall = v_t&sup2;/g ln cosh(g t/v_t), v_t = sqrt(m g/c). Measured with rk4 at 0.01: 7e-9.
+     */
     @Test
     void fallWithQuadraticDrag() {
         double c = 0.3;
@@ -38,7 +40,8 @@ class ForceLawsTest {
     @Test
     void quadraticDragCarriesWithTheWind() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
-        system.addEffect(new QuadraticDrag(system.getParticles(), 0.5, new GustyWind(new Vector3(3, 4, 0), Vector3.ZERO, 1)));
+        system.addEffect(new QuadraticDrag(system.getParticles(), 0.5, new GustyWind(new Vector3(3, 4, 0), Vector3.ZERO,
+                1)));
         run(system, new RK4Solver(), 0.01, 2);
         double left = 1 / (0.5 * 2 + 1.0 / 5);
         assertEquals(3 - 0.6 * left, entry(system, 3), 1e-9);
@@ -46,8 +49,8 @@ class ForceLawsTest {
     }
 
     /**
-     * Kepler: from perihelion a (1 - e), after half a period pi sqrt(a&sup3;/mu) at aphelion -a (1 + e), after a whole one back.
-     * Measured with yoshida4 at T/2000: 3e-7, 2e-9.
+     * Kepler: from perihelion a (1 - e), after half a period pi sqrt(a&sup3;/mu) at aphelion -a (1 + e), after a whole
+     * one back. Measured with yoshida4 at T/2000: 3e-7, 2e-9.
      */
     @Test
     void orbitIsKeplers() {
@@ -68,7 +71,10 @@ class ForceLawsTest {
         assertEquals(energy, system.getEnergy(system.getOwnState(), 0), 1e-8);
     }
 
-    /** Softened, a small oscillation through the centre has omega&sup2; = mu/s&sup3;; the contrary: the orbit above turns. */
+    /**
+     * Softened, a small oscillation through the centre has omega&sup2; = mu/s&sup3;; the contrary: the orbit above
+     * turns.
+     */
     @Test
     void softeningLetsParticlesThrough() {
         double s = 0.5;
@@ -117,7 +123,8 @@ class ForceLawsTest {
     }
 
     /**
-     * Two particles swing about the distance of balance with omega&sup2; = 2 e (dX/dr)&sup2;/(m/2). Measured: 2e-8 of the swing.
+     * Two particles swing about the distance of balance with omega&sup2; = 2 e (dX/dr)&sup2;/(m/2). Measured: 2e-8 of
+     * the swing.
      */
     @Test
     void twoThatCohereSwingAboutTheirDistance() {
@@ -143,7 +150,8 @@ class ForceLawsTest {
         for (double far : new double[] {0, 1e6}) {
             ParticleSystem system = new ParticleSystem();
             for (int i = 0; i < 300; i++) {
-                system.addParticle("p" + i, 1, new Vector3(far + 4 * random.nextDouble() - 2, 4 * random.nextDouble() - 2,
+                system.addParticle("p" + i, 1, new Vector3(far + 4 * random.nextDouble() - 2,
+                        4 * random.nextDouble() - 2,
                         4 * random.nextDouble() - 2), Vector3.ZERO, false);
             }
             Cohesion fast = new Cohesion(system.getParticles(), 0.7, 0.4, 1, 0);
@@ -153,7 +161,8 @@ class ForceLawsTest {
                 for (int j = 0; j < i; j++) {
                     ParticleSystem two = new ParticleSystem();
                     for (int p : new int[] {i, j}) {
-                        two.addParticle("p", 1, new Vector3(state[6 * p], state[6 * p + 1], state[6 * p + 2]), Vector3.ZERO,
+                        two.addParticle("p", 1, new Vector3(state[6 * p], state[6 * p + 1], state[6 * p + 2]),
+                                Vector3.ZERO,
                                 false);
                     }
                     pairs += new Cohesion(two.getParticles(), 0.7, 0.4, 1, 0).getPotentialEnergy(two.getOwnState(), 0);

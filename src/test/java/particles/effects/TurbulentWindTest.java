@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
-import particles.SeededRandom;
-import particles.Vector3;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 
 /** What the turbulent field promises: no divergence, its strength, its mean, the same field for the same seed. */
 class TurbulentWindTest {
@@ -48,7 +48,8 @@ class TurbulentWindTest {
         double squares = 0;
         int count = 20000;
         for (int n = 0; n < count; n++) {
-            double[] u = velocity(wind, 1e3 * random.nextDouble(), 1e3 * random.nextDouble(), 1e3 * random.nextDouble(), 1);
+            double[] u = velocity(wind, 1e3 * random.nextDouble(), 1e3 * random.nextDouble(), 1e3 * random.nextDouble(),
+                    1);
             double[] mean = {MEAN.x(), MEAN.y(), MEAN.z()};
             for (int c = 0; c < 3; c++) {
                 sum[c] += u[c] / count;

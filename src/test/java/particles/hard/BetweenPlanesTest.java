@@ -20,8 +20,8 @@ import particles.hard.HardSystems.End;
 import particles.scene.Scene;
 
 /**
- * A ball between a floor and a ceiling, and one in a groove. Hard, because a step may meet both planes, the answer to one
- * drives it into the other, and a ball that two planes hold at once has to come to rest and stay.
+ * A ball between a floor and a ceiling, and one in a groove. Hard, because a step may meet both planes, the answer to
+ * one drives it into the other, and a ball that two planes hold at once has to come to rest and stay.
  */
 @Tag("hard")
 class BetweenPlanesTest {
@@ -53,8 +53,10 @@ class BetweenPlanesTest {
             effects:
               - gravity
             rules:
-              - plane: {point: [0, 0, 0], normal: [1, 1.6, 0], restitution: 0.5, friction: {law: coulomb, coefficient: 0.1}}
-              - plane: {point: [0, 0, 0], normal: [-1, 1.6, 0], restitution: 0.5, friction: {law: coulomb, coefficient: 0.1}}
+              - plane: {point: [0, 0, 0], normal: [1, 1.6, 0], restitution: 0.5, friction: {law: coulomb,
+                    coefficient: 0.1}}
+              - plane: {point: [0, 0, 0], normal: [-1, 1.6, 0], restitution: 0.5, friction: {law: coulomb,
+                    coefficient: 0.1}}
             """;
 
     /** The lowest and the highest place in which the rules left the ball. */
@@ -80,8 +82,9 @@ class BetweenPlanesTest {
 
     /**
      * 20 s, about 140 impacts; sideways nothing acts. Measured: no place beyond the planes by more than rounding. The
-     * impacts keep the energy of 29.45 J. A method of order 1 is off by (g deltaT)&sup2;/2 at each of 600 steps, as it is
-     * without impacts: euler gains 32.08 J, and the other two lose, until the ball slides along the floor with 0.3 m/s.
+     * impacts keep the energy of 29.45 J. A method of order 1 is off by (g deltaT)&sup2;/2 at each of 600 steps, as it
+     * is without impacts: euler gains 32.08 J, and the other two lose, until the ball slides along the floor with 0.3
+     * m/s.
      */
     @ParameterizedTest
     @MethodSource("solvers")
@@ -98,7 +101,8 @@ class BetweenPlanesTest {
             case "symplectic-euler", "backward-euler" -> 0.045;
             default -> 29.45;
         };
-        assertEquals(expected, scene.system().getEnergy(scene.system().getOwnState(), 20), 4e-12, "measured: 4.3e-13 at most");
+        assertEquals(expected, scene.system().getEnergy(scene.system().getOwnState(), 20), 4e-12,
+                "measured: 4.3e-13 at most");
     }
 
     /** A millimetre of room: at 7 m/s a step of 1/30 s would cross it 230 times. */
@@ -127,9 +131,9 @@ class BetweenPlanesTest {
     }
 
     /**
-     * Clamped, it comes to the bottom and lies there, held by both planes. Not with euler: before a step it does not see how
-     * gravity will turn the motion, and meets the planes for ever with the speed gained in two steps, 2 g h (measured 0.97
-     * of that), within a tenth of a millimetre of the bottom.
+     * Clamped, it comes to the bottom and lies there, held by both planes. Not with euler: before a step it does not
+     * see how gravity will turn the motion, and meets the planes for ever with the speed gained in two steps, 2 g h
+     * (measured 0.97 of that), within a tenth of a millimetre of the bottom.
      */
     @ParameterizedTest
     @MethodSource("solvers")
@@ -143,8 +147,9 @@ class BetweenPlanesTest {
     }
 
     /**
-     * Stopped at each impact, it comes to rest at the bottom, held by both planes, and stays: no speed at all. It bounces,
-     * slides and turns round on one plane alone, which is too steep to hold it: 23 to 60 events, and not one for ever.
+     * Stopped at each impact, it comes to rest at the bottom, held by both planes, and stays: no speed at all. It
+     * bounces, slides and turns round on one plane alone, which is too steep to hold it: 23 to 60 events, and not one
+     * for ever.
      */
     @ParameterizedTest
     @MethodSource("solvers")

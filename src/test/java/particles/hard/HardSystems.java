@@ -4,15 +4,15 @@ import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import java.nio.charset.StandardCharsets;
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.Vector3;
-import particles.effects.SpringForce;
-import particles.scene.Overrides;
+import particles.effects.springs.SpringForce;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 
 /** Systems that several hard cases need, and what becomes of them. */
 final class HardSystems {

@@ -6,19 +6,19 @@ import static particles.hard.HardSystems.add;
 import static particles.hard.HardSystems.run;
 import static particles.hard.HardSystems.springs;
 
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import deSolvers.catalog.SolverCatalog;
 import particles.ParticleSystem;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Vector3;
 
 /**
- * A bob stands on a spring, straight above the pivot, where spring and weight cancel exactly. Hard, because every rounding
- * sideways grows by e in 0.35 s: in ten seconds 1e-16 is the length of the pendulum.
+ * A bob stands on a spring, straight above the pivot, where spring and weight cancel exactly. Hard, because every
+ * rounding sideways grows by e in 0.35 s: in ten seconds 1e-16 is the length of the pendulum.
  */
 @Tag("hard")
 class InvertedPendulumTest {
@@ -52,7 +52,8 @@ class InvertedPendulumTest {
     /** A billionth aside, it falls as cosh(t sqrt(g/l)), in 6 s to 1.0922 cm, less 2.2e-5 for sin x < x. Measured. */
     @ParameterizedTest
     @CsvSource({"rk4, 4e-5", "step-doubling, 4e-5", "dormand-prince, 4e-5", "bulirsch-stoer, 4e-5", "adams, 4e-5",
-        "yoshida4, 4e-5", "radau, 4e-5", "verlet, 1e-3", "midpoint, 3e-3", "implicit-midpoint, 2e-3", "symplectic-euler, 0.03",
+        "yoshida4, 4e-5", "radau, 4e-5", "verlet, 1e-3", "midpoint, 3e-3", "implicit-midpoint, 2e-3",
+                "symplectic-euler, 0.03",
         "euler, 0.2", "backward-euler, 0.25"})
     void theLeastPushGrowsAsItShould(String solver, double relative) {
         ParticleSystem system = standing(0x1p-30);

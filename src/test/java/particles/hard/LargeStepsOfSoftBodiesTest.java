@@ -16,9 +16,9 @@ import particles.hard.HardSystems.End;
 import particles.scene.Scene;
 
 /**
- * A cloth let fall with the steps of a film, and a block of jelly that lies still for ten minutes. Hard, because the cloth's
- * springs allow explicit steps of 1 to 2 ms, and because at rest nothing but the method decides whether rounding is damped
- * away or wakes the block up.
+ * A cloth let fall with the steps of a film, and a block of jelly that lies still for ten minutes. Hard, because the
+ * cloth's springs allow explicit steps of 1 to 2 ms, and because at rest nothing but the method decides whether
+ * rounding is damped away or wakes the block up.
  */
 @Tag("hard")
 class LargeStepsOfSoftBodiesTest {
@@ -94,7 +94,10 @@ class LargeStepsOfSoftBodiesTest {
         assertTrue(end.ended() == 0 && end.message().contains("too stiff for this deltaT"), end.toString());
     }
 
-    /** It swings through, comes nearly to rest and hangs 2.02 m deep at most (measured), 2 m of cloth and its stretching. */
+    /**
+     * It swings through, comes nearly to rest and hangs 2.02 m deep at most (measured), 2 m of cloth and its
+     * stretching.
+     */
     @Test
     void theClothFallsAndHangsWithBackwardEuler() {
         Scene scene = scene(CLOTH, "backward-euler", FRAME, 10);
@@ -104,9 +107,9 @@ class LargeStepsOfSoftBodiesTest {
     }
 
     /**
-     * The limit of implicit-midpoint, documented: it damps nothing, springs turn inside out as in {@link StiffSpringsTest},
-     * and the cloth gets hot: within the energy limit as long as it lasts (10.6 s were measured),
-     * then Newton's method says no.
+     * The limit of implicit-midpoint, documented: it damps nothing, springs turn inside out as in
+     * {@link StiffSpringsTest}, and the cloth gets hot: within the energy limit as long as it lasts (10.6 s were
+     * measured), then Newton's method says no.
      */
     @Test
     void theClothStaysWithinTheLimitWithImplicitMidpoint() {
@@ -125,10 +128,12 @@ class LargeStepsOfSoftBodiesTest {
     }
 
     /**
-     * 600 s; at 0.4 s it has settled to 0.796903 m, and it does not move by a rounding's speed, measured up to 4e-14 m/s.
+     * 600 s; at 0.4 s it has settled to 0.796903 m, and it does not move by a rounding's speed, measured up to 4e-14
+     * m/s.
      */
     @ParameterizedTest
-    @CsvSource({"backward-euler, 60", "implicit-midpoint, 60", "midpoint, 256", "rk4, 256", "adams, 256", "symplectic-euler, 256",
+    @CsvSource({"backward-euler, 60", "implicit-midpoint, 60", "midpoint, 256", "rk4, 256", "adams, 256",
+            "symplectic-euler, 256",
         "verlet, 256", "dormand-prince, 60", "step-doubling, 60", "bulirsch-stoer, 60"})
     void theJellyLiesStillForTenMinutes(String solver, double stepsASecond) {
         Scene scene = scene(JELLY, solver, 1 / stepsASecond, 600);

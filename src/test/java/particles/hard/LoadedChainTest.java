@@ -13,14 +13,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 import particles.hard.HardSystems.End;
+import particles.law.Vector3;
 
 /**
- * 50 links of 10 g, each on a spring of 1e4 N/m, carry 10 kg. Hard, because the links could vibrate at 2,000 rad/s, while
- * the load bobs at 4.4: a stiff system that looks like a pendulum clock, and whose force has to come through 50 springs.
+ * 50 links of 10 g, each on a spring of 1e4 N/m, carry 10 kg. Hard, because the links could vibrate at 2,000 rad/s,
+ * while the load bobs at 4.4: a stiff system that looks like a pendulum clock, and whose force has to come through 50
+ * springs.
  */
 @Tag("hard")
 class LoadedChainTest {
@@ -72,7 +73,9 @@ class LoadedChainTest {
         assertTrue(HardSystems.fastest(system) < 1e-3);
     }
 
-    /** The load bobs about its balance by the stretching it began with: measured -5.65194 m after 1 s by four methods. */
+    /**
+     * The load bobs about its balance by the stretching it began with: measured -5.65194 m after 1 s by four methods.
+     */
     @ParameterizedTest
     @CsvSource({"step-doubling, 1e-5", "dormand-prince, 1e-5", "bulirsch-stoer, 1e-5", "implicit-midpoint, 5e-5",
         "backward-euler, 5e-3"})

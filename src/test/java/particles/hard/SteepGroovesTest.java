@@ -36,8 +36,10 @@ class SteepGroovesTest {
             effects:
               - gravity
             rules:
-              - plane: {point: [0, 0, 0], normal: [%s, %s, 0], restitution: %s, friction: {law: coulomb, coefficient: %s}}
-              - plane: {point: [0, 0, 0], normal: [%s, %s, 0], restitution: %s, friction: {law: coulomb, coefficient: %s}}
+              - plane: {point: [0, 0, 0], normal: [%s, %s, 0], restitution: %s, friction: {law: coulomb,
+                    coefficient: %s}}
+              - plane: {point: [0, 0, 0], normal: [%s, %s, 0], restitution: %s, friction: {law: coulomb,
+                    coefficient: %s}}
             """;
     private static final int GROOVES = 40;
     private static final int SEED = 5;

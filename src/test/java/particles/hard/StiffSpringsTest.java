@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
 import particles.hard.HardSystems.End;
 
 /**
@@ -66,10 +66,11 @@ class StiffSpringsTest {
     }
 
     /**
-     * The spring is linear only while it is not turned inside out. From omega h = 16 on, the step's equation has a second
-     * solution on the other side of the hook, which Newton's method finds when it begins straight on along the velocity, of up
-     * to 125 m/s: energy then went up to 2e5 times the start's. From the present place it finds the near one, always: energy
-     * is kept to rounding, and the spring, 1.125 m long at first, is never shorter than 0.875 m.
+     * The spring is linear only while it is not turned inside out. From omega h = 16 on, the step's equation has a
+     * second solution on the other side of the hook, which Newton's method finds when it begins straight on along the
+     * velocity, of up to 125 m/s: energy then went up to 2e5 times the start's. From the present place it finds the
+     * near one, always: energy is kept to rounding, and the spring, 1.125 m long at first, is never shorter than 0.875
+     * m.
      */
     @ParameterizedTest
     @ValueSource(doubles = {1e3, 1e4, 1e6, 1e9})
@@ -85,7 +86,9 @@ class StiffSpringsTest {
         }
     }
 
-    /** They follow every oscillation, 160 a second at k = 1e3 and 5,000 at 1e6, at a price; energy measured to 2.3e-2. */
+    /**
+     * They follow every oscillation, 160 a second at k = 1e3 and 5,000 at 1e6, at a price; energy measured to 2.3e-2.
+     */
     @ParameterizedTest
     @CsvSource({"step-doubling, 2e6", "dormand-prince, 1.3e6", "bulirsch-stoer, 8e5", "radau, 2.6e6"})
     void stepControlFollowsEveryOscillation(String solver, double evaluations) {
@@ -106,7 +109,10 @@ class StiffSpringsTest {
         assertTrue(end.ended() < 0.05 && end.message().contains("kinetic energy"), end.toString());
     }
 
-    /** Their last kick is solved by an iteration that converges below c h/m = 2 only; beyond, they refuse the first step. */
+    /**
+     * Their last kick is solved by an iteration that converges below c h/m = 2 only; beyond, they refuse the first
+     * step.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"verlet", "yoshida4"})
     void stiffDampingIsRefusedByLeapfrogs(String solver) {

@@ -6,18 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static particles.hard.HardSystems.run;
 import static particles.hard.HardSystems.springs;
 
+import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import deSolvers.catalog.SolverCatalog;
 import particles.ParticleSystem;
-import particles.Vector3;
+import particles.law.Vector3;
 
 /**
- * Two particles run through each other against a spring of rest length 1. Hard, because the force has its full size up to
- * length 0 and turns round there: it jumps, no method has an order across the jump, and exactly at 0 there is no direction.
+ * Two particles run through each other against a spring of rest length 1. Hard, because the force has its full size up
+ * to length 0 and turns round there: it jumps, no method has an order across the jump, and exactly at 0 there is no
+ * direction.
  */
 @Tag("hard")
 class ZeroLengthTest {
@@ -50,7 +51,9 @@ class ZeroLengthTest {
         assertEquals(-s[0], s[6], 1e-12, "symmetric");
     }
 
-    /** The energy is not enough to get through: 5 J of compression against 4 J; the particles turn back at length 0.106. */
+    /**
+     * The energy is not enough to get through: 5 J of compression against 4 J; the particles turn back at length 0.106.
+     */
     @ParameterizedTest
     @MethodSource("solvers")
     void compressedAlmostToZeroAndBack(String solver) {
@@ -59,7 +62,9 @@ class ZeroLengthTest {
         assertTrue(system.getOwnState()[6] > 0, "never through: x = " + system.getOwnState()[6]);
     }
 
-    /** At length 0 itself nothing says which way: the unstable balance is kept, exactly, and nothing is divided by 0. */
+    /**
+     * At length 0 itself nothing says which way: the unstable balance is kept, exactly, and nothing is divided by 0.
+     */
     @ParameterizedTest
     @MethodSource("solvers")
     void atZeroLengthAtRestNothingMoves(String solver) {

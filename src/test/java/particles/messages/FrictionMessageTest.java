@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.SimulationException;
-import particles.scene.Overrides;
+import particles.scene.format.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;

@@ -13,11 +13,15 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import particles.ParticleSystem;
-import particles.scene.Overrides;
+import particles.output.files.PngEncoder;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSetup;
+import particles.output.painters.FrameState;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 
 /** The time to draw a frame of 1280 x 720 pixels, and to make a PNG picture of it. */
 @State(Scope.Thread)
@@ -46,7 +50,7 @@ public class FrameBenchmark {
         }
         state.take(system.getStateArray(), system.getParticles().count(), system.getTime());
         state.takeStructure(system, false);
-        renderer = new FrameRenderer(new Stage(scene.camera().orElseThrow(), scene.look(), scene.scenery(),
+        renderer = new FrameRenderer(new FrameSetup(scene.camera().orElseThrow(), scene.look(), scene.scenery(),
                 scene.description().title(), ""), WIDTH, HEIGHT, 2);
     }
 

@@ -18,18 +18,21 @@ import java.util.Set;
 import java.util.TreeMap;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.CurveView;
-import particles.Look;
-import particles.Plane;
-import particles.Scenery;
-import particles.Style;
-import particles.Surface;
-import particles.Vector3;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.output.frames.FrameRenderer;
+import particles.output.painters.FrameState;
+import particles.view.CurveView;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+import particles.view.Surface;
 
 /** What a picture does not show has no painter: all painters that a renderer holds after a frame are counted. */
 class OnlyNamedPaintersTest {
-    private static final Look BALLS = look(Style.Kind.BALLS, 1, 0);
-    private static final Plane SLOPE = new Plane(new Vector3(0, -3, 0), new Vector3(0, 0.8, 0.6));      // seen from above
+    private static final RenderOptions BALLS = look(ParticleStyle.Kind.BALLS, 1, 0);
+    // seen from above
+    private static final Plane SLOPE = new Plane(new Vector3(0, -3, 0), new Vector3(0, 0.8, 0.6));
     private static final CurveView LINE = new CurveView() {
         @Override
         public Vector3 at(double u) {
@@ -43,19 +46,21 @@ class OnlyNamedPaintersTest {
     };
 
     /** A picture, and the painters that it needs beside the one that knows as what particles are drawn. */
-    private record Case(String what, Look look, Scenery scenery, boolean spring, Set<String> painters) {
+    private record Case(String what, RenderOptions look, Scenery scenery, boolean spring, Set<String> painters) {
     }
 
     static List<Case> cases() {
-        Look noSprings = new Look(Look.Shown.ALWAYS, Look.Shown.NEVER, 1, 0.1, 1, 2, 3, 4, Style.STANDARD);
+        RenderOptions noSprings = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.NEVER, 1, 0.1, 1, 2,
+                3, 4, ParticleStyle.STANDARD);
         return List.of(new Case("balls", BALLS, Scenery.NONE, false, Set.of()),
-                new Case("points", look(Style.Kind.POINTS, 1, 0), Scenery.NONE, false, Set.of()),
-                new Case("blobs", look(Style.Kind.BLOBS, 1, 0), Scenery.NONE, false, Set.of("BlobPainter")),
-                new Case("glow", look(Style.Kind.GLOW, 1, 0), Scenery.NONE, false, Set.of("GlowPainter")),
-                new Case("trails", look(Style.Kind.BALLS, 1, 0.5), Scenery.NONE, false, Set.of("TrailPainter")),
+                new Case("points", look(ParticleStyle.Kind.POINTS, 1, 0), Scenery.NONE, false, Set.of()),
+                new Case("blobs", look(ParticleStyle.Kind.BLOBS, 1, 0), Scenery.NONE, false, Set.of("BlobPainter")),
+                new Case("glow", look(ParticleStyle.Kind.GLOW, 1, 0), Scenery.NONE, false, Set.of("GlowPainter")),
+                new Case("trails", look(ParticleStyle.Kind.BALLS, 1, 0.5), Scenery.NONE, false, Set.of("TrailPainter")),
                 new Case("a spring", BALLS, Scenery.NONE, true, Set.of("SpringPainter")),
                 new Case("a hidden spring", noSprings, Scenery.NONE, true, Set.of()),
-                new Case("a surface", BALLS, new Scenery(List.of(new Surface(new int[] {0, 1, 2}, false)), List.of(), List.of(),
+                new Case("a surface", BALLS, new Scenery(List.of(new Surface(new int[] {0, 1, 2}, false)), List.of(),
+                List.of(),
                         List.of()), false, Set.of("SurfacePainter")),
                 new Case("a slope", BALLS, new Scenery(List.of(), List.of(SLOPE), List.of(), List.of()), false,
                         Set.of("ShadowPainter")),
@@ -84,7 +89,8 @@ class OnlyNamedPaintersTest {
     }
 
     /** Through all fields of our own objects, and what is in optional values and collections. */
-    private static void count(Object object, Map<String, Integer> painters, Set<Object> seen) throws IllegalAccessException {
+    private static void count(Object object, Map<String, Integer> painters, Set<Object> seen)
+            throws IllegalAccessException {
         if (object instanceof Optional<?> optional) {
             if (optional.isPresent()) {
                 count(optional.get(), painters, seen);

@@ -18,14 +18,22 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import particles.Camera;
 import particles.ParticleSystem;
-import particles.Plane;
-import particles.Scenery;
 import particles.Simulation;
-import particles.Sphere;
-import particles.Style;
-import particles.Vector3;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.output.frames.FrameObserver;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSink;
+import particles.output.frames.TrailRecorder;
+import particles.output.painters.BlobField;
+import particles.output.painters.BlobSurface;
+import particles.output.painters.FrameState;
+import particles.output.painters.TrailSample;
+import particles.view.Camera;
+import particles.view.ParticleStyle;
+import particles.view.Scenery;
 
 /** As what particles are drawn: areas, places and brightness that can be computed. */
 class ParticleStylesTest {
@@ -51,16 +59,17 @@ class ParticleStylesTest {
     @Test
     void blobsCoverTheLevelSetOfTheirField() {
         double radius = 1.5;
-        int[] empty = renderer(FRONT, look(Style.Kind.BLOBS, radius, 0), Scenery.NONE).render(state()).clone();
+        int[] empty = renderer(FRONT, look(ParticleStyle.Kind.BLOBS, radius, 0), Scenery.NONE).render(state()).clone();
         for (double distance : new double[] {0, 1.5, 3, 3.75, 6}) {
             double[] xs = distance == 0 ? new double[] {0} : new double[] {-distance / 2, distance / 2};
             FrameState state = distance == 0 ? state(0, 0, 0) : state(xs[0], 0, 0, xs[1], 0, 0);
-            int[] rgb = renderer(FRONT, look(Style.Kind.BLOBS, radius, 0), Scenery.NONE).render(state);
+            int[] rgb = renderer(FRONT, look(ParticleStyle.Kind.BLOBS, radius, 0), Scenery.NONE).render(state);
             double expected = 400 * analyticArea(radius, xs);
             if (distance == 0) {
                 assertEquals(400 * Math.PI * radius * radius, expected, 1);
             }
-            // the chords of 3.5 cells to the radius cut off what pixels that count in full add; the neck at 3.75 m is the
+            // the chords of 3.5 cells to the radius cut off what pixels that count in full add; the neck at 3.75 m is
+            // the
             // worst: measured 0.9895 there, 0.997 to 1.001 elsewhere
             assertEquals(1, area(rgb, empty) / expected, distance == 3.75 ? 0.025 : 0.01, "distance " + distance);
         }
@@ -108,7 +117,7 @@ class ParticleStylesTest {
     /** The light that a particle adds falls from its birth to its death, and two add up to nearly twice one. */
     @Test
     void aGlowFadesWithAge() {
-        FrameRenderer renderer = renderer(FRONT, look(Style.Kind.GLOW, 1, 0), Scenery.NONE);
+        FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.GLOW, 1, 0), Scenery.NONE);
         int[] dark = renderer.render(state()).clone();
         double before = Double.POSITIVE_INFINITY;
         for (int k = 0; k <= 20; k++) {
@@ -147,7 +156,7 @@ class ParticleStylesTest {
     /** A spot of light behind a ball is hidden by it, one in front is not. */
     @Test
     void aGlowIsHiddenByWhatIsNearer() {
-        FrameRenderer renderer = renderer(FRONT, look(Style.Kind.GLOW, 3, 0), Scenery.NONE);
+        FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.GLOW, 3, 0), Scenery.NONE);
         int[] alone = new int[2];
         for (int k = 0; k < 2; k++) {
             FrameState state = state(0, 0, 0, 0, 0, k == 0 ? -5 : 5);
@@ -163,7 +172,7 @@ class ParticleStylesTest {
     void pointsHaveOneSize() {
         Camera camera = new Camera(new Vector3(0, 0, 10), Vector3.ZERO, new Vector3(0, 1, 0), true, 40, 0);
         double[][] areas = new double[2][2];
-        for (Style.Kind kind : List.of(Style.Kind.POINTS, Style.Kind.BALLS)) {
+        for (ParticleStyle.Kind kind : List.of(ParticleStyle.Kind.POINTS, ParticleStyle.Kind.BALLS)) {
             FrameRenderer renderer = renderer(camera, look(kind, 0.5, 0), Scenery.NONE);
             int[] empty = renderer.render(state()).clone();
             for (int k = 0; k < 2; k++) {
@@ -171,19 +180,21 @@ class ParticleStylesTest {
             }
         }
         assertEquals(areas[1][0], areas[1][1], 1);                               // two or three pixels
-        assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);      // the square of 6 is 36; measured 32
+        // the square of 6 is 36; measured 32
+        assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);
     }
 
     /**
-     * A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked for.
+     * A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked
+     * for.
      */
     @Test
     void aTrailIsWhereTheParticleWasAndFades() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 1, new Vector3(-6, 0.525, 0), new Vector3(4, 0, 0), false);
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.003, 3, Double.POSITIVE_INFINITY);
-        FrameRenderer renderer = renderer(FRONT, look(Style.Kind.BALLS, 0.25, 2), Scenery.NONE);
-        int[] empty = renderer(FRONT, look(Style.Kind.BALLS, 0.25, 2), Scenery.NONE).render(state()).clone();
+        FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE);
+        int[] empty = renderer(FRONT, look(ParticleStyle.Kind.BALLS, 0.25, 2), Scenery.NONE).render(state()).clone();
         List<int[]> frames = new ArrayList<>();
         try (FrameObserver observer = new FrameObserver(renderer, 10, List.of(new FrameSink() {
             @Override
@@ -241,7 +252,8 @@ class ParticleStylesTest {
             trails.take(system, system.getOwnState(), 3, 0.01 * k, 2);
         }
         assertTrue(trails.samples()[0].time() <= 2.99 && trails.samples().length < 110, "the old ones are forgotten");
-        assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).nextTime(), "who wants no trails asks for no time");
+        assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).nextTime(),
+                "who wants no trails asks for no time");
     }
 
     /** What blows up is drawn as long as it lasts, whatever it is drawn as. */
@@ -249,13 +261,15 @@ class ParticleStylesTest {
     @Test
     void anyNumbersCanBeDrawnAsAnything() {
         double huge = 1e200;
-        for (Style.Kind kind : Style.Kind.values()) {
-            FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
+        for (ParticleStyle.Kind kind : ParticleStyle.Kind.values()) {
+            FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0,
+                    -3);
             state.trail = new TrailSample[] {new TrailSample(-0.5, new float[] {1e30f, Float.NaN, 0, 0, 0,
                 Float.POSITIVE_INFINITY, 1, 2, 3, 4, 5, 6, 7, 8, 9}, new int[0])};
             state.death = new double[] {0, Double.NaN, 1, Double.POSITIVE_INFINITY, 1};
             for (boolean perspective : new boolean[] {true, false}) {
-                Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40, 9);
+                Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40,
+                        9);
                 Scenery scenery = new Scenery(List.of(), List.of(Plane.ground(0)),
                         List.of(new Sphere(new Vector3(50, 0, 0), 1, true)), List.of());
                 int[] empty = renderer(camera, look(kind, 0.5, 1), scenery).render(state()).clone();

@@ -12,39 +12,44 @@ import static particles.output.SmallPictures.state;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import particles.Camera;
-import particles.CurveView;
-import particles.Look;
-import particles.Scenery;
-import particles.Sphere;
-import particles.Style;
-import particles.Vector3;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.output.frames.FrameRenderer;
+import particles.output.painters.FrameState;
+import particles.view.Camera;
+import particles.view.CurveView;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
 
 /** Rods, wires and spheres are drawn as large, and where, as the camera sees them. */
 class SceneryStylesTest {
     /**
-     * A ball of radius r at the distance d is seen under the angle asin(r/d); a bead on it makes it smaller by its own size.
+     * A ball of radius r at the distance d is seen under the angle asin(r/d); a bead on it makes it smaller by its own
+     * size.
      */
     @Test
     void aSphereIsAsLargeAsItIsSeen() {
         Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), true, 60, 0);
         double focal = H / (2 * Math.tan(Math.PI / 6));
-        FrameRenderer without = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), Scenery.NONE);
+        FrameRenderer without = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), Scenery.NONE);
         int[] empty = without.render(state()).clone();
         Sphere ball = new Sphere(Vector3.ZERO, 1.2, false);
         double inset = 0.003 * 2 * 5 * Math.tan(Math.PI / 6);
         for (boolean bead : new boolean[] {false, true}) {
             FrameState state = bead ? state(0, 100, 0) : state();
             double r = 1.2 - (bead ? 0.2 : inset);
-            int[] rgb = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state);
+            int[] rgb = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball)).render(state);
             double seen = focal * r / Math.sqrt(25 - r * r);
-            assertEquals(1, area(rgb, empty) / (Math.PI * seen * seen), 0.05);      // edge pixels in full: measured 1.014, 1.022
+            // edge pixels in full: measured 1.014, 1.022
+            assertEquals(1, area(rgb, empty) / (Math.PI * seen * seen), 0.05);
         }
-        int[] hollow = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(new Sphere(Vector3.ZERO, 1.2, true)))
+        int[] hollow = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0),
+                scenery(new Sphere(Vector3.ZERO, 1.2, true)))
                 .render(state(0, 0, 0));
         assertTrue((hollow[H / 2 * W + W / 2] & 255) > 120, "what is inside of a hollow is seen");
-        int[] solid = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 0, 0));
-        int[] alone = renderer(camera, look(Style.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 100, 0));
+        int[] solid = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 0, 0));
+        int[] alone = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), scenery(ball)).render(state(0, 100, 0));
         assertEquals(alone[H / 2 * W + W / 2], solid[H / 2 * W + W / 2], "what is inside of a ball is not");
     }
 
@@ -55,7 +60,8 @@ class SceneryStylesTest {
     /** Rods are straight grey bars, whatever their length, and no scale of strain comes with them. */
     @Test
     void rodsAreBars() {
-        Look look = new Look(Look.Shown.NEVER, Look.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0, 0, Style.STANDARD);
+        RenderOptions look = new RenderOptions(RenderOptions.Shown.NEVER, RenderOptions.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0,
+                0, ParticleStyle.STANDARD);
         int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
         int[] heights = new int[2];
         for (int k = 0; k < 2; k++) {
@@ -77,7 +83,8 @@ class SceneryStylesTest {
             }
             assertEquals(k == 1, scale > 100);
         }
-        // 2 * 0.34 * 0.5 m * 20 pixels a metre * 40 columns = 272, and edge pixels, in full: measured 320; a coil has 412
+        // 2 * 0.34 * 0.5 m * 20 pixels a metre * 40 columns = 272, and edge pixels, in full: measured 320; a coil has
+        // 412
         assertEquals(272, heights[0], 50);
         assertTrue(heights[1] > 380, "a spring is no bar");
     }
@@ -107,9 +114,10 @@ class SceneryStylesTest {
                 return Double.POSITIVE_INFINITY;
             }
         };
-        Look look = look(Style.Kind.BALLS, 0.5, 0);
+        RenderOptions look = look(ParticleStyle.Kind.BALLS, 0.5, 0);
         int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
-        int[] first = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(), List.of(ring))).render(state());
+        int[] first = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
+                List.of(ring))).render(state());
         double mean = 0;
         int count = 0;
         for (int p = 0; p < first.length; p++) {
@@ -122,7 +130,8 @@ class SceneryStylesTest {
         }
         assertEquals(60, mean / count, 0.1);          // measured 60.05
         assertTrue(count > 2 * Math.PI * 60 * 3, count + " pixels");
-        int[] second = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(), List.of(parabola))).render(state());
+        int[] second = renderer(FRONT, look, new Scenery(List.of(), List.of(), List.of(),
+                List.of(parabola))).render(state());
         for (int x = -7; x <= 7; x++) {
             int p = (int) (100 - 20 * x * x / 16.0) * W + 160 + 20 * x;
             assertTrue(second[p] != empty[p], "at " + x + " m");

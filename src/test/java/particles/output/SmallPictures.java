@@ -1,10 +1,13 @@
 package particles.output;
 
-import particles.Camera;
-import particles.Look;
-import particles.Scenery;
-import particles.Style;
-import particles.Vector3;
+import particles.law.Vector3;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSetup;
+import particles.output.painters.FrameState;
+import particles.view.Camera;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
 
 /** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
 final class SmallPictures {
@@ -16,13 +19,14 @@ final class SmallPictures {
     private SmallPictures() {
     }
 
-    static Look look(Style.Kind kind, double radius, double trail) {
-        return new Look(Look.Shown.ALWAYS, Look.Shown.ALWAYS, radius, 0.1, 0x3366cc, 0x202020, 0xff0000, 0x0000ff,
-                new Style(kind, Style.STANDARD.ageColours(), trail, kind == Style.Kind.GLOW));
+    static RenderOptions look(ParticleStyle.Kind kind, double radius, double trail) {
+        return new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, radius, 0.1, 0x3366cc,
+                0x202020, 0xff0000, 0x0000ff,
+                new ParticleStyle(kind, ParticleStyle.STANDARD.ageColours(), trail, kind == ParticleStyle.Kind.GLOW));
     }
 
-    static FrameRenderer renderer(Camera camera, Look look, Scenery scenery) {
-        return new FrameRenderer(new Stage(camera, look, scenery, "", ""), W, H, 2);
+    static FrameRenderer renderer(Camera camera, RenderOptions look, Scenery scenery) {
+        return new FrameRenderer(new FrameSetup(camera, look, scenery, "", ""), W, H, 2);
     }
 
     static FrameState state(double... positions) {

@@ -1,10 +1,10 @@
 package particles.output;
 
-import particles.Effect;
 import particles.ParticleSystem;
+import particles.law.Effect;
 
 /** Small forces for tests of observers. */
-final class TestEffects {
+public final class TestEffects {
     private TestEffects() {
     }
 
@@ -27,7 +27,7 @@ final class TestEffects {
     }
 
     /** Weight m g downwards for every particle of the system. */
-    static Effect gravity(ParticleSystem system, double g) {
+    public static Effect gravity(ParticleSystem system, double g) {
         return new Base("gravity") {
             @Override
             public void addForces(double[] state, double time, double[] force) {
@@ -48,7 +48,7 @@ final class TestEffects {
     }
 
     /** No force until a time, and then none that is a number. */
-    static Effect failingAt(double when) {
+    public static Effect failingAt(double when) {
         return new Base("failing") {
             @Override
             public void addForces(double[] state, double time, double[] force) {

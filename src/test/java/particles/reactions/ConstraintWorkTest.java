@@ -13,23 +13,31 @@ import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.AnchorMotion;
 import particles.EnergyLedger;
 import particles.ParticleSystem;
 import particles.Simulation;
-import particles.Sphere;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.AnchorMotion;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 import particles.rules.CircleMotion;
 import particles.rules.ConstraintProjection;
 import particles.rules.SineMotion;
 
-/** What rods, wires and surfaces do work on: nothing, unless they hang on anchors that move. All else is numerical error. */
+/**
+ * What rods, wires and surfaces do work on: nothing, unless they hang on anchors that move. All else is numerical
+ * error.
+ */
 class ConstraintWorkTest {
 
-    private static EnergyLedger run(ParticleSystem system, String solver, double deltaT, double duration, boolean projected) {
+    private static EnergyLedger run(ParticleSystem system, String solver, double deltaT, double duration,
+            boolean projected) {
         EnergyLedger ledger = new EnergyLedger();
-        Simulation simulation = new Simulation(system, SolverCatalog.create(solver), deltaT, duration, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, SolverCatalog.create(solver), deltaT, duration,
+                Double.POSITIVE_INFINITY);
         if (projected) {
             simulation.addRule(new ConstraintProjection(constraints(system)));
         }
@@ -47,8 +55,8 @@ class ConstraintWorkTest {
     }
 
     /**
-     * The pendulum at steps of 0.02 s: what the solver gains or loses, by its steps, by the feedback or by the projection, is
-     * its error, all of it. Measured after 8 s, in parts of 9.81 J: what stands beside the solver.
+     * The pendulum at steps of 0.02 s: what the solver gains or loses, by its steps, by the feedback or by the
+     * projection, is its error, all of it. Measured after 8 s, in parts of 9.81 J: what stands beside the solver.
      */
     @ParameterizedTest
     @CsvSource({"verlet, false, -0.011", "verlet, true, -0.0031", "midpoint, false, 0.0446", "midpoint, true, 0.0080",
@@ -60,7 +68,9 @@ class ConstraintWorkTest {
         assertEquals(change, ledger.getNumericalError(), "and no work beside it: " + ledger.getWork());
     }
 
-    /** In a smooth hollow ball, v&sup2; = 4.5 g r at the bottom: verlet gains 0.402 J in 0.3 s, and nothing pushed it. */
+    /**
+     * In a smooth hollow ball, v&sup2; = 4.5 g r at the bottom: verlet gains 0.402 J in 0.3 s, and nothing pushed it.
+     */
     @Test
     void aSmoothBallDoesNoWork() {
         ParticleSystem system = new ParticleSystem();
@@ -85,18 +95,21 @@ class ConstraintWorkTest {
     }
 
     private static final AnchorMotion SHAKE = new SineMotion(Vector3.ZERO, new Vector3(0.2, 0.05, 0), 2);
-    private static final AnchorMotion CRANK = new CircleMotion(Vector3.ZERO, new Vector3(0.3, 0, 0), new Vector3(0, 0, 1), 1.5);
+    private static final AnchorMotion CRANK = new CircleMotion(Vector3.ZERO, new Vector3(0.3, 0, 0),
+            new Vector3(0, 0, 1), 1.5);
 
     /**
-     * A pendulum that is shaken and a double pendulum on a crank: the anchor's work is their energy, 1.95 and 5.01 J, but for
-     * an error of the solver's order. Measured: slopes 3.98 and 3.93 for rk4, 4.00 for yoshida4, 1.999 to 2.016 for those of
-     * order 2, 1.003 and 0.999 for euler.
+     * A pendulum that is shaken and a double pendulum on a crank: the anchor's work is their energy, 1.95 and 5.01 J,
+     * but for an error of the solver's order. Measured: slopes 3.98 and 3.93 for rk4, 4.00 for yoshida4, 1.999 to 2.016
+     * for those of order 2, 1.003 and 0.999 for euler.
      */
     @ParameterizedTest
-    @CsvSource({"rk4, 4, 0.004", "yoshida4, 4, 0.004", "verlet, 2, 0.005", "midpoint, 2, 0.005", "implicit-midpoint, 2, 0.005",
+    @CsvSource({"rk4, 4, 0.004", "yoshida4, 4, 0.004", "verlet, 2, 0.005", "midpoint, 2, 0.005",
+            "implicit-midpoint, 2, 0.005",
         "euler, 1, 0.0005"})
     void theBooksOfMovingAnchorsBalanceToTheSolversOrder(String solver, int order, double h) {
-        for (Supplier<ParticleSystem> system : List.<Supplier<ParticleSystem>>of(() -> moved(1, SHAKE), () -> moved(2, CRANK))) {
+        for (Supplier<ParticleSystem> system : List.<Supplier<ParticleSystem>>of(() -> moved(1, SHAKE),
+                () -> moved(2, CRANK))) {
             EnergyLedger coarse = run(system.get(), solver, h, 2, false);
             EnergyLedger fine = run(system.get(), solver, h / 2, 2, false);
             assertTrue(fine.getWork().get("rods") > 1.9, fine.getWork().toString());

@@ -12,11 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.EnergyLedger;
-import particles.Plane;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Rods that strike the ground, come to rest or turn on it, or jam. */
 class FallingRodsTest {
@@ -31,7 +33,8 @@ class FallingRodsTest {
     void aRodHitsTheGroundWithOneEnd(double restitution) {
         double f = Math.toRadians(40);
         ContactSurface ground = new ContactSurface("ground", Plane.ground(0), restitution, Friction.NONE, 1e-6);
-        JointCase rod = new JointCase(List.of(ground), at(0, 0.5, Math.cos(f), 0.5 + Math.sin(f)), at(0, 0, 0, 0), new int[] {0, 1});
+        JointCase rod = new JointCase(List.of(ground), at(0, 0.5, Math.cos(f), 0.5 + Math.sin(f)), at(0, 0, 0, 0),
+                new int[] {0, 1});
         JointCase.Watch watch = new JointCase.Watch();
         EnergyLedger ledger = new EnergyLedger();
         double fall = Math.sqrt(1 / G);
@@ -54,7 +57,8 @@ class FallingRodsTest {
         ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3,
                 new Friction(Friction.Law.COULOMB, 0.4, 0.5, slow), slow);
         Vector3 sideways = new Vector3(1, 0, 0);
-        return new JointCase(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {sideways, sideways}, new int[] {0, 1});
+        return new JointCase(List.of(ground), at(0, 0.5, 0.6, 1.3), new Vector3[] {sideways, sideways},
+                new int[] {0, 1});
     }
 
     /** Falling, striking, sliding with friction, coming to rest: the books close, and the rod does no work. */
@@ -71,7 +75,8 @@ class FallingRodsTest {
         assertTrue(rod.contacts.getModes().isSticking(0) && rod.contacts.getModes().isSticking(1), "at rest");
         assertEquals(0, ledger.getWork().get("rods"), "exactly");
         assertEquals(0, ledger.getNumericalError(), 2e-7, "the feedback; measured: 2.4e-8");
-        assertTrue(ledger.getWork().get("contact") < -0.1 && ledger.getWork().get("impacts") < -1, ledger.getWork().toString());
+        assertTrue(ledger.getWork().get("contact") < -0.1 && ledger.getWork().get("impacts") < -1,
+                ledger.getWork().toString());
     }
 
     /** By steps that are clamped it ends in the same rest, about. */
@@ -86,15 +91,16 @@ class FallingRodsTest {
     }
 
     /**
-     * A trestle whose feet slide apart falls flat: the instant they stop at +-l its top moves down at v, so that no forces
-     * could hold both feet still - each rod would ask for v&sup2;/l towards its own foot. That is an answer, "does not hold",
-     * and no failure. Once all lie still, friction withstands mu m g.
+     * A trestle whose feet slide apart falls flat: the instant they stop at +-l its top moves down at v, so that no
+     * forces could hold both feet still - each rod would ask for v&sup2;/l towards its own foot. That is an answer,
+     * "does not hold", and no failure. Once all lie still, friction withstands mu m g.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 0.05})
     void feetThatStopUnderAFallingTopDoNotHold(double mu) {
         double b = Math.toRadians(20);
-        JointCase trestle = new JointCase(List.of(plane(0, 1, coulomb(mu))), at(-Math.sin(b), 0, 0, Math.cos(b), Math.sin(b), 0),
+        JointCase trestle = new JointCase(List.of(plane(0, 1, coulomb(mu))),
+                at(-Math.sin(b), 0, 0, Math.cos(b), Math.sin(b), 0),
                 at(0, 0, 0, 0, 0, 0), new int[] {0, 1}, new int[] {1, 2});
         trestle.exact(0.005, 2).run();
         assertEquals(-1, trestle.at(0, 0), 1e-8, "measured: 3.4e-9, what the feedback leaves of the rods' lengths");
@@ -110,14 +116,15 @@ class FallingRodsTest {
     }
 
     /**
-     * The end of a double pendulum slides over rough ground to where both rods are stretched, sqrt(L&sup2; - 1) from below
-     * the pivot, and turns there: while the middle moves on nothing can hold the end, and its speed passes 0. An event for
-     * each turn, lift-off and impact, and no more. Measured: 7, and 1.1e-9 m.
+     * The end of a double pendulum slides over rough ground to where both rods are stretched, sqrt(L&sup2; - 1) from
+     * below the pivot, and turns there: while the middle moves on nothing can hold the end, and its speed passes 0. An
+     * event for each turn, lift-off and impact, and no more. Measured: 7, and 1.1e-9 m.
      */
     @Test
     void anEndThatTurnsAtItsReach() {
         ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3, coulomb(0.5), 0.01);
-        JointCase pendulum = new JointCase(true, List.of(ground), at(0, 1, 0.7, 1.2, 1.3, 1.5), at(0, 0, 0, 0, 0, 0), new int[] {0, 1},
+        JointCase pendulum = new JointCase(true, List.of(ground), at(0, 1, 0.7, 1.2, 1.3, 1.5), at(0, 0, 0, 0, 0, 0),
+                new int[] {0, 1},
                 new int[] {1, 2});
         Simulation simulation = pendulum.exact(0.005, 2);
         JointCase.Watch watch = new JointCase.Watch();

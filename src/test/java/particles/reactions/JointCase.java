@@ -7,11 +7,13 @@ import java.util.ArrayList;
 import java.util.List;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 import particles.rules.ClampedImpacts;
 import particles.rules.ExactImpacts;
 
@@ -25,7 +27,8 @@ final class JointCase {
         this(false, planes, places, velocities, pairs);
     }
 
-    JointCase(boolean firstIsFixed, List<ContactSurface> planes, Vector3[] places, Vector3[] velocities, int[]... pairs) {
+    JointCase(boolean firstIsFixed, List<ContactSurface> planes, Vector3[] places, Vector3[] velocities,
+            int[]... pairs) {
         for (int i = 0; i < places.length; i++) {
             system.addParticle("p" + i, 1, places[i], velocities[i], firstIsFixed && i == 0);
         }

@@ -12,8 +12,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.Simulation;
-import particles.Vector3;
-import particles.reactions.ContactModes.Mode;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.Friction;
 
 /** Rods and contacts, solved together, against closed forms: leaning, sliding, held. */
 class JointContactsTest {
@@ -21,7 +22,8 @@ class JointContactsTest {
     private static final double ROOT = Math.sqrt(0.5);
 
     /**
-     * A rod that spins flat on smooth ground, once around each second: it carries m omega&sup2; l/2 and both ends weigh m g.
+     * A rod that spins flat on smooth ground, once around each second: it carries m omega&sup2; l/2 and both ends weigh
+     * m g.
      */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
@@ -41,8 +43,8 @@ class JointContactsTest {
     }
 
     /**
-     * A rod leans on a smooth wall at an angle a0 to it and slides: a'&sup2; = 2 g/l (cos a0 - cos a); it leaves the wall
-     * where cos a = 2/3 cos a0. Measured: 1.2e-9 m/s.
+     * A rod leans on a smooth wall at an angle a0 to it and slides: a'&sup2; = 2 g/l (cos a0 - cos a); it leaves the
+     * wall where cos a = 2/3 cos a0. Measured: 1.2e-9 m/s.
      */
     @Test
     void aLeaningRodLeavesTheWall() {
@@ -62,7 +64,8 @@ class JointContactsTest {
     }
 
     /**
-     * The same with friction mu at the floor: a'' = (g sin a - 2 mu g cos a) / (l (1 - mu sin a cos a)), if tan a &gt; 2 mu.
+     * The same with friction mu at the floor: a'' = (g sin a - 2 mu g cos a) / (l (1 - mu sin a cos a)), if tan a &gt;
+     * 2 mu.
      */
     @Test
     void frictionAtTheFloor() {
@@ -71,7 +74,8 @@ class JointContactsTest {
         JointCase slides = ladder(a, coulomb(mu), Friction.NONE);
         slides.exact(1e-3, 1e-3).run();
         double acceleration = (G * Math.sin(a) - 2 * mu * G * Math.cos(a)) / (1 - mu * Math.sin(a) * Math.cos(a));
-        assertEquals(acceleration * Math.cos(a) * 1e-3, slides.at(0, 3), 2e-8, "up to terms of order t^3; measured: 4e-9");
+        assertEquals(acceleration * Math.cos(a) * 1e-3, slides.at(0, 3), 2e-8,
+                "up to terms of order t^3; measured: 4e-9");
         JointCase holds = ladder(Math.atan(2 * mu) - 0.01, coulomb(mu), Friction.NONE);
         holds.exact(0.01, 1).run();
         assertEquals(Math.cos(Math.atan(2 * mu) - 0.01), holds.at(1, 1), 1e-14);
@@ -79,11 +83,14 @@ class JointContactsTest {
     }
 
     private static JointCase ladder(double a, Friction floor, Friction wall) {
-        return new JointCase(List.of(plane(0, 1, floor), plane(1, 0, wall)), at(Math.sin(a), 0, 0, Math.cos(a)), at(0, 0, 0, 0),
+        return new JointCase(List.of(plane(0, 1, floor), plane(1, 0, wall)), at(Math.sin(a), 0, 0, Math.cos(a)),
+                at(0, 0, 0, 0),
                 new int[] {0, 1});
     }
 
-    /** Friction at both ends: statically indeterminate, and held whenever it can be, tan a &lt; 2 mu / (1 - mu&sup2;). */
+    /**
+     * Friction at both ends: statically indeterminate, and held whenever it can be, tan a &lt; 2 mu / (1 - mu&sup2;).
+     */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void frictionAtBothEnds(boolean exact) {
@@ -102,13 +109,15 @@ class JointContactsTest {
     @ValueSource(booleans = {true, false})
     void aRodOnASlope(boolean exact) {
         double a = Math.toRadians(30);
-        JointCase rod = new JointCase(List.of(plane(Math.sin(a), Math.cos(a), coulomb(0.3))), at(0, 0, Math.cos(a), -Math.sin(a)),
+        JointCase rod = new JointCase(List.of(plane(Math.sin(a), Math.cos(a), coulomb(0.3))),
+                at(0, 0, Math.cos(a), -Math.sin(a)),
                 at(0, 0, 0, 0), new int[] {0, 1});
         (exact ? rod.exact(0.01, 1) : rod.clamped(0.01, 1)).run();
         double way = G * (Math.sin(a) - 0.3 * Math.cos(a)) / 2;
         assertEquals(way * Math.cos(a), rod.at(0, 0), exact ? 1e-12 : 1e-10);
         assertEquals(Math.cos(a) + way * Math.cos(a), rod.at(1, 0), exact ? 1e-12 : 1e-10);
-        JointCase steep = new JointCase(List.of(plane(Math.sin(a), Math.cos(a), coulomb(0.6))), at(0, 0, Math.cos(a), -Math.sin(a)),
+        JointCase steep = new JointCase(List.of(plane(Math.sin(a), Math.cos(a), coulomb(0.6))),
+                at(0, 0, Math.cos(a), -Math.sin(a)),
                 at(0, 0, 0, 0), new int[] {0, 1});
         (exact ? steep.exact(0.01, 1) : steep.clamped(0.01, 1)).run();
         assertEquals(0, steep.at(0, 0), 1e-14, "0.6 holds, also what lies lengthways");
@@ -117,7 +126,8 @@ class JointContactsTest {
     /** A particle in a groove of 90 degrees, and another below it on a rod: each wall carries (2 m g) / sqrt 2. */
     @Test
     void aGrooveCarriesWhatHangsOnARod() {
-        JointCase groove = new JointCase(List.of(plane(1, 1, Friction.NONE), plane(-1, 1, Friction.NONE)), at(0, 0, 0, 1), at(0, 0, 0, 0),
+        JointCase groove = new JointCase(List.of(plane(1, 1, Friction.NONE), plane(-1, 1, Friction.NONE)),
+                at(0, 0, 0, 1), at(0, 0, 0, 0),
                 new int[] {0, 1});
         groove.exact(0.01, 0.1).run();
         double[] state = groove.system.getOwnState();
@@ -132,7 +142,8 @@ class JointContactsTest {
         Friction rough = coulomb(0.3);
         ParticleSystem system = new ParticleSystem();
         JointCase groove = new JointCase(List.of(plane(1, 1, rough), plane(-1, 1, rough)),
-                new Vector3[] {Vector3.ZERO, new Vector3(0, 0, 1)}, new Vector3[] {Vector3.ZERO, Vector3.ZERO}, new int[] {0, 1});
+                new Vector3[] {Vector3.ZERO, new Vector3(0, 0, 1)}, new Vector3[] {Vector3.ZERO, Vector3.ZERO},
+                new int[] {0, 1});
         double[] before = groove.system.getOwnState().clone();
         groove.exact(0.01, 60).run();
         for (int k = 0; k < 12; k++) {

@@ -6,10 +6,10 @@ import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import java.util.function.Consumer;
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.Rule;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Particles;
+import particles.law.Vector3;
 
 /** Chains of rods of 1 m and 1 kg a joint, which hang from a nail at an angle. */
 final class Pendulums {

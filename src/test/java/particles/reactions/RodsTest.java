@@ -21,8 +21,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Vector3;
 import particles.rules.ConstraintProjection;
 
 /** Rods against closed forms: what they carry, how long they stay what they are, and what they cost the solver. */
@@ -55,7 +55,9 @@ class RodsTest {
         assertTrue(worst[0] <= 4e-15, "length off by " + worst[0]);
     }
 
-    /** The period over that of small swings is 1/AGM(1, cos(a/2)); by rk4 at 0.0025 s. Measured: 2.5e-8, at 170 degrees. */
+    /**
+     * The period over that of small swings is 1/AGM(1, cos(a/2)); by rk4 at 0.0025 s. Measured: 2.5e-8, at 170 degrees.
+     */
     @ParameterizedTest
     @CsvSource({"10, 1.001907188143217", "45, 1.039973343196804", "90, 1.180340599016096", "120, 1.372880500618350",
         "170, 2.439362719673885"})
@@ -206,7 +208,8 @@ class RodsTest {
         rods.addRod(0, 1, 1);
         rods.addRod(1, 2, 1);
         system.addReaction(rods);
-        String message = assertThrows(SimulationException.class, () -> new RK4Solver().stepState(system, 0.01)).getMessage();
+        String message = assertThrows(SimulationException.class,
+                () -> new RK4Solver().stepState(system, 0.01)).getMessage();
         assertTrue(message.contains("contradict each other") && message.contains("'"), message);
     }
 
@@ -235,9 +238,11 @@ class RodsTest {
 
     /** Half a second of a double pendulum by every solver, at 0.0025 s. What was measured stands beside the bound. */
     @ParameterizedTest
-    @CsvSource({"euler, 0.05, 1.5e-2", "midpoint, 4e-4, 8e-5", "step-doubling, 8e-9, 1.6e-9", "dormand-prince, 8e-9, 1.6e-9",
+    @CsvSource({"euler, 0.05, 1.5e-2", "midpoint, 4e-4, 8e-5", "step-doubling, 8e-9, 1.6e-9",
+            "dormand-prince, 8e-9, 1.6e-9",
         "bulirsch-stoer, 8e-9, 1.8e-9", "adams, 2e-8, 6e-9", "symplectic-euler, 0.02, 5e-3", "verlet, 2e-4, 4e-5",
-        "yoshida4, 8e-8, 1.6e-8", "backward-euler, 0.05, 1.5e-2", "implicit-midpoint, 2e-4, 4e-5", "radau, 8e-9, 1.6e-9"})
+        "yoshida4, 8e-8, 1.6e-8", "backward-euler, 0.05, 1.5e-2", "implicit-midpoint, 2e-4, 4e-5",
+        "radau, 8e-9, 1.6e-9"})
     void allSolversKnowRods(String name, double bound, double measured) {
         ParticleSystem expected = chain(2, 60, 5);
         worstLength(expected, new RK4Solver(), 0.0025, 200);

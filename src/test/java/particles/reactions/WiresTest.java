@@ -16,8 +16,12 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
-import particles.Vector3;
 import particles.effects.Gravity;
+import particles.law.Vector3;
+import particles.reactions.wires.CircularWire;
+import particles.reactions.wires.Curve;
+import particles.reactions.wires.GraphWire;
+import particles.reactions.wires.StraightWire;
 import particles.rules.ConstraintProjection;
 
 /** Beads on wires against closed forms, and the curves' derivatives against differences. */
@@ -50,7 +54,9 @@ class WiresTest {
                 new GraphWire(Vector3.ZERO, X, new Vector3(0.2, 1, 0.4), GraphWire.sine(0.4, 2)));
     }
 
-    /** Gradients and bends are first and second derivatives of the values along any motion. Measured: 1.4e-8, 9.2e-8. */
+    /**
+     * Gradients and bends are first and second derivatives of the values along any motion. Measured: 1.4e-8, 9.2e-8.
+     */
     @ParameterizedTest
     @MethodSource("curves")
     void derivativesAreThoseOfTheValues(Curve curve) {
@@ -70,7 +76,8 @@ class WiresTest {
             }
             curve.evaluate(state, 0, values[1], gradients, bends);
             for (int r = 0; r < 2; r++) {
-                double rate = gradients[3 * r] * state[3] + gradients[3 * r + 1] * state[4] + gradients[3 * r + 2] * state[5];
+                double rate = gradients[3 * r] * state[3] + gradients[3 * r + 1] * state[4]
+                        + gradients[3 * r + 2] * state[5];
                 assertEquals((values[2][r] - values[0][r]) / (2 * h), rate, 1e-7);
                 assertEquals((values[2][r] - 2 * values[1][r] + values[0][r]) / (h * h), bends[r], 9e-7);
             }
@@ -81,7 +88,8 @@ class WiresTest {
     @Test
     void aStraightWireIsASlope() {
         Vector3 down = new Vector3(3, -4, 0);
-        double[] state = steps(bead(new Vector3(1, 1, 1), Vector3.ZERO, new StraightWire(new Vector3(1, 1, 1), down)), 0.01, 100);
+        double[] state = steps(bead(new Vector3(1, 1, 1), Vector3.ZERO, new StraightWire(new Vector3(1, 1, 1), down)),
+                0.01, 100);
         double way = G * 0.8 / 2;
         assertEquals(1 + 0.6 * way, state[0], 2e-14);        // measured 2.2e-15
         assertEquals(1 - 0.8 * way, state[1], 2e-14);        // measured 2.7e-15
@@ -100,10 +108,13 @@ class WiresTest {
         }
     }
 
-    /** From a height h over the bottom of a valley with f'': speed sqrt(2 g h) there, and a push of m (g + f'' v&sup2;). */
+    /**
+     * From a height h over the bottom of a valley with f'': speed sqrt(2 g h) there, and a push of m (g + f'' v&sup2;).
+     */
     @Test
     void inAValley() {
-        for (GraphWire.Profile profile : new GraphWire.Profile[] {GraphWire.parabola(2), GraphWire.sine(-0.5, Math.PI)}) {
+        for (GraphWire.Profile profile : new GraphWire.Profile[] {GraphWire.parabola(2),
+                GraphWire.sine(-0.5, Math.PI)}) {
             double start = Math.PI / 4;
             boolean parabola = profile.bend(0) == 2;
             double bottom = parabola ? 0 : Math.PI / 4;
@@ -123,7 +134,8 @@ class WiresTest {
             assertEquals(profile.value(bottom), state[1], 3e-11);    // measured 3.6e-12
             double[] dSdt = new double[6];
             system.getStateDerivative(dSdt);
-            assertEquals(profile.bend(bottom) * square, dSdt[4], 5e-9, "the push less the weight");      // measured 6.6e-10
+            // measured 6.6e-10
+            assertEquals(profile.bend(bottom) * square, dSdt[4], 5e-9, "the push less the weight");
         }
     }
 
@@ -166,12 +178,14 @@ class WiresTest {
     /** A projection that has nowhere to go says so: a rod of 1 m whose ends are held 3 m apart by a ring and a nail. */
     @Test
     void whatIsOutOfReachIsAClearError() {
-        ParticleSystem system = bead(new Vector3(1, 0, 0), Vector3.ZERO, new CircularWire(Vector3.ZERO, new Vector3(0, 0, 1), 1));
+        ParticleSystem system = bead(new Vector3(1, 0, 0), Vector3.ZERO,
+                new CircularWire(Vector3.ZERO, new Vector3(0, 0, 1), 1));
         system.addParticle("nail", 1, new Vector3(5, 0, 0), Vector3.ZERO, true);
         RigidConstraints constraints = (RigidConstraints) system.getReactions().get(0);
         constraints.addRod(0, 1, 1);
-        String message = assertThrows(SimulationException.class, () -> constraints.project(system.getOwnState(), 0)).getMessage();
-        assertEquals("rods and wires cannot be kept at t = 0.0 s: after 30 iterations they are still off by 0.75 of their"
-                + " lengths", message);
+        String message = assertThrows(SimulationException.class, () -> constraints.project(system.getOwnState(),
+                0)).getMessage();
+        assertEquals("rods and wires cannot be kept at t = 0.0 s: after 30 iterations they are still off by 0.75 of"
+                + " their lengths", message);
     }
 }

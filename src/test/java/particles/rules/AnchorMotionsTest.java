@@ -9,12 +9,14 @@ import static particles.Systems.run;
 import deSolvers.RK4Solver;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import particles.AnchorMotion;
 import particles.ParticleSystem;
-import particles.Vector3;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
 
-/** Given motions: their derivatives are derivatives, and an oscillator that is shaken swings as its closed form says. */
+/**
+ * Given motions: their derivatives are derivatives, and an oscillator that is shaken swings as its closed form says.
+ */
 class AnchorMotionsTest {
     private static final List<AnchorMotion> MOTIONS = List.of(
             new SineMotion(new Vector3(1, 2, 3), new Vector3(0.3, -0.2, 0.1), 1.7),
@@ -62,7 +64,10 @@ class AnchorMotionsTest {
         return system;
     }
 
-    /** In resonance x = a/2 (sin w t - w t cos w t): the amplitude grows for ever. Measured with rk4 at w h = 0.03: 1.5e-8. */
+    /**
+     * In resonance x = a/2 (sin w t - w t cos w t): the amplitude grows for ever. Measured with rk4 at w h = 0.03:
+     * 1.5e-8.
+     */
     @Test
     void resonanceGrows() {
         double w = 3;
@@ -74,7 +79,10 @@ class AnchorMotionsTest {
         assertTrue(Math.abs(exact) < a / 2 * 31 && a / 2 * 30 > 10 * a);
     }
 
-    /** Off resonance x = a w/(w&sup2; - W&sup2;) (w sin W t - W sin w t), which stays below a w/|w - W|. Measured: 4.6e-10. */
+    /**
+     * Off resonance x = a w/(w&sup2; - W&sup2;) (w sin W t - W sin w t), which stays below a w/|w - W|. Measured:
+     * 4.6e-10.
+     */
     @Test
     void offResonanceItBeats() {
         double w = 3;

@@ -16,26 +16,29 @@ import org.junit.jupiter.api.Test;
 import particles.EnergyLedger;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Plane;
 import particles.Rule;
-import particles.SeededRandom;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Cohesion;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
-import particles.effects.SpringForce;
 import particles.effects.TurbulentWind;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.effects.springs.SpringForce;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
-/** Births, deaths, tears, merges and splits: when they come, what they keep, and what the energy ledger says of them. */
+/**
+ * Births, deaths, tears, merges and splits: when they come, what they keep, and what the energy ledger says of them.
+ */
 class BirthAndDeathTest {
 
     private static Emitter emitter(double rate, double lifetime, long seed) {
-        return new Emitter(new Emitter.Nozzle("drop", new Vector3(0, 1, 0), 0.1, new Vector3(1, 2, 0), 0.4, 3, rate, 0.5,
+        return new Emitter(new Emitter.Nozzle("drop", new Vector3(0, 1, 0), 0.1, new Vector3(1, 2, 0), 0.4, 3, rate,
+                0.5,
                 lifetime,
                 seed));
     }
@@ -52,7 +55,9 @@ class BirthAndDeathTest {
         return Arrays.copyOf(system.getOwnState(), system.getStateSize());
     }
 
-    /** Number n at n/rate: 70 in 1 s whatever the step; at its birth each is in the nozzle and flies inside the cone. */
+    /**
+     * Number n at n/rate: 70 in 1 s whatever the step; at its birth each is in the nozzle and flies inside the cone.
+     */
     @Test
     void birthsComeAtTheirTimesInTheCone() {
         for (double deltaT : new double[] {0.25, 0.01, 0.001}) {
@@ -119,7 +124,8 @@ class BirthAndDeathTest {
     }
 
     /**
-     * Energy in by births, out by deaths, each once: what remains unexplained is rounding although thousands come and go.
+     * Energy in by births, out by deaths, each once: what remains unexplained is rounding although thousands come and
+     * go.
      */
     @Test
     void birthsDeathsAndImpactsAreBookedOnce() {
@@ -130,7 +136,8 @@ class BirthAndDeathTest {
         system.addReaction(contacts);
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.01, 4, Double.POSITIVE_INFINITY);
         simulation.addEventRule(new ExactImpacts(contacts), new RK4Solver());
-        for (Rule rule : new Rule[] {emitter(100, 1.5, 3), new Lifetimes(), new KillPlane(new Plane(new Vector3(3, 0, 0),
+        for (Rule rule : new Rule[] {emitter(100, 1.5, 3), new Lifetimes(),
+                new KillPlane(new Plane(new Vector3(3, 0, 0),
                 new Vector3(-1, 0, 0)))}) {
             simulation.addRule(rule);
         }
@@ -166,7 +173,8 @@ class BirthAndDeathTest {
         simulation.run();
         assertEquals(2, springs.springCount(), "the spring of rest length 0 never tears");
         assertEquals(-12.5, ledger.getWork().get("tear"), 0.05);
-        assertEquals(-ledger.getWork().get("tear"), ledger.getWork().get("moving anchors"), 1e-6, "the hand did the work");
+        assertEquals(-ledger.getWork().get("tear"), ledger.getWork().get("moving anchors"), 1e-6,
+                "the hand did the work");
         assertEquals(0, ledger.getNumericalError(), 1e-6);
         assertEquals(0, ledger.getEnergy(), 1e-12);
     }
@@ -179,20 +187,21 @@ class BirthAndDeathTest {
         system.addParticle("b", 3, new Vector3(1, 0, 0), new Vector3(-1, 2, 0), false);
         EnergyLedger ledger = new EnergyLedger();
         Simulation simulation = simulation(system, 0.01, 2,
-                new EvenSamples("s", new SpringForce(system.getParticles()), 2.5, 6, 9, 1));
+                new ParticleResampler("s", new SpringForce(system.getParticles()), 2.5, 6, 9, 1));
         simulation.addObserver(ledger);
         simulation.run();
         assertEquals(1, system.getParticles().count());
         assertEquals("s[0]", system.getParticles().id(0));
         assertEquals(4, system.getParticles().mass(0));
         assertArrayEquals(new double[] {-0.5, 1.5, 0}, Arrays.copyOfRange(state(system), 3, 6), 1e-15);
-        assertEquals(-0.5 * 0.75 * 8, ledger.getWork().get("samples"), 1e-13, "reduced mass times the square of the difference");
+        assertEquals(-0.5 * 0.75 * 8, ledger.getWork().get("samples"), 1e-13,
+                "reduced mass times the square of the difference");
         assertEquals(0, ledger.getNumericalError(), 1e-13);
     }
 
     /**
-     * Eight heavy particles in turbulence become many: the mass stays to the last bit (it is halved and added), momentum
-     * with it at every change, ids are new, and none is lighter than allowed or has its partner
+     * Eight heavy particles in turbulence become many: the mass stays to the last bit (it is halved and added),
+     * momentum with it at every change, ids are new, and none is lighter than allowed or has its partner
      * closer than allowed for long.
      */
     @Test
@@ -200,10 +209,12 @@ class BirthAndDeathTest {
         ParticleSystem system = new ParticleSystem();
         SeededRandom random = new SeededRandom(4);
         for (int i = 0; i < 8; i++) {
-            system.addParticle("p" + i, 1, random.nextDirection(new Vector3(0, 1, 0), Math.PI).times(0.3), Vector3.ZERO, false);
+            system.addParticle("p" + i, 1, random.nextDirection(new Vector3(0, 1, 0), Math.PI).times(0.3), Vector3.ZERO,
+                    false);
         }
         system.addEffect(new LinearDrag(system.getParticles(), 0.5, new TurbulentWind(Vector3.ZERO, 1, 0.8, 9)));
-        EvenSamples even = new EvenSamples("s", new SpringForce(system.getParticles()), 0.06, 0.2, 1.0 / 16, 3);
+        ParticleResampler even = new ParticleResampler("s", new SpringForce(system.getParticles()), 0.06, 0.2, 1.0 / 16,
+                3);
         Simulation simulation = simulation(system, 0.01, 3, even);
         double[] before = new double[3];
         simulation.addObserver(new Observer() {
@@ -260,12 +271,13 @@ class BirthAndDeathTest {
         SpringForce springs = new SpringForce(system.getParticles());
         springs.addSpring(0, 1, 0, 0, 0);
         springs.addSpring(1, 2, 0, 0, 0);
-        assertFalse(new EvenSamples("s", springs, 0.1, 0.5, 1, 1).afterStep(system, 0.01));
+        assertFalse(new ParticleResampler("s", springs, 0.1, 0.5, 1, 1).afterStep(system, 0.01));
         assertEquals(4, system.getParticles().count());
     }
 
     /**
-     * Indices of springs follow when particles in front of them die; laws that know of all particles follow by themselves.
+     * Indices of springs follow when particles in front of them die; laws that know of all particles follow by
+     * themselves.
      */
     @Test
     void lawsFollowWhenParticlesGo() {

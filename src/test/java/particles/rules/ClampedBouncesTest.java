@@ -16,19 +16,19 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.EnergyLedger;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Sphere;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /**
- * A clamped bounce has the speed of the surface, not of the depth where the step ended: the energy after n bounces is that
- * of the formula, r<sup>2n</sup> m g h, whatever the step; only the times are late.
+ * A clamped bounce has the speed of the surface, not of the depth where the step ended: the energy after n bounces is
+ * that of the formula, r<sup>2n</sup> m g h, whatever the step; only the times are late.
  */
 class ClampedBouncesTest {
     private static final double G = 9.81;
@@ -78,7 +78,8 @@ class ClampedBouncesTest {
 
     /**
      * Dropped from 1 m, it rises to r<sup>2n</sup> m after n bounces. Each comes late, by less than a step: between the
-     * closed form's time and n steps after it. They end where a step does not resolve them, r<sup>n</sup> v &lt;= g deltaT.
+     * closed form's time and n steps after it. They end where a step does not resolve them, r<sup>n</sup> v &lt;= g
+     * deltaT.
      */
     @ParameterizedTest
     @CsvSource({"0.9, 0.01", "0.9, 0.02", "0.9, 0.0333", "0.8, 0.01", "0.95, 0.005"})

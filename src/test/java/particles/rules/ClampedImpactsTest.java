@@ -16,15 +16,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Bounces, rest, sliding and sticking on planes against closed forms. */
 class ClampedImpactsTest {
@@ -43,12 +43,13 @@ class ClampedImpactsTest {
 
     private static ContactSurface slope(double degrees, Friction friction) {
         double a = Math.toRadians(degrees);
-        return new ContactSurface("slope", new Plane(Vector3.ZERO, new Vector3(-Math.sin(a), Math.cos(a), 0)), 0, friction, 1e-3);
+        return new ContactSurface("slope", new Plane(Vector3.ZERO, new Vector3(-Math.sin(a), Math.cos(a), 0)), 0,
+                friction, 1e-3);
     }
 
     /**
-     * Dropped from 1 m: the contacts come at 0.4515 s, 0.9030 s, 1.1288 s of the reference values. An impact is noticed up
-     * to a step late and the particle lifted by up to v h, so that the times are met to a few steps of 1e-4 s.
+     * Dropped from 1 m: the contacts come at 0.4515 s, 0.9030 s, 1.1288 s of the reference values. An impact is noticed
+     * up to a step late and the particle lifted by up to v h, so that the times are met to a few steps of 1e-4 s.
      */
     @Test
     void bouncesComeAtTheirTimes() {
@@ -94,16 +95,21 @@ class ClampedImpactsTest {
         assertEquals(0, entry(system, 1));
     }
 
-    /** With a static threshold v_eps the slide ends after (v0 - v_eps)/(k_f g), but for the v_eps h of the last step. */
+    /**
+     * With a static threshold v_eps the slide ends after (v0 - v_eps)/(k_f g), but for the v_eps h of the last step.
+     */
     @Test
     void slidingStopsAtTheThreshold() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 0));
-        run(system, new RK4Solver(), 0.001, 10, planes(system, ground(0, new Friction(Friction.Law.SLIDE, 0.1, 0.3, 0.1))));
+        run(system, new RK4Solver(), 0.001, 10,
+                planes(system, ground(0, new Friction(Friction.Law.SLIDE, 0.1, 0.3, 0.1))));
         assertEquals(0, entry(system, 3));
         assertEquals((2 - 0.1) / (0.1 * G), entry(system, 0), 0.1 * 0.001);
     }
 
-    /** Coulomb friction stops at v0/(mu g) after v0&sup2;/(2 mu g); the last step overshoots by less than mu g h&sup2;. */
+    /**
+     * Coulomb friction stops at v0/(mu g) after v0&sup2;/(2 mu g); the last step overshoots by less than mu g h&sup2;.
+     */
     @Test
     void coulombFrictionStops() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(0, 0, 2));
@@ -123,7 +129,8 @@ class ClampedImpactsTest {
         run(held, new RK4Solver(), 0.01, 10, planes(held, slope(20, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0))));
         assertEquals(0, Math.abs(entry(held, 0)) + Math.abs(entry(held, 1)), 1e-15);
         ParticleSystem sliding = oneParticle(Vector3.ZERO, Vector3.ZERO);
-        run(sliding, new RK4Solver(), 0.01, 1, planes(sliding, slope(20, new Friction(Friction.Law.COULOMB, 0.2, 0.3, 0))));
+        run(sliding, new RK4Solver(), 0.01, 1,
+                planes(sliding, slope(20, new Friction(Friction.Law.COULOMB, 0.2, 0.3, 0))));
         double a = Math.toRadians(20);
         double acceleration = G * (Math.sin(a) - 0.2 * Math.cos(a));
         assertEquals(-acceleration * Math.cos(a), entry(sliding, 3), 1e-10);
@@ -134,7 +141,8 @@ class ClampedImpactsTest {
     @Test
     void upAndDownASteepSlope() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(1, 1, 0));
-        run(system, new RK4Solver(), 0.001, 1, planes(system, slope(45, new Friction(Friction.Law.COULOMB, 0.2, 0.2, 0))));
+        run(system, new RK4Solver(), 0.001, 1,
+                planes(system, slope(45, new Friction(Friction.Law.COULOMB, 0.2, 0.2, 0))));
         double up = G * Math.sqrt(0.5) * 1.2;
         double turn = Math.sqrt(2) / up;
         double down = G * Math.sqrt(0.5) * 0.8;

@@ -12,14 +12,14 @@ import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Linkages that fall onto rough ground and come to rest there, by steps that are clamped. */
 class ClampedRodsTest {
@@ -31,7 +31,8 @@ class ClampedRodsTest {
             new Vector3(1, 0, 0.3), new int[][] {{0, 1}, {1, 2}, {0, 2}});
     private static final Shape TOPPLING_TRIANGLE = new Shape(new double[][] {{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0.1}},
             Vector3.ZERO, new int[][] {{0, 1}, {1, 2}, {0, 2}});
-    private static final Shape CHAIN = new Shape(new double[][] {{0, 0.3, 0}, {0.5, 0.4, 0}, {1, 0.6, 0.1}, {1.4, 0.9, 0}},
+    private static final Shape CHAIN = new Shape(new double[][] {{0, 0.3, 0}, {0.5, 0.4, 0}, {1, 0.6, 0.1},
+            {1.4, 0.9, 0}},
             Vector3.ZERO, new int[][] {{0, 1}, {1, 2}, {2, 3}});
 
     /** The longest error of any rod and the highest energy at the end of any step. */
@@ -59,8 +60,9 @@ class ClampedRodsTest {
     }
 
     /**
-     * All ends come to lie on the ground and stick there, whichever touches down last: it is lifted onto the ground, and the
-     * rods are put right, before friction holds it. (If friction holds it at once, the rods of the chain cannot be kept.)
+     * All ends come to lie on the ground and stick there, whichever touches down last: it is lifted onto the ground,
+     * and the rods are put right, before friction holds it. (If friction holds it at once, the rods of the chain cannot
+     * be kept.)
      */
     @ParameterizedTest
     @CsvSource({"thrown, 0.3, 2", "toppling, 0.5, 1", "chain, 0.3, 1.6", "chain, 0.8, 1.6"})
@@ -98,7 +100,9 @@ class ClampedRodsTest {
         }
         assertEquals(0, watch.worstLength, 1e-7, "measured: 3e-8 at most");
         assertEquals(0, Math.max(0, watch.mostEnergy - ledger.getStartEnergy()), 1e-3,
-                "who is put onto the ground is lifted; measured: 2.4e-4 J of the toppling triangle, of the others 1e-13");
-        assertTrue(ledger.getWork().get("contact") < 0 && ledger.getWork().get("impacts") < -5, ledger.getWork().toString());
+                "who is put onto the ground is lifted; measured: 2.4e-4 J of the toppling triangle, of the others"
+                + " 1e-13");
+        assertTrue(ledger.getWork().get("contact") < 0 && ledger.getWork().get("impacts") < -5,
+                ledger.getWork().toString());
     }
 }

@@ -18,24 +18,26 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Impacts, rest and the ends of contact, sliding and sticking at their exact times. */
 class ExactImpactsTest {
     /** Contact times of the reference values, h0 = 1, r = 0.5. */
-    private static final double[] CONTACTS = {0.451523640986, 0.903047281971, 1.128809102464, 1.241690012711, 1.298130467834,
+    private static final double[] CONTACTS = {0.451523640986, 0.903047281971, 1.128809102464, 1.241690012711,
+            1.298130467834,
             1.326350695396};
 
     /**
-     * Bars: contact times within 1e-9 s, rest at 1.354570922957 s within 1e-6. Measured: 6e-13 (the table's digits), 4e-7.
+     * Bars: contact times within 1e-9 s, rest at 1.354570922957 s within 1e-6. Measured: 6e-13 (the table's digits),
+     * 4e-7.
      */
     @Test
     void bouncesComeAtTheirTimesAndEndInRest() {
@@ -62,7 +64,8 @@ class ExactImpactsTest {
         double[][] cases = {{0.8, 4.063712768872}, {0.9, 8.578949178729}};
         for (double[] one : cases) {
             ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
-            Simulation simulation = simulation(system, contacts(system, ground(one[0], Friction.NONE)), MidpointSolver::new,
+            Simulation simulation = simulation(system, contacts(system, ground(one[0], Friction.NONE)),
+                    MidpointSolver::new,
                     1.0 / 30, 9);
             ExactRuns.Watch watch = new ExactRuns.Watch();
             simulation.addObserver(watch);
@@ -78,7 +81,8 @@ class ExactImpactsTest {
     void manyImpactsInOneStep() {
         ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
         system.addParticle("q", 3, new Vector3(5, 1, 0), Vector3.ZERO, false);
-        Simulation simulation = simulation(system, contacts(system, ground(0.5, Friction.NONE)), RK4Solver::new, 1.2, 1.2);
+        Simulation simulation = simulation(system, contacts(system, ground(0.5, Friction.NONE)), RK4Solver::new, 1.2,
+                1.2);
         ExactRuns.Watch watch = new ExactRuns.Watch();
         simulation.addObserver(watch);
         simulation.run();
@@ -94,8 +98,8 @@ class ExactImpactsTest {
     }
 
     /**
-     * With drag, through three bounces: rk4 keeps order 4 (bar: 3.8 at least; measured 3.97 to 4.03), euler its order 1,
-     * while putting a particle back after the step (clamp) costs rk4 all orders but about one.
+     * With drag, through three bounces: rk4 keeps order 4 (bar: 3.8 at least; measured 3.97 to 4.03), euler its order
+     * 1, while putting a particle back after the step (clamp) costs rk4 all orders but about one.
      */
     @Test
     void theSolverKeepsItsOrderThroughBounces() {
@@ -136,7 +140,8 @@ class ExactImpactsTest {
         ParticleSystem system = oneParticle(new Vector3(0.3, 5, 0), new Vector3(1e4, 0, 0));
         RestingContacts contacts = contacts(system,
                 new ContactSurface("left", new Plane(Vector3.ZERO, new Vector3(1, 0, 0)), 1, Friction.NONE, 1e-6),
-                new ContactSurface("right", new Plane(new Vector3(1, 0, 0), new Vector3(-1, 0, 0)), 1, Friction.NONE, 1e-6));
+                new ContactSurface("right", new Plane(new Vector3(1, 0, 0), new Vector3(-1, 0, 0)), 1, Friction.NONE,
+                1e-6));
         simulation(system, contacts, RK4Solver::new, 0.01, 0.1).run();
         double x = entry(system, 0);
         assertTrue(x >= 0 && x <= 1, "x = " + x);
@@ -208,7 +213,8 @@ class ExactImpactsTest {
     }
 
     /**
-     * Down one side of a sharp groove into the other: the pushes of both together bring it to rest, and neither is entered.
+     * Down one side of a sharp groove into the other: the pushes of both together bring it to rest, and neither is
+     * entered.
      */
     @Test
     void restInASharpGroove() {

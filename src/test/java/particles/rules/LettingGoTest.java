@@ -18,22 +18,25 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.GustyWind;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
-/** Where contacts end: what is lifted off or breaks away does so at its time, once, and meets nothing that is not there. */
+/**
+ * Where contacts end: what is lifted off or breaks away does so at its time, once, and meets nothing that is not there.
+ */
 class LettingGoTest {
 
     /**
-     * Wind that swells lifts a particle off and static friction gives way when the push passes mu_s N: both at their time.
+     * Wind that swells lifts a particle off and static friction gives way when the push passes mu_s N: both at their
+     * time.
      */
     @Test
     void contactLetsGoAndStickingBreaksAtTheirTimes() {
@@ -89,10 +92,10 @@ class LettingGoTest {
     }
 
     /**
-     * Such a force lifts a weight at ln(3/2)/2, and from then on y'' = 3/2 g (e^(2 s) - 1): it rises as s&sup3; at first, with
-     * a fourth derivative that lets the cubic between the ends of a step dip below the ground, and with midpoint not at all
-     * within the first step. One event all the same, and no impact. Measured: the time to the last bit or its neighbour
-     * with every solver, the rise by rk4 within 2.8e-5 m.
+     * Such a force lifts a weight at ln(3/2)/2, and from then on y'' = 3/2 g (e^(2 s) - 1): it rises as s&sup3; at
+     * first, with a fourth derivative that lets the cubic between the ends of a step dip below the ground, and with
+     * midpoint not at all within the first step. One event all the same, and no impact. Measured: the time to the last
+     * bit or its neighbour with every solver, the rise by rk4 within 2.8e-5 m.
      */
     @Test
     void whatIsLetGoDoesNotMeetTheGroundAgain() {

@@ -11,15 +11,18 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import particles.EnergyLedger;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
-/** A particle that slides up a slope of 45 degrees, too steep for friction to hold it, turns round and slides down again. */
+/**
+ * A particle that slides up a slope of 45 degrees, too steep for friction to hold it, turns round and slides down
+ * again.
+ */
 class SlidingTurnsTest {
     private static final double SLOPE = Math.sqrt(0.5);
     private static final double MU = 0.2;
@@ -60,9 +63,9 @@ class SlidingTurnsTest {
     }
 
     /**
-     * Obliquely it never stops, however large the steps. Within a step of 0.01 s it turns by more than a right angle, at a
-     * hundredth of the speed, and goes on with what it has along the slope, which is not taken for rounding: nothing is
-     * booked as a jump, and it comes to where steps a fiftieth as long take it (measured: 3.5e-5 m apart,
+     * Obliquely it never stops, however large the steps. Within a step of 0.01 s it turns by more than a right angle,
+     * at a hundredth of the speed, and goes on with what it has along the slope, which is not taken for rounding:
+     * nothing is booked as a jump, and it comes to where steps a fiftieth as long take it (measured: 3.5e-5 m apart,
      * and 2 % of the speed along).
      */
     @Test

@@ -15,18 +15,18 @@ import org.junit.jupiter.api.Test;
 import particles.EnergyLedger;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Sphere;
-import particles.Vector3;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
-import particles.reactions.ContactModes.Mode;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactModes.Mode;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /** Spheres as obstacles, from outside and from inside: impacts, rest, sliding along and off, nobody gets through. */
 class SphereImpactsTest {
@@ -70,7 +70,8 @@ class SphereImpactsTest {
         Simulation simulation = exact(system, contacts(system, solid(BALL, 0.5, Friction.NONE)), 0.01, 3);
         List<Double> times = timesOf(simulation);
         simulation.run();
-        double[] table = {0.451523640986, 0.903047281971, 1.128809102464, 1.241690012711, 1.298130467834, 1.326350695396};
+        double[] table = {0.451523640986, 0.903047281971, 1.128809102464, 1.241690012711, 1.298130467834,
+                1.326350695396};
         for (int k = 0; k < table.length; k++) {
             assertEquals(table[k], times.get(k), 2e-12);
         }
@@ -141,11 +142,13 @@ class SphereImpactsTest {
     }
 
     /**
-     * In a smooth bowl it swings like a pendulum: from 90 degrees the quarter period is 1.1803405990 times sqrt(R/g) pi/2.
+     * In a smooth bowl it swings like a pendulum: from 90 degrees the quarter period is 1.1803405990 times sqrt(R/g)
+     * pi/2.
      */
     @Test
     void slidingInABowlIsAPendulum() {
-        ParticleSystem system = oneParticle(new Vector3(Math.sin(Math.PI / 4), -Math.cos(Math.PI / 4), 0), Vector3.ZERO);
+        ParticleSystem system = oneParticle(new Vector3(Math.sin(Math.PI / 4), -Math.cos(Math.PI / 4), 0),
+                Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         double period = 2 * Math.PI / Math.sqrt(G) * 1.039973343196804;
         RestingContacts contacts = contacts(system, solid(HOLLOW, 0, Friction.NONE));
@@ -161,7 +164,8 @@ class SphereImpactsTest {
         for (double angle : new double[] {0.25, 0.35}) {
             ParticleSystem system = oneParticle(new Vector3(Math.sin(angle), Math.cos(angle), 0), Vector3.ZERO);
             system.addEffect(new Gravity(system.getParticles(), GRAVITY));
-            RestingContacts contacts = contacts(system, solid(BALL, 0, new Friction(Friction.Law.COULOMB, 0.3, 0.3, 0)));
+            RestingContacts contacts = contacts(system,
+                    solid(BALL, 0, new Friction(Friction.Law.COULOMB, 0.3, 0.3, 0)));
             exact(system, contacts, 0.01, 0.1).run();
             if (Math.tan(angle) < 0.3) {
                 assertEquals(Math.sin(angle), entry(system, 0), 1e-15);
@@ -178,7 +182,8 @@ class SphereImpactsTest {
         ParticleSystem system = oneParticle(new Vector3(0.9, 0.9, 0), Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         RestingContacts contacts = contacts(system, solid(BALL, 0.3, Friction.NONE),
-                new ContactSurface("wall", new Plane(new Vector3(0.95, 0, 0), new Vector3(-1, 0, 0)), 0.3, Friction.NONE, 1e-6));
+                new ContactSurface("wall", new Plane(new Vector3(0.95, 0, 0), new Vector3(-1, 0, 0)), 0.3,
+                Friction.NONE, 1e-6));
         exact(system, contacts, 0.01, 5).run();
         assertEquals(0.95, entry(system, 0), 1e-9);
         assertEquals(Math.sqrt(1 - 0.95 * 0.95), entry(system, 1), 1e-9);
@@ -189,9 +194,11 @@ class SphereImpactsTest {
     @Test
     void theSolverKeepsItsOrderOffABall() {
         double reference = height(1.1 / 6400, true);
-        double exact = Math.log(Math.abs(height(1.1 / 40, true) - reference) / Math.abs(height(1.1 / 320, true) - reference))
+        double exact = Math.log(Math.abs(height(1.1 / 40, true) - reference) / Math.abs(height(1.1 / 320,
+                true) - reference))
                 / Math.log(8);
-        double clamp = Math.log(Math.abs(height(1.1 / 40, false) - reference) / Math.abs(height(1.1 / 320, false) - reference))
+        double clamp = Math.log(Math.abs(height(1.1 / 40, false) - reference) / Math.abs(height(1.1 / 320,
+                false) - reference))
                 / Math.log(8);
         assertTrue(exact > 3.8 && exact < 4.3, "exact: " + exact);
         assertTrue(clamp < 1.8, "clamp: " + clamp);
@@ -212,13 +219,17 @@ class SphereImpactsTest {
         return entry(system, 1);
     }
 
-    /** What clamp allows: it slides in a bowl and down a ball too, with the solver's drift taken away after each step. */
+    /**
+     * What clamp allows: it slides in a bowl and down a ball too, with the solver's drift taken away after each step.
+     */
     @Test
     void clampedParticlesSlideAlongSpheres() {
-        ParticleSystem system = oneParticle(new Vector3(Math.sin(Math.PI / 4), -Math.cos(Math.PI / 4), 0), Vector3.ZERO);
+        ParticleSystem system = oneParticle(new Vector3(Math.sin(Math.PI / 4), -Math.cos(Math.PI / 4), 0),
+                Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         double period = 2 * Math.PI / Math.sqrt(G) * 1.039973343196804;
-        Simulation simulation = new Simulation(system, new RK4Solver(), period / 400, period / 4, Double.POSITIVE_INFINITY);
+        Simulation simulation = new Simulation(system, new RK4Solver(), period / 400, period / 4,
+                Double.POSITIVE_INFINITY);
         simulation.addRule(new ClampedImpacts(contacts(system, solid(HOLLOW, 0, Friction.NONE))));
         simulation.run();
         assertEquals(0, entry(system, 0), 1e-8);

@@ -13,19 +13,19 @@ import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Plane;
 import particles.Rule;
 import particles.Simulation;
-import particles.Vector3;
 import particles.effects.Gravity;
-import particles.effects.SpringForce;
-import particles.reactions.ContactSurface;
-import particles.reactions.Friction;
+import particles.effects.springs.SpringForce;
+import particles.law.Plane;
+import particles.law.Vector3;
 import particles.reactions.RestingContacts;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
 
 /**
- * Springs tear with what they store, k (l - L)&sup2;/2 each, which the energy ledger books as lost by tearing, once: kinetic
- * energy, potentials and booked work stay one sum through tears, to the solver's error.
+ * Springs tear with what they store, k (l - L)&sup2;/2 each, which the energy ledger books as lost by tearing, once:
+ * kinetic energy, potentials and booked work stay one sum through tears, to the solver's error.
  */
 class TearsTest {
     private static final double STIFFNESS = 80;
@@ -96,8 +96,8 @@ class TearsTest {
     }
 
     /**
-     * One spring and three that tear in the same step, undamped and damped: what is left over falls with rk4's order through
-     * the tear. Were the tear forgotten or booked twice, it would be 1.6 J and more at any step.
+     * One spring and three that tear in the same step, undamped and damped: what is left over falls with rk4's order
+     * through the tear. Were the tear forgotten or booked twice, it would be 1.6 J and more at any step.
      */
     @ParameterizedTest
     @CsvSource({"1, 0", "1, 2", "3, 0", "3, 1"})
@@ -108,7 +108,9 @@ class TearsTest {
         assertTrue(fine < coarse / 100, "from " + coarse + " to " + fine + ", by 256 at order 4");     // by 176 to 1023
     }
 
-    /** Without damping the motion is known: the energy after the tear is that of the beginning minus k (l - L)&sup2;/2. */
+    /**
+     * Without damping the motion is known: the energy after the tear is that of the beginning minus k (l - L)&sup2;/2.
+     */
     @Test
     void theClosedFormOfATear() {
         hang(1, 0, 7);
@@ -118,21 +120,24 @@ class TearsTest {
         simulation.run();
         double omega = Math.sqrt(STIFFNESS);
         double sag = 9.81 / (omega * omega);
-        double stretch = 0;                             // x = sag (1 - cos wt) + (v/w) sin wt, torn at the step after 0.4 L
+        // x = sag (1 - cos wt) + (v/w) sin wt, torn at the step after 0.4 L
+        double stretch = 0;
         for (double t = 0; stretch <= 0.4 * LENGTH; t += 0.001) {
             stretch = sag * (1 - Math.cos(omega * t)) + 7 / omega * Math.sin(omega * t);
         }
-        assertEquals(-STIFFNESS / 2 * stretch * stretch, ledger.getWork().get("tear"), 1e-9);      // measured 1.8e-10, both
+        // measured 1.8e-10, both
+        assertEquals(-STIFFNESS / 2 * stretch * stretch, ledger.getWork().get("tear"), 1e-9);
         assertEquals(start - STIFFNESS / 2 * stretch * stretch, ledger.getEnergy(), 1e-9);
     }
 
     /**
-     * The bob hits the ground and its spring, stretched to the limit there, tears at the end of the same step: one bounce
-     * and one tear, each with its own loss, stopped at the impact or put back after the step,
+     * The bob hits the ground and its spring, stretched to the limit there, tears at the end of the same step: one
+     * bounce and one tear, each with its own loss, stopped at the impact or put back after the step,
      * and whichever rule comes first.
      */
     @ParameterizedTest
-    @CsvSource({"true, 0, true", "true, 3, true", "false, 0, true", "false, 3, true", "true, 3, false", "false, 3, false"})
+    @CsvSource({"true, 0, true", "true, 3, true", "false, 0, true", "false, 3, true", "true, 3, false",
+            "false, 3, false"})
     void aTearAndABounceInTheSameStep(boolean exact, double damping, boolean impactsFirst) {
         double down = 3;
         int nail = system.addParticle("nail", 1, new Vector3(0, 1, 0), Vector3.ZERO, true);
@@ -168,7 +173,8 @@ class TearsTest {
         double total = 0.5 * down * down + 9.81 * 0.02 + STIFFNESS / 2 * 0.48 * 0.48;
         double damped = ledger.getWork().getOrDefault("springs (dissipated)", 0.0);
         assertTrue(damping > 0 ? damped < -0.01 : damped == 0, "damped " + damped);
-        assertEquals(total - torn + bounce + damped, ledger.getEnergy(), 1e-4);       // rk4 in one step: measured 1.4e-5
+        // rk4 in one step: measured 1.4e-5
+        assertEquals(total - torn + bounce + damped, ledger.getEnergy(), 1e-4);
         assertEquals(0, ledger.getNumericalError(), 1e-4);
     }
 }

@@ -5,9 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import particles.Particles;
-import particles.Reaction;
-import particles.SpringView;
+import particles.law.Particles;
+import particles.law.Reaction;
+import particles.scene.format.Overrides;
+import particles.view.SpringView;
 
 /** Scenes with rods and wires show what they say they show; a scene that names none builds none. */
 class ConstraintScenesTest {
@@ -16,7 +17,9 @@ class ConstraintScenesTest {
         return SceneBuilder.build(SceneReader.read(Path.of("scenes", file)), new Overrides());
     }
 
-    /** Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter by the digits of its places. */
+    /**
+     * Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter by the digits of its places.
+     */
     @Test
     void rodsKeepTheirLengths() {
         for (String file : new String[] {"40-rigid-pendulum.yaml", "41-double-pendulum.yaml"}) {

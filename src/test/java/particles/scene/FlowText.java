@@ -34,7 +34,8 @@ final class FlowText {
             }
             to.append(list.isEmpty() ? "[]" : "]");
         } else if (value instanceof Double number) {
-            to.append(number.isNaN() ? ".nan" : number.isInfinite() ? number > 0 ? ".inf" : "-.inf" : number.toString());
+            to.append(number.isNaN() ? ".nan" : number.isInfinite() ? number > 0 ? ".inf" : "-.inf"
+                    : number.toString());
         } else if (value instanceof String text) {
             appendText(text, to);
         } else {

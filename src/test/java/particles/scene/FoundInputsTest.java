@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import particles.scene.format.Overrides;
 
 /** What {@link SceneFuzzer} found, each in its smallest form, and a short hunt, which is the same each time. */
 class FoundInputsTest {
@@ -27,10 +28,13 @@ class FoundInputsTest {
     private static List<String> linesFor(String scene) {
         String head = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n";
         return assertThrows(SceneException.class, () -> SceneBuilder.build(
-                SceneReader.read("x.yaml", (head + scene).getBytes(StandardCharsets.UTF_8)), new Overrides())).getLines();
+                SceneReader.read("x.yaml", (head + scene).getBytes(StandardCharsets.UTF_8)),
+                new Overrides())).getLines();
     }
 
-    /** A mass whose inverse is infinite, and one of which a half is nothing: both ended in an IllegalArgumentException. */
+    /**
+     * A mass whose inverse is infinite, and one of which a half is nothing: both ended in an IllegalArgumentException.
+     */
     @ParameterizedTest
     @CsvSource({"4.9e-324", "1e-310", "1e-31"})
     void massesThatHaveNoInverseAreRefused(String mass) {
@@ -62,10 +66,14 @@ class FoundInputsTest {
                 + " such as \\xe9, \\u00e9 or \\U000000e9"), linesFor("camera: \"abc" + escape));
     }
 
-    /** The hunt keeps texts that are refused in new words, and such a one ended the hunt when it was to be changed as a tree. */
+    /**
+     * The hunt keeps texts that are refused in new words, and such a one ended the hunt when it was to be changed as a
+     * tree.
+     */
     @Test
     void whatCannotBeReadCanBeChanged() {
-        SceneMutator mutator = new SceneMutator(List.of("title: a\n".getBytes(StandardCharsets.UTF_8)), new Random(SEED));
+        SceneMutator mutator = new SceneMutator(List.of("title: a\n".getBytes(StandardCharsets.UTF_8)),
+                new Random(SEED));
         mutator.keep("title: \"abc\\u".getBytes(StandardCharsets.UTF_8));
         Set<String> made = new HashSet<>();
         for (int n = 0; n < 200; n++) {

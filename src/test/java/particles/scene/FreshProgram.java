@@ -49,9 +49,9 @@ final class FreshProgram extends URLClassLoader {
         try {
             Object description = loadClass("particles.scene.SceneReader").getMethod("read", String.class, byte[].class)
                     .invoke(null, "x.yaml", scene.getBytes(StandardCharsets.UTF_8));
-            Class<?> overrides = loadClass("particles.scene.Overrides");
+            Class<?> overrides = loadClass("particles.scene.format.Overrides");
             Object built = loadClass("particles.scene.SceneBuilder")
-                    .getMethod("build", loadClass("particles.scene.SceneDescription"), overrides)
+                    .getMethod("build", loadClass("particles.scene.format.SceneDescription"), overrides)
                     .invoke(null, description, overrides.getConstructor().newInstance());
             Object simulation = built.getClass().getMethod("simulation").invoke(built);
             simulation.getClass().getMethod("run").invoke(simulation);
@@ -67,7 +67,7 @@ final class FreshProgram extends URLClassLoader {
         Set<String> laws = new TreeSet<>();
         for (String name : Set.copyOf(loaded)) {
             Class<?> type = loadClass(name);
-            for (String law : new String[] {"Effect", "Reaction", "Rule"}) {
+            for (String law : new String[] {"law.Effect", "law.Reaction", "Rule"}) {
                 if (loadClass("particles." + law).isAssignableFrom(type) && !type.isInterface()) {
                     laws.add(type.getSimpleName());
                 }

@@ -12,15 +12,17 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.Effect;
-import particles.Reaction;
 import particles.Rule;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
+import particles.law.Effect;
+import particles.law.Reaction;
+import particles.scene.format.Overrides;
+import particles.scene.parts.RuleKind;
 
 /**
- * What a scene names is built, and nothing else: the laws are counted, and in a program that was just started the class of a
- * law that no scene named is not even loaded, so that no line of it can have been called.
+ * What a scene names is built, and nothing else: the laws are counted, and in a program that was just started the class
+ * of a law that no scene named is not even loaded, so that no line of it can have been called.
  */
 class OnlyWhatIsNamedTest {
     private static final String SPRINGS = """
@@ -47,14 +49,17 @@ class OnlyWhatIsNamedTest {
         return List.of(Addition.of(""),
                 Addition.of("effects: [gravity]\n", "Gravity"),
                 Addition.of("effects:\n  - drag: {coefficient: 1}\n", "LinearDrag", "AirDrag"),
-                Addition.of("effects:\n  - drag: {coefficient: 1}\n  - wind: {mean: [1, 0, 0]}\n", "LinearDrag", "AirDrag"),
+                Addition.of("effects:\n  - drag: {coefficient: 1}\n  - wind: {mean: [1, 0, 0]}\n", "LinearDrag",
+                "AirDrag"),
                 Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n", "QuadraticDrag", "AirDrag"),
-                Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n  - turbulence: {strength: 1}\n", "QuadraticDrag",
+                Addition.of("effects:\n  - quadraticDrag: {coefficient: 1}\n  - turbulence: {strength: 1}\n",
+                "QuadraticDrag",
                         "AirDrag"),
                 Addition.of("effects:\n  - attraction: {strength: 1}\n", "PointAttraction"),
                 Addition.of("effects:\n  - cohesion: {range: 2, depth: 1}\n", "Cohesion"),
                 Addition.of("effects:\n  - penaltyPlane: {stiffness: 1}\n", "PenaltyPlane", "Penalty"),
-                Addition.of("effects:\n  - penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}\n", "PenaltySphere",
+                Addition.of("effects:\n  - penaltySphere: {centre: [9, 9, 9], radius: 1, stiffness: 1}\n",
+                "PenaltySphere",
                         "Penalty"),
                 Addition.of("impact: clamp\nrules: [ground]\n", "RestingContacts", "ClampedImpacts"),
                 Addition.of("impact: exact\nrules: [ground]\n", "RestingContacts", "ExactImpacts"),
@@ -63,22 +68,25 @@ class OnlyWhatIsNamedTest {
                 Addition.of("rules:\n  - tear: {strain: 9}\n", "SpringTear"),
                 Addition.of("rules:\n  - shake: {particle: wall, amplitude: [1, 0, 0], period: 1}\n"),
                 Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1}\n", "Emitter"),
-                Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}\n", "Emitter",
+                Addition.of("rules:\n  - emitter: {id: e, position: [0, 0, 0], speed: 1, rate: 1, lifetime: 1}\n",
+                "Emitter",
                         "Lifetimes"),
                 Addition.of("rules:\n  - kill: {point: [0, -9, 0]}\n", "KillPlane"),
-                Addition.of("rules:\n  - samples: {farthest: 9, lightest: 1}\n", "EvenSamples"));
+                Addition.of("rules:\n  - samples: {farthest: 9, lightest: 1}\n", "ParticleResampler"));
     }
 
     @ParameterizedTest
     @MethodSource("additions")
     void nothingElseIsBuilt(Addition addition) {
-        Scene scene = SceneBuilder.build(SceneReader.read("x.yaml", (SPRINGS + addition.yaml()).getBytes(StandardCharsets.UTF_8)),
+        Scene scene = SceneBuilder.build(SceneReader.read("x.yaml",
+                (SPRINGS + addition.yaml()).getBytes(StandardCharsets.UTF_8)),
                 new Overrides());
         Stream<Class<?>> built = Stream.of(scene.system().getEffects().stream().<Class<?>>map(Effect::getClass),
                 scene.system().getReactions().stream().<Class<?>>map(Reaction::getClass),
                 scene.simulation().getRules().stream().<Class<?>>map(Rule::getClass)).flatMap(all -> all);
         List<String> names = built.map(Class::getSimpleName).sorted().toList();
-        assertEquals(withSprings(addition).stream().filter(name -> !name.equals("AirDrag") && !name.equals("Penalty")).toList(),
+        assertEquals(withSprings(addition).stream().filter(name -> !name.equals("AirDrag") && !name.equals("Penalty"))
+                .toList(),
                 names);
     }
 
@@ -98,7 +106,8 @@ class OnlyWhatIsNamedTest {
     }
 
     /**
-     * The list above has every effect and every kind of rule but the three motions' likes and the plane, which is a ground.
+     * The list above has every effect and every kind of rule but the three motions' likes and the plane, which is a
+     * ground.
      */
     @Test
     void everyKindIsLookedAt() {

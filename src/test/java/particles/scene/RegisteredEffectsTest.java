@@ -12,19 +12,20 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import particles.DifferentiableEffect;
-import particles.Effect;
 import particles.ParticleSystem;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect;
+import particles.scene.format.Overrides;
 import particles.spec.ClassNames;
 import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectClaims;
 import particles.teaching.effects.EffectSample;
 
 /**
- * Every effect that a scene can name keeps what it claims: force and potential, Newton's third law, symmetries, energy and
- * derivatives. The list is that of the scene reader, so that an effect is not added without being held to this.
+ * Every effect that a scene can name keeps what it claims: force and potential, Newton's third law, symmetries, energy
+ * and derivatives. The list is that of the scene reader, so that an effect is not added without being held to this.
  */
 class RegisteredEffectsTest {
     private static final String SIX = """
@@ -64,7 +65,8 @@ class RegisteredEffectsTest {
     }
 
     private static Scene scene(String rest) {
-        return SceneBuilder.build(SceneReader.read("six.yaml", (SIX + rest).getBytes(StandardCharsets.UTF_8)), new Overrides());
+        return SceneBuilder.build(SceneReader.read("six.yaml", (SIX + rest).getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
     }
 
     private static void keepTheirClaims(Scene scene) {
@@ -96,7 +98,8 @@ class RegisteredEffectsTest {
         ParticleSystem system = EffectSample.system();
         Effect effect = EffectSample.create(name, system.getParticles(), ClassNames.none());
         assertEquals(Map.of("wind", "drag", "turbulence", "drag").getOrDefault(name, name), effect.getName());
-        assertEquals(name.equals("wind") || name.equals("turbulence"), effect.getTraits().contains(Effect.Trait.DRIVING),
+        assertEquals(name.equals("wind") || name.equals("turbulence"),
+                effect.getTraits().contains(Effect.Trait.DRIVING),
                 "only what blows drives");
         assertEquals(List.of(), EffectCheck.check(system, effect));
     }

@@ -11,14 +11,15 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import particles.Camera;
-import particles.CurveView;
-import particles.Effect;
-import particles.Look;
-import particles.Scenery;
-import particles.Sphere;
-import particles.Style;
-import particles.Vector3;
+import particles.law.Effect;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.scene.format.Overrides;
+import particles.view.Camera;
+import particles.view.CurveView;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
 
 class SceneBuilderTest {
     private static final String HEAD = "title: T\nteaches: t\nsolver: rk4\ndeltaT: 0.01\nduration: 2\n";
@@ -26,7 +27,8 @@ class SceneBuilderTest {
     private static final String TWO = BOB + "  - {id: tom, position: [0, 0, 0], mass: 5, fixed: true}\n";
 
     private static Scene build(String text, Overrides overrides) {
-        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)), overrides);
+        return SceneBuilder.build(SceneReader.read("x.yaml", (HEAD + text).getBytes(StandardCharsets.UTF_8)),
+                overrides);
     }
 
     private static Scene build(String text) {
@@ -106,7 +108,7 @@ class SceneBuilderTest {
     void cameraLookAndOutputAreWhatTheSceneSays() {
         Scene plain = build(BOB);
         assertEquals(Optional.empty(), plain.camera());
-        assertEquals(Look.STANDARD, plain.look());
+        assertEquals(RenderOptions.STANDARD, plain.look());
         assertEquals(Optional.empty(), plain.phase());
         Scene told = build(BOB + "camera: {position: [0, 0, 10], target: [0, 0, 0], fieldOfView: 90, "
                 + "projection: orthographic}\nlook: {springs: always, frontColour: '#00ff10'}\noutput: "
@@ -115,7 +117,7 @@ class SceneBuilderTest {
         assertEquals(new Vector3(0, 1, 0), camera.up());
         assertEquals(20, camera.height(), 1e-12, "2 d tan(45 degrees)");
         assertEquals(0x00ff10, told.look().frontColour());
-        assertEquals(Look.Shown.ALWAYS, told.look().springs());
+        assertEquals(RenderOptions.Shown.ALWAYS, told.look().springs());
         assertEquals(new Scene.Phase(0, 2), told.phase().orElseThrow());
         assertEquals(64, told.output().width());
         assertEquals(25, told.output().frameRate());
@@ -124,13 +126,13 @@ class SceneBuilderTest {
     /** A glow shows by night only, so that it is night where nothing else is asked for. */
     @Test
     void particlesAreDrawnAsTheSceneSays() {
-        Style fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail:"
+        ParticleStyle fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail:"
                 + " 0.5}\n").look().style();
-        assertEquals(new Style(Style.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
-        Style day = build(BOB + "look: {particlesAs: glow, sky: day}\n").look().style();
-        assertEquals(new Style(Style.Kind.GLOW, Style.STANDARD.ageColours(), 0, false), day);
-        assertEquals(Style.Kind.BLOBS, build(BOB + "look: {particlesAs: blobs}\n").look().style().kind());
-        assertEquals(Style.STANDARD, build(BOB + "look: {trail: 0}\n").look().style());
+        assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
+        ParticleStyle day = build(BOB + "look: {particlesAs: glow, sky: day}\n").look().style();
+        assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, ParticleStyle.STANDARD.ageColours(), 0, false), day);
+        assertEquals(ParticleStyle.Kind.BLOBS, build(BOB + "look: {particlesAs: blobs}\n").look().style().kind());
+        assertEquals(ParticleStyle.STANDARD, build(BOB + "look: {trail: 0}\n").look().style());
     }
 
     /** Whatever particles meet or slide along is seen, be it a rule, an effect or a constraint. */

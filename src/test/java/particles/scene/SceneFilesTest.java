@@ -73,6 +73,7 @@ class SceneFilesTest {
 
     @Test
     void theDefaultSceneIsThere() {
-        assertEquals(Path.of("scenes", "09-cloth-in-wind.yaml"), SceneFiles.find(Path.of("scenes"), SceneFiles.DEFAULT));
+        assertEquals(Path.of("scenes", "09-cloth-in-wind.yaml"),
+                SceneFiles.find(Path.of("scenes"), SceneFiles.DEFAULT));
     }
 }

@@ -17,11 +17,12 @@ import java.util.concurrent.TimeUnit;
 import particles.Motion;
 import particles.Observer;
 import particles.SimulationException;
+import particles.scene.format.Overrides;
 
 /**
- * Scenes by the million, almost right ones, through reader and builder and for a few steps: each is refused with lines, or
- * stopped as a simulation may be, or runs, and nothing else. Inputs that are refused in new words are mutated further.
- * {@code gradle fuzz -Pseconds=1200} runs it by itself.
+ * Scenes by the million, almost right ones, through reader and builder and for a few steps: each is refused with lines,
+ * or stopped as a simulation may be, or runs, and nothing else. Inputs that are refused in new words are mutated
+ * further. {@code gradle fuzz -Pseconds=1200} runs it by itself.
  */
 final class SceneFuzzer {
     private static final int STEPS = 3;
@@ -63,13 +64,15 @@ final class SceneFuzzer {
             Optional<Scene> ready = build(scene);
             long time = System.nanoTime() - begin;
             if (time > SLOW_NANOS) {
-                long computing = threadTime();          // it takes long to ask for, and others may have had the processor
+                // it takes long to ask for, and others may have had the processor
+                long computing = threadTime();
                 build(scene);
                 time = threadTime() - computing;
             }
             slowest = Math.max(slowest, time);
             if (time > SLOW_NANOS) {
-                return failed(scene, new IllegalStateException("it took " + time / 1e9 + " s of computing to read and build it"));
+                return failed(scene,
+                        new IllegalStateException("it took " + time / 1e9 + " s of computing to read and build it"));
             }
             ready.filter(made -> !isAdaptive(made)).ifPresent(SceneFuzzer::run);
         } catch (SimulationException e) {
@@ -94,7 +97,9 @@ final class SceneFuzzer {
         }
     }
 
-    /** Such a solver may make hundreds of thousands of sub-steps in one step of an absurd scene, as it is allowed to. */
+    /**
+     * Such a solver may make hundreds of thousands of sub-steps in one step of an absurd scene, as it is allowed to.
+     */
     private static boolean isAdaptive(Scene scene) {
         String solver = scene.description().solver();
         return SolverCatalog.names().contains(solver) && SolverCatalog.info(solver).adaptive();
@@ -142,8 +147,10 @@ final class SceneFuzzer {
 
     @Override
     public String toString() {
-        return String.format(Locale.ROOT, "%d executions: %d built, of which %d stopped; refused in %d ways; %d seeds; the slowest took"
-                + " %.2f s; %d failures", executions, built, stopped, words.size(), mutator.seeds(), slowest / 1e9, failures);
+        return String.format(Locale.ROOT,
+                "%d executions: %d built, of which %d stopped; refused in %d ways; %d seeds; the slowest took"
+                + " %.2f s; %d failures", executions, built, stopped, words.size(), mutator.seeds(), slowest / 1e9,
+                failures);
     }
 
     /** @param args {@code --seconds=20}, {@code --executions=10000000}, {@code --seed=1}, each may be left out */

@@ -13,22 +13,29 @@ import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
 
 /**
- * Makes scenes that are almost right: in the tree of a scene values, keys and whole branches are changed, removed, doubled,
- * and taken over from other scenes; or in its text a few bytes are.
+ * Makes scenes that are almost right: in the tree of a scene values, keys and whole branches are changed, removed,
+ * doubled, and taken over from other scenes; or in its text a few bytes are.
  */
 final class SceneMutator {
-    private static final List<Object> VALUES = List.of(0, 1, -1, 2, 3, 0.5, 1e-3, 1e-30, 1e30, 1e31, -1e30, 5e-324, 1e308,
+    private static final List<Object> VALUES = List.of(0, 1, -1, 2, 3, 0.5, 1e-3, 1e-30, 1e30, 1e31, -1e30, 5e-324,
+            1e308,
             1_000_000,
             Integer.MAX_VALUE, Long.MIN_VALUE, Double.NaN, Double.NEGATIVE_INFINITY, true, false, "", " ", "~", "a\nb",
-            "rk4", "radau", "verlet", "adams", "backward-euler", "java.lang.String", "particles.scene.Nothing", "cloth[1,2]",
-            "cloth[99999999999]", "left", "top-left", "corners", "#00ff00", "coulomb", "slide", "gravity", "ground", "exact",
+            "rk4", "radau", "verlet", "adams", "backward-euler", "java.lang.String", "particles.scene.Nothing",
+            "cloth[1,2]",
+            "cloth[99999999999]", "left", "top-left", "corners", "#00ff00", "coulomb", "slide", "gravity", "ground",
+            "exact",
                     "clamp",
-            List.of(), List.of(0, 0, 0), List.of(1, 2, 3), List.of(1e-200, 0, 0), List.of(1e30, -1e30, 1e30), List.of(1, 2),
+            List.of(), List.of(0, 0, 0), List.of(1, 2, 3), List.of(1e-200, 0, 0), List.of(1e30, -1e30, 1e30),
+            List.of(1, 2),
             Map.of(), Map.of("gravity", Map.of()), Map.of("name", "rk4"), Map.of("law", "coulomb", "coefficient", 0.3));
-    private static final List<String> KEYS = List.of("mass", "totalMass", "fixed", "velocity", "id", "position", "friction",
+    private static final List<String> KEYS = List.of("mass", "totalMass", "fixed", "velocity", "id", "position",
+            "friction",
             "static",
-            "coefficient", "name", "surface", "restLength", "camera", "drag", "plane", "impact", "rods", "wires", "feedback",
-            "columns", "rows", "layers", "lifetime", "rate", "relativeTolerance", "frameRate", "width", "phase", "axis");
+            "coefficient", "name", "surface", "restLength", "camera", "drag", "plane", "impact", "rods", "wires",
+            "feedback",
+            "columns", "rows", "layers", "lifetime", "rate", "relativeTolerance", "frameRate", "width", "phase",
+            "axis");
     private static final String SIGNS = "[]{}:,-#&*!|>'\"%@`? \n\t0123456789.eE+x~";
     private static final int MOST_BYTES = 20_000;
     private static final int MOST_COLUMNS = 12;
@@ -36,7 +43,8 @@ final class SceneMutator {
     private final Random random;
     private final List<Seed> seeds;
     private final int right;
-    private final Load load = new Load(LoadSettings.builder().setSchema(new CoreSchema()).setMaxAliasesForCollections(0).build());
+    private final Load load =
+            new Load(LoadSettings.builder().setSchema(new CoreSchema()).setMaxAliasesForCollections(0).build());
 
     /** A scene and what it says, read when it is needed first; it is never changed. */
     private final class Seed {

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import particles.scene.format.SceneFormat;
 
 class SceneSchemaTest {
 
@@ -28,7 +29,8 @@ class SceneSchemaTest {
         assertTrue(lines.contains("| `deltaT` | a number over 0 (s) | *needed* | The time step (s). |"));
         assertTrue(lines.contains("| `acceleration` | three numbers [x, y, z] (m/s^2) | [0, -9.81, 0] | g, the"
                 + " acceleration of free fall (m/s^2). |"));
-        for (String heading : List.of("The scene", "A particle", "`rope`", "`cloth`", "`jelly`", "A spring", "`gravity`",
+        for (String heading : List.of("The scene", "A particle", "`rope`", "`cloth`", "`jelly`", "A spring",
+                "`gravity`",
                 "`wind`", "`drag`", "`ground`", "`plane`", "`friction`", "The camera", "The look", "The output")) {
             assertEquals(1, lines.stream().filter(("### " + heading)::equals).count(), heading);
         }

@@ -14,7 +14,8 @@ import org.junit.jupiter.api.Test;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Particles;
+import particles.law.Particles;
+import particles.scene.format.Overrides;
 
 /** What scenes say of their motion comes true when they are run to the end. */
 class SceneWordsTest {

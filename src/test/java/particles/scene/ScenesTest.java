@@ -14,6 +14,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import particles.Simulation;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
 
 /** Scenes are tests: every one is loaded and run, the long ones for their first steps. */
 class ScenesTest {

@@ -19,12 +19,14 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.snakeyaml.engine.v2.api.Dump;
 import org.snakeyaml.engine.v2.api.DumpSettings;
-import particles.spec.Problems;
+import particles.scene.format.SceneFormat;
 import particles.spec.Reading;
+import particles.spec.messages.Problems;
 
 /**
- * Editors check by the schema, the program by the reader: of scenes that are changed at random both say the same, as far
- * as a schema can know. (Ids that do not exist, and what else holds between parts of a scene, only the reader knows.)
+ * Editors check by the schema, the program by the reader: of scenes that are changed at random both say the same, as
+ * far as a schema can know. (Ids that do not exist, and what else holds between parts of a scene, only the reader
+ * knows.)
  */
 class SchemaAgreesWithReaderTest {
     private static final int CHANGES = 600;
@@ -35,7 +37,8 @@ class SchemaAgreesWithReaderTest {
                     List.of(1, 2, 3),
             List.of(0, 0, 0), List.of(1, "a", 3), List.of("left", "corners"), Map.of(), Map.of("gravity", Map.of()),
             Map.of("name", "rk4"), Map.of("stiffness", 3));
-    private static final List<String> NAMES = List.of("mass", "totalMass", "fixed", "velocity", "gravty", "id", "position",
+    private static final List<String> NAMES = List.of("mass", "totalMass", "fixed", "velocity", "gravty", "id",
+            "position",
             "friction", "coefficient", "name", "surface", "restLength", "camera", "drag", "plane");
 
     private final Validator validator = new ValidatorFactory().withDefaultDialect(new Dialects.Draft7Dialect())
@@ -63,7 +66,8 @@ class SchemaAgreesWithReaderTest {
     @Test
     void theScenesPassTheSchema() throws IOException {
         for (Object scene : scenes()) {
-            assertEquals(List.of(), validator.validate(schema, scene).getErrors().stream().map(e -> e.getError()).toList());
+            assertEquals(List.of(),
+                    validator.validate(schema, scene).getErrors().stream().map(e -> e.getError()).toList());
         }
     }
 
@@ -77,7 +81,8 @@ class SchemaAgreesWithReaderTest {
             String text = write(changed);
             List<String> problems = problems(text);
             boolean valid = validator.validate(schema, PlainNode.parse(text)).isValid();
-            assertEquals(problems.isEmpty(), valid, () -> "the schema says " + valid + ", the reader " + problems + ", of\n"
+            assertEquals(problems.isEmpty(), valid, () -> "the schema says " + valid + ", the reader " + problems
+                    + ", of\n"
                     + text);
             right += valid ? 1 : 0;
         }

@@ -12,8 +12,9 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.Particles;
-import particles.Vector3;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.scene.format.Overrides;
 
 class ShapesTest {
     private static final String HEAD = "title: Shapes\nteaches: counting\nsolver: rk4\ndeltaT: 0.002\nduration: 1\n";
@@ -30,7 +31,8 @@ class ShapesTest {
     }
 
     private static Scene jelly(int columns, int rows, int layers, String more) {
-        return build("shapes:\n  - jelly: {centre: [0, 0.6, 0], size: [1, 1.2, 0.8], columns: " + columns + ", rows: " + rows
+        return build("shapes:\n  - jelly: {centre: [0, 0.6, 0], size: [1, 1.2, 0.8], columns: " + columns + ", rows: "
+                + rows
                 + ", layers: " + layers + ", mass: 0.1" + more + "}\n");
     }
 
@@ -72,11 +74,14 @@ class ShapesTest {
     void idsAndPlacesBelongTogether() {
         Scene scene = cloth(3, 2, ", fixed: [top-right, \"cloth[0,1]\"], velocity: [0, 0, 5]");
         Particles particles = scene.system().getParticles();
-        assertArrayEquals(new String[] {"cloth[0,0]", "cloth[0,1]", "cloth[1,0]", "cloth[1,1]", "cloth[2,0]", "cloth[2,1]"},
+        assertArrayEquals(new String[] {"cloth[0,0]", "cloth[0,1]", "cloth[1,0]", "cloth[1,1]", "cloth[2,0]",
+                "cloth[2,1]"},
                 IntStream.range(0, 6).mapToObj(particles::id).toArray());
         double[] state = scene.system().getOwnState();
-        assertArrayEquals(new double[] {-1, -1, 0, 0, 0, 0}, IntStream.range(6, 12).mapToDouble(i -> state[i]).toArray());
-        assertArrayEquals(new double[] {0, 0, 0, 0, 0, 5}, IntStream.range(12, 18).mapToDouble(i -> state[i]).toArray());
+        assertArrayEquals(new double[] {-1, -1, 0, 0, 0, 0},
+                IntStream.range(6, 12).mapToDouble(i -> state[i]).toArray());
+        assertArrayEquals(new double[] {0, 0, 0, 0, 0, 5},
+                IntStream.range(12, 18).mapToDouble(i -> state[i]).toArray());
         assertEquals(Set.of(1, 4), fixed(particles));
         assertEquals(0.5, particles.mass(3), "a sixth of 3 kg");
     }
@@ -127,10 +132,13 @@ class ShapesTest {
         }
     }
 
-    /** Gravity, a ground and springs at rest: mirror images stay mirror images, apart from rounding (measured 2.1e-15). */
+    /**
+     * Gravity, a ground and springs at rest: mirror images stay mirror images, apart from rounding (measured 2.1e-15).
+     */
     @Test
     void aClothThatFallsFromTwoCornersStaysSymmetric() {
-        Scene scene = build("effects: [gravity]\nshapes:\n  - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0,"
+        Scene scene = build(
+                "effects: [gravity]\nshapes:\n  - cloth: {corner: [-1, 0, -1], across: [2, 0, 0], down: [0, 0,"
                 + " 2], columns: 9, rows: 9, totalMass: 0.6, fixed: [top-left, top-right],"
                 + " structural: {stiffness: 60, damping: 0.05}, shear: {stiffness: 20}, bend: {stiffness: 5}}\n");
         scene.simulation().run();
@@ -150,9 +158,9 @@ class ShapesTest {
     @Test
     void aBlockOnTheGroundStaysThere() {
         Scene scene = build("effects: [gravity]\nrules: [ground: {restitution: 0, friction: {law: coulomb,"
-                + " coefficient: 0.5}}]\nshapes:\n  - jelly: {centre: [0, 0.5, 0], size: [1, 1, 1], columns: 3,"
-                + " rows: 3, layers: 3, mass: 0.1,"
-                + " structural: {stiffness: 400, damping: 2}, shear: {stiffness: 200, damping: 1}}\n");
+                + " coefficient: 0.5}}]\nshapes:\n  - jelly: {centre: [0, 0.5, 0], size: [1, 1, 1], columns: 3, rows:"
+                + " 3, layers: 3, mass: 0.1, structural: {stiffness: 400, damping: 2}, shear: {stiffness: 200,"
+                + " damping: 1}}\n");
         scene.simulation().run();
         double[] state = scene.system().getOwnState();
         for (int n : new int[] {0, 1, 2, 9, 10, 11, 18, 19, 20}) {

@@ -1,10 +1,12 @@
 package particles.scene;
 
 import java.util.Random;
-import particles.Particles;
-import particles.SpringView;
+import particles.law.Particles;
+import particles.view.SpringView;
 
-/** The fastest oscillation and the fastest decay of a scene's springs, linearised where it begins, by power iteration. */
+/**
+ * The fastest oscillation and the fastest decay of a scene's springs, linearised where it begins, by power iteration.
+ */
 final class Stiffness {
     private static final int ITERATIONS = 300;
 
@@ -21,7 +23,9 @@ final class Stiffness {
         return largestEigenvalue(scene, true);
     }
 
-    /** Of M^-1 K, or M^-1 C: it is similar to a symmetric matrix, so the Rayleigh quotient in m converges from below. */
+    /**
+     * Of M^-1 K, or M^-1 C: it is similar to a symmetric matrix, so the Rayleigh quotient in m converges from below.
+     */
     private static double largestEigenvalue(Scene scene, boolean damping) {
         Particles particles = scene.system().getParticles();
         double[] state = scene.system().getOwnState();

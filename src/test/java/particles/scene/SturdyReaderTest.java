@@ -15,6 +15,9 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
 
 /** Whatever a file holds, reading it ends soon, in a scene or in lines that say why not. */
 class SturdyReaderTest {
@@ -44,7 +47,8 @@ class SturdyReaderTest {
     void lineEndsAndByteOrderMarkMakeNoDifference() {
         SceneDescription good = read(GOOD);
         assertEquals(0.01, good.deltaT());
-        for (String same : List.of(GOOD.replace("\n", "\r\n"), "\uFEFF" + GOOD, GOOD.strip(), "\n# comment\n\n" + GOOD)) {
+        for (String same : List.of(GOOD.replace("\n", "\r\n"), "\uFEFF" + GOOD, GOOD.strip(),
+                "\n# comment\n\n" + GOOD)) {
             assertEquals(good.particles().get(0).position(), read(same).particles().get(0).position());
         }
         assertEquals(List.of("x.yaml:8:1: unknown key 'x'; known in the scene: " + String.join(", ",
@@ -128,7 +132,9 @@ class SturdyReaderTest {
                 assertThrows(SceneException.class, () -> SceneReader.read(folder)).getLines());
     }
 
-    /** Scenes with bytes replaced, removed, doubled and moved: each is read or refused, and never ends in another way. */
+    /**
+     * Scenes with bytes replaced, removed, doubled and moved: each is read or refused, and never ends in another way.
+     */
     @Test
     void damagedScenesAreReadOrRefused() throws IOException {
         List<byte[]> seeds = new ArrayList<>(List.of(GOOD.getBytes(StandardCharsets.UTF_8)));
@@ -163,7 +169,8 @@ class SturdyReaderTest {
                 case 0 -> bytes[at] = (byte) alphabet.charAt(random.nextInt(alphabet.length()));
                 case 1 -> bytes[at] = (byte) random.nextInt(256);
                 case 2 -> System.arraycopy(bytes, at, bytes, random.nextInt(bytes.length - length + 1), length);
-                default -> Arrays.fill(bytes, at, at + length, (byte) alphabet.charAt(random.nextInt(alphabet.length())));
+                default -> Arrays.fill(bytes, at, at + length,
+                        (byte) alphabet.charAt(random.nextInt(alphabet.length())));
             }
         }
         return bytes;

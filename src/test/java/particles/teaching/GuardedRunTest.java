@@ -22,7 +22,8 @@ class GuardedRunTest {
     /** What students write; the name lets the machinery be told from them. */
     private static final class PlantedClasses {
         static long endlessLoop(AtomicLong steps) {
-            while (!Thread.currentThread().isInterrupted()) {       // the test's only concession: it ends when it is told to
+            // the test's only concession: it ends when it is told to
+            while (!Thread.currentThread().isInterrupted()) {
                 steps.incrementAndGet();
             }
             return steps.get();
@@ -63,12 +64,16 @@ class GuardedRunTest {
     @Test
     void anEndlessLoopIsStopped() {
         AtomicLong steps = new AtomicLong();
-        assertStarts("failure: it did not come back within 3/10 s: an endless loop, in PlantedClasses.endlessLoop, line ",
+        assertStarts("failure: it did not come back within 3/10 s: an endless loop, in PlantedClasses.endlessLoop, "
+                + "line ",
                 failure(() -> PlantedClasses.endlessLoop(steps)));
         assertTrue(steps.get() > 0);
     }
 
-    /** Where a build compiles students' classes with the program's, the place that they come from does not tell them apart. */
+    /**
+     * Where a build compiles students' classes with the program's, the place that they come from does not tell them
+     * apart.
+     */
     @Test
     void aLoopThatCallsTheProgramIsTheStudentsLoop(@TempDir Path folder) throws Exception {
         Path source = Files.writeString(folder.resolve("LoopSolver.java"), """
@@ -84,7 +89,8 @@ class GuardedRunTest {
                     }
                 }
                 """);
-        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", folder.toString(), source.toString()));
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-d", folder.toString(),
+                source.toString()));
         byte[] bytes = Files.readAllBytes(folder.resolve("exercises/LoopSolver.class"));
         ClassLoader program = StudentFailure.class.getClassLoader();
         ClassLoader besideTheProgram = new ClassLoader(program) {
@@ -97,7 +103,8 @@ class GuardedRunTest {
         Thread.currentThread().setContextClassLoader(besideTheProgram);
         try {
             String found = failure(() -> SolverCheck.check(() -> solver, "LoopSolver"));
-            assertTrue(found.matches(".*: an endless loop, in LoopSolver.stepState, line [78] of LoopSolver.java"), found);
+            assertTrue(found.matches(".*: an endless loop, in LoopSolver.stepState, line [78] of LoopSolver.java"),
+                    found);
         } finally {
             Thread.currentThread().setContextClassLoader(program);
         }
@@ -105,9 +112,12 @@ class GuardedRunTest {
 
     @Test
     void whatTheJvmPutsBetweenIsNobodysPlace() {
-        StackTraceElement lambda = new StackTraceElement("particles.app.CheckCommand$$Lambda$22/0x00007f5e08027988", "call",
+        StackTraceElement lambda =
+                new StackTraceElement("particles.app.student.CheckCommand$$Lambda$22/0x00007f5e08027988",
+                "call",
                 null, -1);
-        StackTraceElement ours = new StackTraceElement("particles.ParticleSystem", "getState", "ParticleSystem.java", 90);
+        StackTraceElement ours = new StackTraceElement("particles.ParticleSystem", "getState", "ParticleSystem.java",
+                90);
         assertEquals("", StudentFailure.place(new StackTraceElement[] {lambda}));
         assertEquals(", in ParticleSystem.getState, line 90 of ParticleSystem.java",
                 StudentFailure.place(new StackTraceElement[] {lambda, ours}));
@@ -120,13 +130,15 @@ class GuardedRunTest {
             never.await();
             return 1;
         });
-        assertTrue(found.startsWith("failure: it did not come back within 3/10 s: it waits for something that never comes"),
+        assertTrue(found.startsWith("failure: it did not come back within 3/10 s: it waits for something that never "
+                + "comes"),
                 found);
     }
 
     @Test
     void aStackOverflowIsNamed() {
-        assertStarts("failure: the stack overflows: a method calls itself without end, in PlantedClasses.callsItself, line ",
+        assertStarts("failure: the stack overflows: a method calls itself without end, in PlantedClasses.callsItself, "
+                + "line ",
                 failure(() -> PlantedClasses.callsItself(0)));
     }
 
@@ -137,7 +149,8 @@ class GuardedRunTest {
 
     @Test
     void anExceptionIsNamedWithItsPlace() {
-        assertStarts("failure: it ends in an exception: java.lang.ArithmeticException: / by zero, in PlantedClasses.dividesByZero, line ",
+        assertStarts("failure: it ends in an exception: java.lang.ArithmeticException: / by zero, in "
+                + "PlantedClasses.dividesByZero, line ",
                 failure(PlantedClasses::dividesByZero));
     }
 }

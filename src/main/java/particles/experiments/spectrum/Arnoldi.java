@@ -93,7 +93,8 @@ final class Arnoldi {
                 continue;
             }
             double[] weights = vector(square, lambda, largest);
-            double residual = next * Math.sqrt(weights[2 * m - 2] * weights[2 * m - 2] + weights[2 * m - 1] * weights[2 * m - 1]);
+            double residual = next * Math.sqrt(weights[2 * m - 2] * weights[2 * m - 2]
+                    + weights[2 * m - 1] * weights[2 * m - 1]);
             if (residual <= Spectrum.CONVERGED * largest) {
                 modes.add(mode(lambda, weights));
             }

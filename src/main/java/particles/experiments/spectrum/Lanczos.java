@@ -8,8 +8,8 @@ import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
- * The largest angular frequencies of an undamped system: Lanczos' iteration on the symmetric -da/dx, whose eigenvalues are
- * omega&sup2;. Each new direction is made orthogonal to all earlier ones, twice,
+ * The largest angular frequencies of an undamped system: Lanczos' iteration on the symmetric -da/dx, whose eigenvalues
+ * are omega&sup2;. Each new direction is made orthogonal to all earlier ones, twice,
  * so that no eigenvalue appears again as a ghost.
  *
  * <p>Source: C. Lanczos, J. Res. Nat. Bur. Standards 45 (1950), 255.
@@ -82,7 +82,8 @@ final class Lanczos {
         }
         ritz = DecompositionFactory_DDRM.eig(m, true, true);
         if (!ritz.decompose(tridiagonal)) {
-            throw new ArithmeticException("the eigenvalues of a " + m + " x " + m + " tridiagonal matrix did not converge");
+            throw new ArithmeticException("the eigenvalues of a " + m + " x " + m
+                    + " tridiagonal matrix did not converge");
         }
     }
 

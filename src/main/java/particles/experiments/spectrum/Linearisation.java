@@ -1,16 +1,17 @@
 package particles.experiments.spectrum;
 
 import java.util.SplittableRandom;
-import particles.Effect;
-import particles.Effect.Trait;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Reaction;
+import particles.law.Effect;
+import particles.law.Effect.Trait;
+import particles.law.Particles;
+import particles.law.Reaction;
 
 /**
- * The linear equations of small motions about a system's present state: x'' = A x + B v for the particles that can move. In
- * the coordinates q = M<sup>1/2</sup> x the matrix A of forces with a potential is symmetric. In the pair (w q, q') with a
- * typical angular frequency w both halves are of one size, and an undamped system's matrix is close to skew.
+ * The linear equations of small motions about a system's present state: x'' = A x + B v for the particles that can
+ * move. In the coordinates q = M<sup>1/2</sup> x the matrix A of forces with a potential is symmetric. In the pair (w
+ * q, q') with a typical angular frequency w both halves are of one size, and an undamped system's matrix is close to
+ * skew.
  */
 final class Linearisation {
     private static final int POWER_STEPS = 30;

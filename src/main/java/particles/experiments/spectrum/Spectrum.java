@@ -42,7 +42,9 @@ public record Spectrum(List<Mode> modes, String method, int products, double err
         return (int) Math.min(doubles, Math.min(MOST_DIRECTIONS, fit));
     }
 
-    /** @return the fastest growth of the motion itself (1/s), which is physics and no solver's fault; 0 if nothing grows */
+    /**
+     * @return the fastest growth of the motion itself (1/s), which is physics and no solver's fault; 0 if nothing grows
+     */
     public double growth() {
         return modes.stream().mapToDouble(Mode::re).filter(re -> re > 0).max().orElse(0);
     }

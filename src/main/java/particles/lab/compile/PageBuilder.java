@@ -49,11 +49,14 @@ public final class PageBuilder implements LabBuilder {
 
     private static String page(Contents contents, String engine) throws IOException {
         Map<String, String> parts = Map.of(
-                "style", read(UPLOT + "dist/uPlot.min.css") + read(CODEMIRROR + "lib/codemirror.css") + read(PAGE + "lab.css"),
-                "engine", "<script type=\"text/plain\" id=\"engine\">" + closed(engine + read(PAGE + "worker.js")) + "</script>",
+                "style", read(UPLOT + "dist/uPlot.min.css") + read(CODEMIRROR + "lib/codemirror.css")
+                + read(PAGE + "lab.css"),
+                "engine", "<script type=\"text/plain\" id=\"engine\">" + closed(engine + read(PAGE + "worker.js"))
+                + "</script>",
                 "scenes", scenes(contents),
                 "libraries", "<script>" + closed(read(UPLOT + "dist/uPlot.iife.min.js")) + "</script>\n<script>"
-                        + closed(read(CODEMIRROR + "lib/codemirror.js") + read(CODEMIRROR + "mode/yaml/yaml.js")) + "</script>",
+                        + closed(read(CODEMIRROR + "lib/codemirror.js") + read(CODEMIRROR + "mode/yaml/yaml.js"))
+                        + "</script>",
                 "modules", modules(),
                 "loader", "<script>" + read(PAGE + "loader.js") + "</script>",
                 "licences", licences());
@@ -65,8 +68,10 @@ public final class PageBuilder implements LabBuilder {
         StringBuilder all = new StringBuilder();
         for (Path file : contents.scenes()) {
             boolean first = file.equals(contents.first());
-            all.append("<script type=\"text/plain\" class=\"scene\" data-name=\"").append(escaped(file.getFileName().toString()))
-                    .append('"').append(first ? " data-first=\"" + escaped(contents.solver().orElse("")) + '"' : "").append('>')
+            all.append("<script type=\"text/plain\" class=\"scene\" data-name=\"")
+                    .append(escaped(file.getFileName().toString()))
+                    .append('"').append(first ? " data-first=\"" + escaped(contents.solver().orElse("")) + '"'
+                    : "").append('>')
                     .append(closed(Files.readString(file))).append("</script>\n");
         }
         return all.append("<script type=\"text/plain\" id=\"students\">").append(String.join(" ", contents.solvers()))
@@ -84,12 +89,14 @@ public final class PageBuilder implements LabBuilder {
     }
 
     private static String script(String name, String text) {
-        return "<script type=\"text/plain\" class=\"module\" data-name=\"" + name + "\">" + closed(text) + "</script>\n";
+        return "<script type=\"text/plain\" class=\"module\" data-name=\"" + name + "\">" + closed(text)
+                + "</script>\n";
     }
 
     private static String licences() throws IOException {
         return Stream.of(read(PAGE + "licences.txt"), "three.js\n\n" + read(THREE + "LICENSE"),
-                        "uPlot\n\n" + read(UPLOT + "LICENSE"), "CodeMirror\n\n" + read(CODEMIRROR + "LICENSE"), apache())
+                        "uPlot\n\n" + read(UPLOT + "LICENSE"), "CodeMirror\n\n" + read(CODEMIRROR + "LICENSE"),
+                        apache())
                 .map(PageBuilder::escaped).collect(Collectors.joining("\n----\n\n"));
     }
 

@@ -58,7 +58,8 @@ final class StudentCompiler {
                 final class Students {
                     static final java.util.Map<String, java.util.function.Supplier<deSolvers.DESolver>> SOLVERS
                             = java.util.Map.ofEntries(%s);
-                    static final java.util.Map<String, java.util.function.Supplier<particles.effects.EffectKind>> EFFECTS
+                    static final java.util.Map<String,
+                            java.util.function.Supplier<particles.effects.EffectKind>> EFFECTS
                             = java.util.Map.ofEntries(%s);
                 }
                 """.formatted(entries(contents.solvers(), ""), entries(contents.effects(), ".Keys"));
@@ -73,7 +74,8 @@ final class StudentCompiler {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         DiagnosticCollector<JavaFileObject> messages = new DiagnosticCollector<>();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(messages, Locale.ROOT, null)) {
-            boolean compiles = compiler.getTask(null, files, messages, List.of("-cp", System.getProperty("java.class.path"),
+            boolean compiles = compiler.getTask(null, files, messages,
+                    List.of("-cp", System.getProperty("java.class.path"),
                     "-proc:none", "-sourcepath", sources.toString(), "-d", classes.toString()), null,
                     files.getJavaFileObjects(list)).call();
             if (!compiles) {

@@ -11,7 +11,10 @@ import org.teavm.model.MethodReference;
 import org.teavm.model.instructions.InvocationType;
 import org.teavm.model.instructions.InvokeInstruction;
 
-/** Lets calls that a page has no counterpart for call the method of the same name in {@code particles.lab.browser.Missing}. */
+/**
+ * Lets calls that a page has no counterpart for call the method of the same name in
+ * {@code particles.lab.browser.Missing}.
+ */
 public final class Substitutions implements ClassHolderTransformer {
     private static final String MISSING = "particles.lab.browser.Missing";
     private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Runtime.maxMemory",

@@ -7,15 +7,16 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
-import particles.Effect.Trait;
-import particles.Effect;
 import particles.ParticleSystem;
+import particles.law.Effect.Trait;
+import particles.law.Effect;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 
 /**
- * Holds an effect to what it claims of itself, by {@link EffectClaims}, and says where a claim fails: at which particle, in
+ * Holds an effect to what it claims of itself, by {@link EffectClaims}, and says where a claim fails: at which
+ * particle, in
  * which component, and what is probably the mistake.
  */
 public final class EffectCheck {
@@ -192,8 +193,10 @@ public final class EffectCheck {
                 : Math.abs(ratio + 1) < 1e-4 && dissipated < 0
                 ? ": the sign of the dissipated power is wrong; what becomes heat counts as positive"
                 : Math.abs(ratio + 1) < 1e-4 ? ": the sign is wrong; damping has to push against the velocity"
-                : Math.abs(ratio - 2) < 1e-4 ? ": twice as much; a half stands in the dissipated power that does not belong there"
-                : Math.abs(ratio - 0.5) < 1e-4 ? ": half as much; a half is missing in the dissipated power, or is too much in the force" : ""));
+                : Math.abs(ratio - 2) < 1e-4 ? ": twice as much; a half stands in the dissipated power that does not "
+                + "belong there"
+                : Math.abs(ratio - 0.5) < 1e-4 ? ": half as much; a half is missing in the dissipated power, or is too "
+                + "much in the force" : ""));
     }
 
     private void velocities() {

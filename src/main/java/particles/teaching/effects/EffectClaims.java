@@ -3,15 +3,16 @@ package particles.teaching.effects;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import particles.DifferentiableEffect;
-import particles.Effect.Trait;
-import particles.Effect;
-import particles.ForceDerivatives;
 import particles.ParticleSystem;
+import particles.law.DifferentiableEffect;
+import particles.law.Effect.Trait;
+import particles.law.Effect;
+import particles.law.ForceDerivatives;
 import particles.teaching.Formula;
 
 /**
- * Holds an effect to what it claims of itself, on random states of a system: every claim that does not hold is a line. The
+ * Holds an effect to what it claims of itself, on random states of a system: every claim that does not hold is a line.
+ * The
  * differences are central, with steps of 1e-5 on numbers of order 1: their own error is about 1e-10.
  */
 public final class EffectClaims {
@@ -143,9 +144,11 @@ public final class EffectClaims {
         }
         double scale = Math.max(size * speed * n, Math.abs(stored));
         if (!(Math.abs(power + stored + dissipated - driven) <= BOUND * scale)) {
-            broken.add("power: the force does work at " + Formula.number(power) + " W; " + (stored == 0 && dissipated == 0
+            broken.add("power: the force does work at " + Formula.number(power) + " W; " + (stored == 0 && dissipated ==
+                    0
                     && driven == 0 ? "none of getPotentialEnergy, getDissipatedPower and getDrivenPower accounts for it"
-                    : "accounted for are " + Formula.number(driven - stored - dissipated) + " W: getPotentialEnergy gives "
+                    : "accounted for are " + Formula.number(driven - stored - dissipated)
+                    + " W: getPotentialEnergy gives "
                             + Formula.number(-stored) + " W, getDissipatedPower takes " + Formula.number(dissipated)
                             + " W and getDrivenPower adds " + Formula.number(driven) + " W"));
         }
@@ -167,7 +170,8 @@ public final class EffectClaims {
     }
 
     /**
-     * Every entry of the force's derivative by positions and velocities; differences of positions and velocities of 1e-5.
+     * Every entry of the force's derivative by positions and velocities; differences of positions and velocities of
+     * 1e-5.
      */
     private void checkDerivatives(DifferentiableEffect differentiable, double[] state, double time, double size) {
         double[][] exact = new double[n][n];

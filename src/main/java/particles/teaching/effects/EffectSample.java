@@ -6,16 +6,16 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
 import java.util.TreeSet;
-import particles.Effect;
-import particles.Obstacle;
 import particles.ParticleSystem;
-import particles.Particles;
-import particles.Vector3;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectContext;
 import particles.effects.EffectKind;
-import particles.effects.SpringForce;
 import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Effect;
+import particles.law.Obstacle;
+import particles.law.Particles;
+import particles.law.Vector3;
 import particles.spec.ClassNames;
 
 /** A handful of particles for an effect to act on, and effects by name. */
@@ -31,7 +31,8 @@ public final class EffectSample {
         ParticleSystem system = new ParticleSystem();
         Random random = new Random(715);
         for (int i = 0; i < 6; i++) {
-            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO, i == 4);
+            system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO,
+                    i == 4);
         }
         return system;
     }

@@ -14,11 +14,11 @@ public final class EffectSkeleton {
         return """
                 package exercises;
 
-                import particles.ParticleForce;
-                import particles.Particles;
-                import particles.Vector3;
                 import particles.effects.EffectContext;
                 import particles.effects.EffectKind;
+                import particles.law.ParticleForce;
+                import particles.law.Particles;
+                import particles.law.Vector3;
                 import particles.spec.Key;
                 import particles.spec.NumberType;
                 import particles.spec.Values;

@@ -3,13 +3,16 @@ package particles.teaching.effects;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.PerParticleEffect;
+import particles.law.Effect;
+import particles.law.PerParticleEffect;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 
-/** Looks at how an effect writes its forces, before anybody asks what they are: added, where they belong, and some at all. */
+/**
+ * Looks at how an effect writes its forces, before anybody asks what they are: added, where they belong, and some at
+ * all.
+ */
 final class EffectWriting {
     private static final int TRIALS = 50;
     private static final String XYZ = "xyz";
@@ -115,7 +118,8 @@ final class EffectWriting {
             if (Arrays.stream(force).anyMatch(entry -> entry != 0)) {
                 return Optional.empty();
             }
-            double spread = StrictMath.pow(10, trial % 5 - 2);       // from a hundredth of the particles' distance to a hundred
+            // from a hundredth of the particles' distance to a hundred
+            double spread = StrictMath.pow(10, trial % 5 - 2);
             for (int k = 0; k < n; k++) {
                 at[k] = k % 6 >= 3 && system.getParticles().isFixed(k / 6) ? 0 : spread * (random.nextDouble() - 0.5);
             }

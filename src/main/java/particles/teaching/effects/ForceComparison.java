@@ -36,8 +36,10 @@ final class ForceComparison {
      */
     String cause(boolean velocities, String other) {
         if (Arrays.stream(expected).allMatch(f -> Math.abs(f) <= SAME * size)) {
-            return velocities ? ": a force that depends on the velocity is not CONSERVATIVE; claim DISSIPATIVE if it damps"
-                    : ": " + other + " is the same everywhere; getPotentialEnergy is missing, or the claim CONSERVATIVE is wrong";
+            return velocities ? ": a force that depends on the velocity is not CONSERVATIVE; claim DISSIPATIVE if it "
+                    + "damps"
+                    : ": " + other + " is the same everywhere; getPotentialEnergy is missing, or the claim "
+                    + "CONSERVATIVE is wrong";
         }
         if (fits(-1, 0)) {
             return ": the sign is wrong, in the force or in " + other;
@@ -70,7 +72,8 @@ final class ForceComparison {
                 }
             }
         }
-        return off.size() == 3 ? "" : ": only " + String.join(" and ", off) + (off.size() == 1 ? " is" : " are") + " wrong";
+        return off.size() == 3 ? "" : ": only " + String.join(" and ", off) + (off.size() == 1 ? " is" : " are")
+                + " wrong";
     }
 
     /** Whether force = factor * mass^power * expected, for all free particles. */

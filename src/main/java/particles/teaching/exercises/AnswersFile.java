@@ -8,12 +8,12 @@ import java.util.TreeMap;
 import java.util.stream.IntStream;
 import particles.spec.Key;
 import particles.spec.MappingType;
-import particles.spec.Problems;
 import particles.spec.Reading;
 import particles.spec.SourceText;
 import particles.spec.Values;
 import particles.spec.WordType;
 import particles.spec.YamlText;
+import particles.spec.messages.Problems;
 
 /**
  * A student's answers, a file of lines such as {@code 5: 3.42}: the exercise's number and the answer.

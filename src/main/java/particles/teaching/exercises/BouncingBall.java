@@ -7,10 +7,10 @@ import java.util.Locale;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.scene.Overrides;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
 import particles.teaching.marking.CommonMistake;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
@@ -39,17 +39,23 @@ final class BouncingBall extends NumericExercise {
         }
         return new Question("On a planet with g = " + Draw.text(g) + " m/s^2 a ball falls from rest, its middle "
                 + Draw.text(height)
-                + " m above where it meets the ground. Each bounce turns the velocity v into -r v with r = " + Draw.text(r)
+                + " m above where it meets the ground. Each bounce turns the velocity v into -r v with r = "
+                + Draw.text(r)
                 + ".\nWhen does it meet the ground for the " + bounce + (bounce == 3 ? "rd" : "th") + " time?", "s",
                         FOUR_DIGITS, answer, 0, List.of(
-                new CommonMistake(timeOf(bounce - 1, height, g, r), "This is one bounce too early; the first contact counts as 1."),
-                new CommonMistake(timeOf(bounce + 1, height, g, r), "This is one bounce too late; the first contact counts as 1."),
+                new CommonMistake(timeOf(bounce - 1, height, g, r), "This is one bounce too early; the first contact "
+                        + "counts as 1."),
+                new CommonMistake(timeOf(bounce + 1, height, g, r), "This is one bounce too late; the first contact "
+                        + "counts as 1."),
                 new CommonMistake(first * sum,
-                        "Between two bounces it flies up and down: each flight counts twice, only the first fall once."),
-                new CommonMistake(first * (2 * sum), "The first fall is only down: it counts once, the later flights twice."),
+                        "Between two bounces it flies up and down: each flight counts twice, only the first fall "
+                                + "once."),
+                new CommonMistake(first * (2 * sum), "The first fall is only down: it counts once, the later flights "
+                        + "twice."),
                 new CommonMistake(timeOf(bounce, height, g, Math.sqrt(r)),
                         "r multiplies the velocity, and a flight's time with it; not the energy or the height."),
-                new CommonMistake(timeOf(bounce, height, g, r * r), "The height goes with r^2, but a flight's time with r."),
+                new CommonMistake(timeOf(bounce, height, g, r * r), "The height goes with r^2, but a flight's time "
+                        + "with r."),
                 new CommonMistake(first * (2 * bounce - 1),
                         "The bounces lose energy: each flight is r times as long as the one before."),
                 new CommonMistake(timeOf(bounce, height, EARTH, r), "This is g on Earth."),
@@ -69,7 +75,8 @@ final class BouncingBall extends NumericExercise {
                 effects: [gravity: {acceleration: [0, -%s, 0]}]
                 rules: [ground: {restitution: %s, restSpeed: 1e-9}]
                 """, fall / 16, fall * (2 * bounce + 1), height, g, r);
-        Scene scene = SceneBuilder.build(SceneReader.read("the exercise's scene", yaml.getBytes(StandardCharsets.UTF_8)),
+        Scene scene = SceneBuilder.build(SceneReader.read("the exercise's scene",
+                yaml.getBytes(StandardCharsets.UTF_8)),
                 new Overrides());
         Contacts contacts = new Contacts();
         scene.simulation().addObserver(contacts);

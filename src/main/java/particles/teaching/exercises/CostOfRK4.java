@@ -10,7 +10,8 @@ import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
 /**
- * The lecture's UDOO: the cost of RK4 against midpoint for similar accuracy, for a duration and an accuracy of one's own.
+ * The lecture's UDOO: the cost of RK4 against midpoint for similar accuracy, for a duration and an accuracy of one's
+ * own.
  */
 final class CostOfRK4 extends NumericExercise {
     /** Whoever finds the numbers of steps to 1 % is right; so is who uses the leading term of the error. */
@@ -34,12 +35,16 @@ final class CostOfRK4 extends NumericExercise {
                 + " 1/s begins at x = 1 m, v = 0, and is followed for "
                 + Draw.text(duration) + " s. The error at the end, |(x - x exact, (v - v exact)/omega)|, may be "
                         + Draw.text(error)
-                + " m.\nHow many times as many evaluations of the derivative does the midpoint method need as RK4, each with the"
+                + " m.\nHow many times as many evaluations of the derivative does the midpoint method need as RK4, "
+                + "each with the"
                 + " longest deltaT that is good enough?", "", THREE_PERCENT, ratio, 0, List.of(
-                new CommonMistake(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations and one of RK4 four."),
-                new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a step, RK4 four."),
+                new CommonMistake(2 * ratio, "This is the ratio of the steps; a step of midpoint has two evaluations "
+                        + "and one of RK4 four."),
+                new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a "
+                        + "step, RK4 four."),
                 new CommonMistake(1 / ratio, "This is RK4's cost over midpoint's; asked is midpoint's over RK4's."),
-                new CommonMistake(0.5, "This compares one step with one step; for the same accuracy RK4 may take far longer ones."),
+                new CommonMistake(0.5, "This compares one step with one step; for the same accuracy RK4 may take far "
+                + "longer ones."),
                 new CommonMistake(StrictMath.pow(HUNDRED, 0.25) * ratio,
                         "This is about the ratio for a hundredth of the error: check the power of ten."),
                 new CommonMistake(StrictMath.pow(error, -0.25),

@@ -26,7 +26,8 @@ final class EulerSpiral extends NumericExercise {
                 + " N/m is pulled aside and released.\nBy which factor have " + steps + " Euler steps of deltaT = "
                         + Draw.text(h)
                 + " s multiplied its energy, (m v^2 + k x^2)/2?", "", FOUR_DIGITS, growth, 0, List.of(
-                new CommonMistake(Math.sqrt(growth), "This is the factor of the amplitude; energy goes with its square."),
+                new CommonMistake(Math.sqrt(growth), "This is the factor of the amplitude; energy goes with its "
+                        + "square."),
                 new CommonMistake(growth * growth,
                         "This is squared once too often: 1 + (deltaT omega)^2 is the factor of the energy already."),
                 new CommonMistake(ratio(m, k, h, 1), "This is what one step does; each step multiplies again."),

@@ -29,16 +29,20 @@ final class EulerSteps extends NumericExercise {
                         + " m/s.\nWhere is it after three Euler steps of deltaT = "
                 + Draw.text(h) + " s?", "m", FOUR_DIGITS, answer, 0.1 * x, List.of(
                 new CommonMistake(new Spring(m, k, 0, x, v).after("symplectic-euler", STEPS, h).x(),
-                        "The position was moved with the new velocity: that is the simple algorithm (symplectic Euler). Euler uses the"
+                        "The position was moved with the new velocity: that is the simple algorithm (symplectic "
+                                + "Euler). Euler uses the"
                                 + " derivative at the start of the step for both."),
                 new CommonMistake(new Spring(m, k, 0, x, v).after("euler", STEPS - 1, h).x(),
                         "These are two steps; three are wanted."),
                 new CommonMistake(new Spring(m, k, 0, x, v).after("euler", STEPS + 1, h).x(),
                         "These are four steps; three are wanted."),
                 new CommonMistake(new Spring(m, k, 0, x, v).after("euler", 1, STEPS * h).x(),
-                        "This is one step of three times deltaT; the derivative has to be evaluated anew after each step."),
-                new CommonMistake(new Spring(m, k, 0, x, v).after("euler", STEPS, h).v(), "This is the velocity; asked is the place."),
-                new CommonMistake(new Spring(1, k, 0, x, v).after("euler", STEPS, h).x(), "The mass is missing: a = F/m = -(k/m) x."),
+                        "This is one step of three times deltaT; the derivative has to be evaluated anew after each "
+                                + "step."),
+                new CommonMistake(new Spring(m, k, 0, x, v).after("euler", STEPS, h).v(),
+                        "This is the velocity; asked is the place."),
+                new CommonMistake(new Spring(1, k, 0, x, v).after("euler", STEPS, h).x(),
+                        "The mass is missing: a = F/m = -(k/m) x."),
                 new CommonMistake(new Spring(m, -k, 0, x, v).after("euler", STEPS, h).x(),
                         "The spring pulls back: the sign of its force is minus."),
                 new CommonMistake(new Spring(m, k, 0, x, v).after("midpoint", STEPS, h).x(),

@@ -5,8 +5,8 @@ import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import java.util.List;
 import particles.ParticleSystem;
-import particles.Vector3;
-import particles.effects.SpringForce;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
 import particles.teaching.marking.CommonMistake;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
@@ -42,16 +42,19 @@ final class LargestStep extends NumericExercise {
                         + " N/m, without damping; they move along the row.\nWhat is the largest"
                 + " deltaT with which RK4 is stable?", "s", FOUR_DIGITS, answer, 0, List.of(
                 new CommonMistake(REAL / highest,
-                        "2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary one."),
+                        "2.785 is RK4's limit on the real axis, for damping; undamped springs lie on the imaginary "
+                                + "one."),
                 new CommonMistake(LEAPFROG / highest,
                         "2 is the limit of symplectic Euler and verlet (and of Euler for damping), not that of RK4."),
                 new CommonMistake(IMAGINARY / omega,
-                        "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against it."),
+                        "sqrt(k/m) is one particle on one spring; here each has two, and neighbours that swing against "
+                                + "it."),
                 new CommonMistake(IMAGINARY / (2 * omega),
                         "2 sqrt(k/m) is the limit for a very long chain; this one is short: its highest omega is"
                         + " 2 sqrt(k/m) sin(n pi/(2(n + 1)))."),
                 new CommonMistake(IMAGINARY / lowest,
-                        "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets the limit."),
+                        "This is stable for the slowest swinging; the fastest one, neighbours against each other, sets "
+                                + "the limit."),
                 new CommonMistake(2 * Math.PI / highest,
                         "This is the shortest period; the limit is 2.828 over omega, not 2 pi over omega."),
                 new CommonMistake(IMAGINARY / (highest * highest), "The root is missing: this divides by omega^2."),

@@ -5,7 +5,8 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ReferenceProblem;
 
 /**
- * A leaf that the wind carries along, and the wind freshens: v' = -(c/m)(v - b t). The state is the one number v; since its
+ * A leaf that the wind carries along, and the wind freshens: v' = -(c/m)(v - b t). The state is the one number v; since
+ * its
  * derivative depends on time, a clock that is wrong within a step shows.
  */
 final class Leaf extends ReferenceProblem {

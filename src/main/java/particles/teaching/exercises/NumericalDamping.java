@@ -28,16 +28,21 @@ final class NumericalDamping extends NumericExercise {
         return new Question("A particle of m = " + Draw.text(m) + " kg swings on a spring of k = " + Draw.text(k)
                 + " N/m without any damper. Backward Euler with deltaT = " + Draw.text(h)
                         + " s takes energy from it all the same.\nWhich damping"
-                + " c would take as much in truth? A damper's force -c v lets the energy decay like e^(-(c/m) t) on average.",
+                + " c would take as much in truth? A damper's force -c v lets the energy decay like e^(-(c/m) t) on "
+                + "average.",
                 "N s/m", FOUR_DIGITS, c, 0, List.of(
-                new CommonMistake(c / 2, "This lets the energy decay as fast as the amplitude does; energy goes with the amplitude's square."),
-                new CommonMistake(2 * c, "This is twice as much: 1 + (deltaT omega)^2 divides the energy in each step, its root the amplitude."),
+                new CommonMistake(c / 2, "This lets the energy decay as fast as the amplitude does; energy goes with "
+                        + "the amplitude's square."),
+                new CommonMistake(2 * c, "This is twice as much: 1 + (deltaT omega)^2 divides the energy in each step, "
+                        + "its root the amplitude."),
                 new CommonMistake(rate, "This is c/m: multiply by the mass."),
                 new CommonMistake(c * h, "This is the loss of one step; divide by deltaT for that of a second."),
-                new CommonMistake(h * k, "This holds for very short steps only: a step divides the energy by 1 + (deltaT omega)^2, so take the logarithm."),
+                new CommonMistake(h * k, "This holds for very short steps only: a step divides the energy by 1 + "
+                + "(deltaT omega)^2, so take the logarithm."),
                 new CommonMistake(m * StrictMath.log(1 + h * Math.sqrt(k / m)) / h,
                         "The square is missing: the factor is 1 + (deltaT omega)^2."),
                 new CommonMistake(StrictMath.log(1 + h * h * k) / h * m, "The mass is missing in omega^2 = k/m."),
-                new CommonMistake(0, "There is no damper, and yet the energy is lost: that is the solver's doing, and asked for here.")));
+                new CommonMistake(0, "There is no damper, and yet the energy is lost: that is the solver's doing, and "
+                + "asked for here.")));
     }
 }

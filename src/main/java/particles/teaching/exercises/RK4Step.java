@@ -52,7 +52,8 @@ final class RK4Step extends NumericExercise {
                         "The mass is missing: the acceleration is the force over m.")));
     }
 
-    private static double slip(double a, double b, double v, double h, double[] times, double[][] stages, double[] weights) {
+    private static double slip(double a, double b, double v, double h, double[] times, double[][] stages,
+            double[] weights) {
         return new Leaf(a, b, v).afterSlip(1, h, times, stages, weights);
     }
 }

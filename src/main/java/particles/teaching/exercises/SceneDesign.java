@@ -10,17 +10,17 @@ import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.Particles;
 import particles.Rule;
-import particles.experiments.EnergyHistory;
-import particles.experiments.SceneRun.Outcome;
-import particles.experiments.SceneRun;
-import particles.scene.Overrides;
+import particles.experiments.energy.EnergyHistory;
+import particles.experiments.runs.SceneRun.Outcome;
+import particles.experiments.runs.SceneRun;
+import particles.law.Particles;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
-import particles.scene.SceneDescription;
 import particles.scene.SceneException;
 import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
 import particles.teaching.marking.Draw.Picks;
 import particles.teaching.marking.Draw;
 import particles.teaching.marking.Exercise;
@@ -60,7 +60,8 @@ final class SceneDesign implements Exercise {
     @Override
     public String text(Draw draw) {
         Wanted wanted = wanted(draw);
-        StringBuilder text = new StringBuilder("Write a scene file of something that falls, bounces and loses its motion by honest physics."
+        StringBuilder text = new StringBuilder("Write a scene file of something that falls, bounces and loses its "
+                + "motion by honest physics."
                 + " The answer is the file's path. It is run, and has to do all of this:");
         names(wanted).forEach(name -> text.append("\n  - ").append(name));
         return text.toString();
@@ -69,7 +70,8 @@ final class SceneDesign implements Exercise {
     private static List<String> names(Wanted wanted) {
         return List.of("solver: one of the catalogue, and not euler", "at least " + wanted.particles()
                 + " particles that can move, at most " + MOST_PARTICLES,
-                "at least " + wanted.springs() + " springs", "duration: at least " + Draw.text(wanted.duration()) + " s",
+                "at least " + wanted.springs() + " springs", "duration: at least " + Draw.text(wanted.duration())
+                + " s",
                 "it runs to its end, with at most " + wanted.evaluations() + " evaluations of the derivative",
                 "at least " + wanted.bounces() + " bounces off the ground or another surface",
                 "damping, drag and bounces take at least " + Draw.text(wanted.lost())
@@ -86,7 +88,8 @@ final class SceneDesign implements Exercise {
         try {
             SceneDescription description = SceneReader.read(Path.of(answer.strip()));
             if (!SolverCatalog.names().contains(description.solver())) {
-                return Mark.wrong("does not hold: " + names(wanted(draw)).get(0) + " (here: " + description.solver() + ")");
+                return Mark.wrong("does not hold: " + names(wanted(draw)).get(0) + " (here: " + description.solver()
+                        + ")");
             }
             scene = SceneBuilder.build(description, new Overrides());
         } catch (SceneException e) {

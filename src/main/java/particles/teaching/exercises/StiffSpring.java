@@ -33,15 +33,20 @@ final class StiffSpring extends NumericExercise {
                         answer, 0.1 * v, List.of(
                 new CommonMistake(new Spring(m, k, c, x, v).after("euler", 1, h).v(),
                         "This is the Euler method: the forces are those at the start of the step."),
-                new CommonMistake(late, "The spring's force has to be that at the end of the step too: k (x + deltaT v), with the new v."),
-                new CommonMistake(undampedLater, "The damper's force has to be that at the end of the step too: c times the new v."),
+                new CommonMistake(late, "The spring's force has to be that at the end of the step too: k (x + deltaT "
+                        + "v), with the new v."),
+                new CommonMistake(undampedLater, "The damper's force has to be that at the end of the step too: c "
+                        + "times the new v."),
                 new CommonMistake(new Spring(m, k, c, x, v).after("implicit-midpoint", 1, h).v(),
                         "This is the implicit midpoint method: half way, not at the end."),
-                new CommonMistake(new Spring(m, k, 0, x, v).after("backward-euler", 1, h).v(), "The damper is missing."),
-                new CommonMistake(new Spring(1, k, c, x, v).after("backward-euler", 1, h).v(), "The mass is missing: a = F/m."),
+                new CommonMistake(new Spring(m, k, 0, x, v).after("backward-euler", 1, h).v(),
+                        "The damper is missing."),
+                new CommonMistake(new Spring(1, k, c, x, v).after("backward-euler", 1, h).v(),
+                        "The mass is missing: a = F/m."),
                 new CommonMistake(new Spring(m, k, c, x, v).after("backward-euler", 1, h).x(),
                         "This is the position; asked is the velocity."),
-                new CommonMistake(new Spring(m, k, c, x, v).after("backward-euler", 2, h).v(), "These are two steps; one is wanted."),
+                new CommonMistake(new Spring(m, k, c, x, v).after("backward-euler", 2, h).v(),
+                        "These are two steps; one is wanted."),
                 new CommonMistake(new Spring(m, k, c, x, v).truly(h).v(),
                         "This is the exact motion; wanted is what backward Euler makes of it.")));
     }

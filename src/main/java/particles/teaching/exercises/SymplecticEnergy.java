@@ -28,16 +28,22 @@ final class SymplecticEnergy extends NumericExercise {
         double smallest = half > 0.9 || Math.abs(4 * half * half - 1) < RESONANCE ? Double.POSITIVE_INFINITY : 0;
         double answer = highest(m, k, h);
         return new Question("A particle of m = " + Draw.text(m) + " kg on an undamped spring of k = " + Draw.text(k)
-                + " N/m is pulled aside and released from rest, and moved by the simple algorithm (symplectic Euler) with deltaT = " + Draw.text(h)
+                + " N/m is pulled aside and released from rest, and moved by the simple algorithm (symplectic Euler) "
+                + "with deltaT = " + Draw.text(h)
                 + " s.\nWhat is the largest energy, (m v^2 + k x^2)/2, within " + STEPS
                         + " steps, as a multiple of the energy at the start?",
                 "", FOUR_DIGITS, answer, smallest, List.of(
                 new CommonMistake(1 / (1 + half),
-                        "This is the smallest energy of the swing, for a start at the other end of the ellipse's axis."),
-                new CommonMistake(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its square."),
-                new CommonMistake(answer - 1, "This is what comes on top; asked is the multiple of the energy at the start, 1 plus that."),
-                new CommonMistake(1 + half, "1 + deltaT omega/2 is right for short steps only: what is kept exactly is k x^2 + m v^2 - deltaT k x v."),
-                new CommonMistake(1, "Verlet would never have more than at the start; symplectic Euler's energy swings to both sides."),
+                        "This is the smallest energy of the swing, for a start at the other end of the ellipse's "
+                                + "axis."),
+                new CommonMistake(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its "
+                        + "square."),
+                new CommonMistake(answer - 1, "This is what comes on top; asked is the multiple of the energy at the "
+                        + "start, 1 plus that."),
+                new CommonMistake(1 + half, "1 + deltaT omega/2 is right for short steps only: what is kept exactly is "
+                        + "k x^2 + m v^2 - deltaT k x v."),
+                new CommonMistake(1, "Verlet would never have more than at the start; symplectic Euler's energy swings "
+                        + "to both sides."),
                 new CommonMistake(1 / (1 - 2 * half), "The half is missing: it is deltaT omega/2 that counts."),
                 new CommonMistake(1 / (1 - h * Math.sqrt(k) / 2), "The mass is missing: omega^2 = k/m.")));
     }

@@ -8,16 +8,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.ChartData.Mark;
-import particles.ChartData.Series;
-import particles.ChartData;
-import particles.DataTable;
 import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
 import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.ChartData;
+import particles.view.DataTable;
 
 /**
  * What a solver does, measured on motions with known solutions.
@@ -69,7 +69,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                 new ChartData(String.format(Locale.ROOT, "Energy of a spring, deltaT = 0.1 s: off by up to %.2g of it",
                         largest(energy)),
                         "time (s)", "|energy / first energy - 1|", false, true, energies),
-                new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true, work));
+                new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true,
+                        work));
     }
 
     /** @return what to say of an exception of the solver's in the midst of this */
@@ -112,10 +113,12 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         return points;
     }
 
-    private static DataTable facts(Supplier<DESolver> maker, SolverVerdict verdict, OrderMeasurement order, List<double[]> energy,
+    private static DataTable facts(Supplier<DESolver> maker, SolverVerdict verdict, OrderMeasurement order,
+            List<double[]> energy,
                                    StabilityFigures stability) {
         List<List<Object>> rows = new ArrayList<>();
-        rows.add(List.of("order, measured", text(order.order()), "over the same time the error falls as deltaT to this power"));
+        rows.add(List.of("order, measured", text(order.order()), "over the same time the error falls as deltaT to this "
+                + "power"));
         long small = evaluations(maker, 0.1);
         long large = evaluations(maker, 1);
         rows.add(List.of("evaluations in a step", String.valueOf(large), small == large ? "for any deltaT"
@@ -132,7 +135,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                     : "symplectic on the spring: areas are kept"));
         }
         double back = back(maker);
-        rows.add(List.of("a step and the same step back", text(back), back < 1e-12 ? "reversible: it ends where it began"
+        rows.add(List.of("a step and the same step back", text(back), back < 1e-12
+                ? "reversible: it ends where it began"
                 : "not reversible"));
         rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)), "relative"));
         rows.addAll(stability.rows());

@@ -9,15 +9,15 @@ import java.util.Optional;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
-import particles.ChartData.Mark;
-import particles.ChartData.Series;
-import particles.ChartData;
-import particles.DataTable;
-import particles.experiments.Amplification;
-import particles.experiments.StabilityLimit;
-import particles.experiments.StabilityMap;
-import particles.experiments.StepTrial;
+import particles.experiments.stability.Amplification;
+import particles.experiments.stability.StabilityLimit;
+import particles.experiments.stability.StabilityMap;
+import particles.experiments.stability.StepTrial;
 import particles.teaching.Formula;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.ChartData;
+import particles.view.DataTable;
 
 /**
  * How long a step of a solver may be before something grows that should not, measured on its steps.
@@ -33,12 +33,17 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static final double LITTLE = 1e-3;
     private static final String DRAG = "largest stable deltaT |lambda|, damping";
     private static final String SPRING = "largest stable deltaT omega, undamped spring";
-    private static final List<String> FOR_ALL = List.of("euler", "midpoint", "rk4", "backward-euler", "implicit-midpoint");
+    private static final List<String> FOR_ALL = List.of("euler", "midpoint", "rk4", "backward-euler",
+            "implicit-midpoint");
     private static final List<String> FOR_SPRINGS = List.of("symplectic-euler", "verlet", "yoshida4");
-    private static final double[][] PLACES = {{-0.5, 0}, {-1, 0}, {-2, 0}, {-4, 0}, {0, 0.5}, {0, 1}, {0, 2}, {0, 4}, {-1, 1}};
-    private static final double[][] DAMPED = {{0.5, 0}, {1, 0}, {1.5, 0}, {2, 0}, {3, 0}, {0.5, 0.1}, {1, 0.5}, {1, 2}, {0, 1}};
+    private static final double[][] PLACES = {{-0.5, 0}, {-1, 0}, {-2, 0}, {-4, 0}, {0, 0.5}, {0, 1}, {0, 2}, {0, 4},
+            {-1, 1}};
+    private static final double[][] DAMPED = {{0.5, 0}, {1, 0}, {1.5, 0}, {2, 0}, {3, 0}, {0.5, 0.1}, {1, 0.5}, {1, 2},
+            {0, 1}};
 
-    /** What is measured, in the plane that suits it: of deltaT lambda or, on springs, of deltaT omega and deltaT c/m. */
+    /**
+     * What is measured, in the plane that suits it: of deltaT lambda or, on springs, of deltaT omega and deltaT c/m.
+     */
     private record Plane(Amplification amplification, double noise, boolean springs) {
         double growth(double x, double y) {
             return springs ? amplification.ofSpring(x * x, y) : amplification.at(x, y);
@@ -66,9 +71,11 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     static StabilityFigures of(String name, Supplier<DESolver> maker, boolean multistep) {
         StepTrial trial = StepTrial.of(maker, multistep);
         boolean builtIn = SolverCatalog.names().contains(name);
-        Optional<Amplification> own = builtIn ? Optional.of(Amplification.of(SolverCatalog.info(name))) : trial.amplification();
+        Optional<Amplification> own = builtIn ? Optional.of(Amplification.of(SolverCatalog.info(name)))
+                : trial.amplification();
         if (own.isEmpty()) {
-            return new StabilityFigures(List.of(List.of(DRAG, "-", trial.objection()), List.of(SPRING, "-", "the same")),
+            return new StabilityFigures(List.of(List.of(DRAG, "-", trial.objection()), List.of(SPRING, "-",
+                    "the same")),
                     Optional.empty(), Optional.empty());
         }
         boolean subStep = builtIn && SolverCatalog.info(name).adaptive();
@@ -82,7 +89,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         }
         StabilityLimit drag = plane.ofDrag();
         StabilityLimit spring = plane.ofSpring();
-        String how = own.get().isOfManySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step" : "";
+        String how = own.get().isOfManySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step"
+                : "";
         rows.add(List.of(plane.springs ? "largest stable deltaT c/m, drag without a spring" : DRAG, text(drag),
                 (plane.springs ? "the drag is -c v" : "on the negative real axis") + how));
         rows.add(List.of(SPRING, text(spring), (plane.springs ? "omega^2 is k/m" : "on the imaginary axis")
@@ -103,7 +111,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     /**
-     * By the number of places around 0 where one is stable and the other is not, and among equal ones by the growth itself.
+     * By the number of places around 0 where one is stable and the other is not, and among equal ones by the growth
+     * itself.
      */
     private static String nearest(String name, Plane plane) {
         List<String> others = new ArrayList<>(FOR_ALL);
@@ -141,19 +150,23 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         return nearest;
     }
 
-    private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit drag, StabilityLimit spring) {
+    private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit drag,
+            StabilityLimit spring) {
         DoubleBinaryOperator other = builtIn(nearest, plane);
-        StabilityView view = StabilityView.of(plane::growth, other, plane.amplification::getEvaluations, !plane.springs);
+        StabilityView view = StabilityView.of(plane::growth, other, plane.amplification::getEvaluations,
+                !plane.springs);
         StabilityMap own = new StabilityMap(plane::growth, view.window(), !plane.springs);
         Series beside = new StabilityMap(other, view.window(), !plane.springs).outline(nearest);
         // pale and wide, so that a line along which it runs is seen
-        List<Series> series = new ArrayList<>(List.of(own.outline(name), own.stripes("stable", view.rowsBetweenStripes()),
+        List<Series> series = new ArrayList<>(List.of(own.outline(name), own.stripes("stable",
+                view.rowsBetweenStripes()),
                 new Series(nearest, Mark.BAND, beside.x(), beside.y())));
         if (!plane.springs) {
             double top = view.window().top();
             series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-top, top}));
         }
-        String title = "Stable where striped: " + most(drag) + " for damping, " + most(spring) + " for undamped springs";
+        String title = "Stable where striped: " + most(drag) + " for damping, " + most(spring)
+                + " for undamped springs";
         return new ChartData(title, plane.springs ? "deltaT omega: stiffness"
                 : "Re(deltaT lambda): decay to the left, growth to the right",
                 plane.springs ? "deltaT c/m: damping" : "Im(deltaT lambda): oscillation", false, false, series);
@@ -193,7 +206,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
             rows.add(row);
         }
         return new DataTable("growth", plane.springs ? "By how much a step multiplies the amplitude of a damped spring"
-                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|", columns, rows);
+                : "By how much a step multiplies the size of y in y' = lambda y; exactly |exp(deltaT lambda)|", columns,
+                rows);
     }
 
     private static double damped(double omega, double damping) {

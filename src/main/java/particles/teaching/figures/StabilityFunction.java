@@ -11,7 +11,8 @@ import particles.teaching.Formula;
 
 /**
  * The function R(z) by which a step multiplies the solution of y' = lambda y, z = deltaT lambda, as a fraction of two
- * polynomials, found from steps: a Runge-Kutta method with explicit stages has a polynomial, an implicit one a fraction.
+ * polynomials, found from steps: a Runge-Kutta method with explicit stages has a polynomial, an implicit one a
+ * fraction.
  *
  * @param above the coefficients above the line, from z^0 on
  * @param below those below the line; 1 alone for a polynomial
@@ -22,7 +23,8 @@ record StabilityFunction(double[] above, double[] below) {
     /** Coefficients that are looked at: those of higher powers drown in rounding. */
     private static final int KNOWN = 9;
     private static final double ROUNDING = 1e-13;
-    private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0}, {2, 2},
+    private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0}, {2,
+            2},
             {5, 0}, {6, 0}};
 
     /**
@@ -33,7 +35,8 @@ record StabilityFunction(double[] above, double[] below) {
     static Optional<StabilityFunction> of(Supplier<DESolver> maker, double noise) {
         double[] taylor = taylor(maker);
         for (int[] degree : DEGREES) {
-            Optional<StabilityFunction> found = fraction(taylor, degree[0], degree[1]).filter(f -> f.has(taylor, ROUNDING
+            Optional<StabilityFunction> found = fraction(taylor, degree[0], degree[1]).filter(f -> f.has(taylor,
+                    ROUNDING
                     + 10 * noise));
             if (found.isPresent()) {
                 return found;
@@ -112,7 +115,8 @@ record StabilityFunction(double[] above, double[] below) {
         if (Formula.same(p[0], 0)) {
             return rest;
         }
-        return rest.equals("0") ? Formula.number(p[0]) : Formula.number(p[0]) + (rest.startsWith(" - ") ? "" : " + ") + rest;
+        return rest.equals("0") ? Formula.number(p[0]) : Formula.number(p[0]) + (rest.startsWith(" - ") ? "" : " + ")
+                + rest;
     }
 
     /** @return whose function it is, such as {@code that of Euler}; empty if nobody's that we know */

@@ -2,7 +2,7 @@ package particles.teaching.figures;
 
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.LongSupplier;
-import particles.experiments.StabilityRegion.Window;
+import particles.experiments.stability.StabilityRegion.Window;
 
 /**
  * Which part of the plane shows a solver's stability region, and how finely it can be looked at.
@@ -30,7 +30,8 @@ record StabilityView(Window window, int rowsBetweenStripes) {
      * @param both        whether the plane is that of deltaT lambda; else both coordinates are positive
      * @return a part of the plane with all of these places
      */
-    static StabilityView of(DoubleBinaryOperator growth, DoubleBinaryOperator beside, LongSupplier evaluations, boolean both) {
+    static StabilityView of(DoubleBinaryOperator growth, DoubleBinaryOperator beside, LongSupplier evaluations,
+            boolean both) {
         double left = 0;
         double right = 0;
         double top = 0;
@@ -69,6 +70,7 @@ record StabilityView(Window window, int rowsBetweenStripes) {
         double largest = Math.max(right - left, top);
         double cells = Math.sqrt(BUDGET / each * largest * largest / ((right - left) * top));
         double cell = largest / Math.max(FEWEST_CELLS, Math.min(MOST_CELLS, Math.floor(cells)));
-        return new StabilityView(new Window(left, right, top, cell), Math.max(1, (int) Math.round(top / cell / STRIPES)));
+        return new StabilityView(new Window(left, right, top, cell), Math.max(1,
+                (int) Math.round(top / cell / STRIPES)));
     }
 }

@@ -19,7 +19,8 @@ public record AnswerText(Optional<Double> value, String problem) {
     /** What stands before a number: x = or an equals sign alone. */
     private static final String NAME = "^(?:[A-Za-z]\\w*\\s*)?[=\u2248~]\\s*";
     /** Other ways to write a unit, without spaces and signs of multiplication. */
-    private static final Map<String, List<String>> SAME_UNITS = Map.of("Ns/m", List.of("kg/s"), "m/s", List.of("ms^-1", "ms-1"));
+    private static final Map<String, List<String>> SAME_UNITS = Map.of("Ns/m", List.of("kg/s"), "m/s", List.of("ms^-1",
+            "ms-1"));
     private static final Pattern FORM = Pattern.compile("(" + NUMBER + ")(?:\\s*/\\s*(" + NUMBER + "))?\\s*(.*)");
     private static final String ALLOWED = "a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8";
 
@@ -40,7 +41,8 @@ public record AnswerText(Optional<Double> value, String problem) {
                     + ".");
         }
         if (text.matches("[+-]?[\\d ']*\\d[.,]\\d+[.,]\\d+.*")) {
-            return refused("'" + shown + "' has two points or commas; write no separators of thousands; " + ALLOWED + ".");
+            return refused("'" + shown + "' has two points or commas; write no separators of thousands; " + ALLOWED
+                    + ".");
         }
         Matcher matcher = FORM.matcher(text);
         if (!matcher.matches()) {
@@ -57,8 +59,10 @@ public record AnswerText(Optional<Double> value, String problem) {
         if (unit.isEmpty() && rest.equals("%")) {
             return new AnswerText(Optional.of(value / 100), "");
         }
-        if (!rest.isEmpty() && !rest.equals(packed(unit)) && !SAME_UNITS.getOrDefault(packed(unit), List.of()).contains(rest)) {
-            return refused("'" + matcher.group(3).strip() + "' after the number is not understood: the answer is wanted "
+        if (!rest.isEmpty() && !rest.equals(packed(unit)) && !SAME_UNITS.getOrDefault(packed(unit), List.of())
+                .contains(rest)) {
+            return refused("'" + matcher.group(3).strip() + "' after the number is not understood: the answer is "
+                    + "wanted "
                     + (unit.isEmpty() ? "as a pure number" : "in " + unit) + ", with or without the unit.");
         }
         return new AnswerText(Optional.of(value), "");

@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Locale;
-import particles.SeededRandom;
+import particles.law.SeededRandom;
 
 /**
  * The numbers of one student in one exercise: the same on every machine and at every call, because they come from the

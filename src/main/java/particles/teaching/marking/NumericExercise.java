@@ -5,7 +5,8 @@ import java.util.Optional;
 import particles.teaching.marking.Draw.Picks;
 
 /**
- * An exercise whose answer is a number. Numbers with which two answers look alike are not given to anyone: others are drawn.
+ * An exercise whose answer is a number. Numbers with which two answers look alike are not given to anyone: others are
+ * drawn.
  */
 public abstract class NumericExercise implements Exercise {
     /** Four significant digits, with a rounding on the way forgiven. */
@@ -27,7 +28,9 @@ public abstract class NumericExercise implements Exercise {
         return title;
     }
 
-    /** @return the student's question: the first one in which no wrong answer looks like another or like the right one */
+    /**
+     * @return the student's question: the first one in which no wrong answer looks like another or like the right one
+     */
     public final Question question(Draw draw) {
         Picks picks = draw.picks();
         for (int attempt = 0; attempt < MOST_DRAWS; attempt++) {
@@ -64,7 +67,8 @@ public abstract class NumericExercise implements Exercise {
     }
 
     private static String reason(Question question, double value) {
-        Optional<CommonMistake> slip = question.mistakes().stream().filter(s -> question.isNear(value, s.value())).findFirst();
+        Optional<CommonMistake> slip = question.mistakes().stream().filter(s -> question.isNear(value, s.value()))
+                .findFirst();
         if (slip.isPresent()) {
             return slip.get().hint();
         }

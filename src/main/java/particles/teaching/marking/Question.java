@@ -12,7 +12,8 @@ import java.util.List;
  * @param smallest  below this size the answer would be a small difference of large numbers, in which roundings show
  * @param mistakes     typical mistakes
  */
-public record Question(String text, String unit, double tolerance, double answer, double smallest, List<CommonMistake> mistakes) {
+public record Question(String text, String unit, double tolerance, double answer, double smallest,
+        List<CommonMistake> mistakes) {
     /** Between any two answers with a meaning lie this many tolerances, so that none is taken for another. */
     private static final double APART = 5;
 

@@ -1,12 +1,16 @@
 package particles.teaching.solvers;
 
 import deSolvers.DESolver;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
+import particles.teaching.Formula;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.SecondOrderProbe;
 
 /**
- * The coefficients of one step of a method that knows positions from velocities, for accelerations that do not depend on the
+ * The coefficients of one step of a method that knows positions from velocities, for accelerations that do not depend
+ * on the
  * velocity: the new position is x + p v h + h^2 sum x_j a_j, the new velocity v + h sum v_j a_j, and a_j is the
  * acceleration at the position x + p_j v h + h^2 sum x_jk a_k and the time t + c_j h.
  *
@@ -20,7 +24,8 @@ import particles.teaching.sources.SecondOrderProbe;
  * @param kept   how much of the old position, and of the old velocity, is in the new one
  * @param left   whether the state was not set after the last evaluation
  */
-record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] pAt, double[] c, double end, double[] kept,
+record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] pAt, double[] c, double end,
+        double[] kept,
         boolean left) {
     private static final int BLOCKS = Probe.MOST_EVALUATIONS + 3;
     private static final int OLD_POSITION = BLOCKS - 2;
@@ -62,7 +67,45 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
             }
         }
         return new ExtractedKicks(x, v, last[OLD_VELOCITY * width] / h, at, pAt, c, (probe.getTime() - START) / h,
-                new double[] {last[OLD_POSITION * width], last[OLD_VELOCITY * width + dimension]}, !probe.setAfterLast());
+                new double[] {last[OLD_POSITION * width], last[OLD_VELOCITY * width + dimension]},
+                        !probe.setAfterLast());
+    }
+
+    /** @return the same with one evaluation for each place and time, and none that enters nothing */
+    ExtractedKicks merged() {
+        int n = v.length;
+        List<Integer> kept = new ArrayList<>();
+        double[][] rows = new double[n][n];
+        double[] newX = x.clone();
+        double[] newV = v.clone();
+        int[] same = new int[n];
+        for (int j = 0; j < n; j++) {
+            for (int k = 0; k < j; k++) {
+                rows[j][same[k]] += at[j][k];
+            }
+            same[j] = j;
+            for (int other : kept) {
+                if (MethodDifferences.same(rows[j], rows[other]) && Formula.same(pAt[j], pAt[other])
+                        && Formula.sameTime(c[j], c[other])) {
+                    same[j] = other;
+                }
+            }
+            if (same[j] == j) {
+                kept.add(j);
+            } else {
+                newX[same[j]] += newX[j];
+                newV[same[j]] += newV[j];
+            }
+        }
+        kept.removeIf(j -> newX[j] == 0 && newV[j] == 0 && kept.stream().allMatch(k -> rows[k][j] == 0));
+        return new ExtractedKicks(pick(newX, kept), pick(newV, kept), p,
+                kept.stream().map(j -> pick(rows[j], kept)).toArray(double[][]::new), pick(pAt, kept), pick(c, kept),
+                        end,
+                this.kept, left);
+    }
+
+    private static double[] pick(double[] from, List<Integer> places) {
+        return places.stream().mapToDouble(j -> from[j]).toArray();
     }
 
     /**
@@ -78,7 +121,8 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
         for (int j = 0; j < accelerations.length; j++) {
             accelerations[j] = random.doubles(start.length, -1, 1).toArray();
         }
-        Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0, dSdt,
+        Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0,
+                dSdt,
                 0, dSdt.length));
         solver.stepState(probe, h);
         if (probe.recorded().size() != v.length) {

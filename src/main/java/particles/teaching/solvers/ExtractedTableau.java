@@ -37,13 +37,14 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
      *
      * @param solver a new solver
      * @param h      deltaT, a power of 2, so that nothing is rounded (s)
+     * @param size   of the derivatives, a power of 2; with small ones an adaptive method accepts its first step
      * @return what was read off
      * @throws RuntimeException whatever the solver throws
      */
-    static ExtractedTableau of(DESolver solver, double h) {
+    static ExtractedTableau of(DESolver solver, double h, double size) {
         double[] start = new double[SIZE];
         start[KEPT] = 1;
-        Probe probe = new Probe(start, START, (evaluation, dSdt) -> dSdt[1 + evaluation] = 1);
+        Probe probe = new Probe(start, START, (evaluation, dSdt) -> dSdt[1 + evaluation] = size);
         solver.stepState(probe, h);
         List<Probe.Evaluation> evaluations = probe.recorded();
         int stages = evaluations.size();
@@ -53,14 +54,19 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
         boolean[] stateSet = new boolean[stages];
         for (int i = 0; i < stages; i++) {
             Probe.Evaluation evaluation = evaluations.get(i);
-            a[i] = Arrays.copyOfRange(evaluation.state(), 1, 1 + stages);
+            a[i] = coefficients(evaluation.state(), stages, size);
             c[i] = evaluation.time() - START;
             keptAt[i] = evaluation.state()[KEPT];
             stateSet[i] = evaluation.stateSet();
         }
         double[] last = probe.state();
-        return new ExtractedTableau(h, a, Arrays.copyOfRange(last, 1, 1 + stages), c, probe.getTime() - START, last[KEPT], keptAt,
+        return new ExtractedTableau(h, a, coefficients(last, stages, size), c, probe.getTime() - START, last[KEPT],
+                keptAt,
                 stateSet, probe.setAfterLast(), probe.everSet(), probe.clockMoves(), probe.wrongLengths());
+    }
+
+    private static double[] coefficients(double[] state, int stages, double size) {
+        return Arrays.stream(state, 1, 1 + stages).map(x -> x / size).toArray();
     }
 
     int stages() {
@@ -72,7 +78,8 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
      *
      * @param solver a new solver
      * @param size   of the derivatives
-     * @return by entry, the difference relative to the numbers that are added; NaN where the solver left the entry as it was
+     * @return by entry, the difference relative to the numbers that are added; NaN where the solver left the entry as
+     * it was
      */
     double[] misfit(DESolver solver, double size) {
         Random random = new Random(2003);

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.DoubleSupplier;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
@@ -13,106 +14,116 @@ import particles.teaching.Formula;
 /** Names a method that steps positions and velocities apart, and what is wrong with it. */
 final class KicksDiagnosis {
 
-    /** A known method: the name, words in class names, and its coefficients as in {@link ExtractedKicks}. */
-    private record Known(String name, String authority, List<String> spoken, double[] x, double[] v, double[] pAt, double[] c) {
+    /** A known method and its coefficients as in {@link ExtractedKicks}. */
+    private record Known(String name, String authority, int order, double[] x, double[] v, double[] pAt) {
+
+        /** A method that drifts (x += v d deltaT) and kicks (v += a k deltaT) in turn, and begins with a drift. */
+        Known(String name, String authority, int order, double[] drifts, double... kicks) {
+            this(name, authority, order, new double[kicks.length], kicks, new double[kicks.length]);
+            double place = 0;
+            for (int j = 0; j < kicks.length; j++) {
+                place += drifts[j];
+                pAt[j] = place;
+                x[j] = kicks[j] * (1 - place);
+            }
+        }
     }
 
-    private static final double YOSHIDA = 1 / (2 - StrictMath.cbrt(2));
+    private static final double W = 1 / (2 - StrictMath.cbrt(2));
+    /** Positions and velocities one after the other are worth it if the order is 2, or areas are kept. */
+    private static final double SECOND_ORDER = 1.7;
+    private static final double SAME_AREA = 1e-10;
+    private static final double ALMOST = 0.3;
+    private static final int FEW = 2;
 
-    private static final Known SYMPLECTIC = new Known("symplectic Euler, the slides' simple particle system algorithm",
-            "the slide",
-            List.of("symplectic", "semiimplicit", "simple", "cromer"), new double[] {1}, new double[] {1}, new double[] {0},
-                    new double[] {0});
-
-    private static final Known EULER = new Known("the Euler method", "the slide", List.of(), new double[] {0}, new double[] {1},
-            new double[] {0}, new double[] {0});
-
-    private static final List<Known> ALL = List.of(SYMPLECTIC, EULER,
-            new Known("symplectic Euler with the position first", "the method", List.of("positionfirst"), new double[] {0},
-                    new double[] {1},
-                    new double[] {1}, new double[] {1}),
-            new Known("velocity Verlet (leapfrog: kick, drift, kick)", "the method",
-                    List.of("verlet", "leapfrog", "kickdriftkick"),
-                    new double[] {0.5, 0}, new double[] {0.5, 0.5}, new double[] {0, 1}, new double[] {0, 1}),
-            new Known("position Verlet (drift, kick, drift)", "the method", List.of("positionverlet", "driftkickdrift"),
-                    new double[] {0.5},
-                    new double[] {1}, new double[] {0.5}, new double[] {0.5}),
-            yoshida());
+    private static final List<Known> ALL = List.of(
+            new Known(NamePromise.SYMPLECTIC, "the slide", 1, new double[] {0, 1}, 1),
+            new Known(NamePromise.EULER, "the slide", 1, new double[] {0}, new double[] {1}, new double[] {0}),
+            new Known(NamePromise.POSITION_FIRST, "the method", 1, new double[] {1, 0}, 1),
+            new Known(NamePromise.VERLET, "the method", 2, new double[] {0, 1, 0}, 0.5, 0.5),
+            new Known(NamePromise.POSITION_VERLET, "the method", 2, new double[] {0.5, 0.5}, 1),
+            new Known("Ruth's method of order 3", "the method", 3, new double[] {1, -2.0 / 3, 2.0 / 3}, -1.0 / 24,
+            3.0 / 4,
+                    7.0 / 24),
+            new Known("Yoshida's method of order 4", "the method", 4, new double[] {0, W, 1 - 2 * W, W}, W / 2,
+                    (1 - W) / 2,
+                    (1 - W) / 2, W / 2),
+            new Known("Yoshida's method of order 4, the position first", "the method", 4,
+                    new double[] {W / 2, (1 - W) / 2, (1 - W) / 2, W / 2}, W, 1 - 2 * W, W));
 
     private KicksDiagnosis() {
     }
 
-    /** Three leapfrogs of lengths w, 1 - 2 w and w. */
-    private static Known yoshida() {
-        double w = YOSHIDA;
-        double[] c = {0, w, 1 - w, 1};
-        double[] v = {w / 2, (1 - w) / 2, (1 - w) / 2, w / 2};
-        double[] x = new double[4];
-        for (int j = 0; j < 4; j++) {
-            x[j] = v[j] * (1 - c[j]);
-        }
-        return new Known("Yoshida's method of order 4", "the method", List.of("yoshida"), x, v, c, c);
-    }
-
     /**
-     * @param className a simple class name
-     * @return whether it promises a method that is here
-     */
-    static boolean isPromisedBy(String className) {
-        return promised(className).isPresent();
-    }
-
-    private static Optional<Known> promised(String className) {
-        String lower = className.toLowerCase(Locale.ROOT);
-        return ALL.stream().filter(known -> known.spoken.stream().anyMatch(lower::contains))
-                .max(Comparator.comparingInt(known -> known.spoken.stream().filter(lower::contains).mapToInt(String::length)
-                .max().orElse(0)));
-    }
-
-    /**
-     * @return what stands in the way of calling Euler's formula by the name that its class has, if that is another method's
-     */
-    static Optional<Finding> eulerInstead(String className) {
-        return promised(className).filter(known -> known == SYMPLECTIC).map(known -> new Finding(Kind.METHOD,
-                "the position is updated with the old velocity, which is the Euler method; the slides' simple algorithm takes the new one:"
-                        + " first v += a deltaT, then x += v deltaT with that v"));
-    }
-
-    /**
-     * @param step      what was read off
-     * @param className the simple name of the solver's class
+     * @param found     what was read off
+     * @param promise   what the class's name promises
+     * @param measured  gives the measured order
+     * @param keepsArea whether a step on a spring keeps areas
      * @return what it is
      */
-    static Diagnosis of(ExtractedKicks step, String className) {
+    static Diagnosis of(ExtractedKicks found, Optional<NamePromise> promise, DoubleSupplier measured,
+            boolean keepsArea) {
+        ExtractedKicks step = found.merged();
         List<Finding> findings = new ArrayList<>();
-        if (!Formula.same(step.end(), 1)) {
+        if (!Formula.sameTime(step.end(), 1)) {
             findings.add(new Finding(Kind.TIME, step.end() == 0 ? "the clock never moves: incTime(deltaT) is missing"
                     : "the clock ends at " + Formula.time(step.end()) + " and has to end at t + deltaT"));
         }
-        boolean promisesEuler = promised(className).isEmpty()
-                && KnownMethod.promisedBy(className).filter(m -> m.stages() == 1).isPresent();
         Optional<Known> exact = ALL.stream().filter(known -> differences(known, step).isEmpty()).findFirst();
-        if (exact.isPresent() && exact.get() == EULER && promised(className).isPresent() && promised(className).get()
-                == SYMPLECTIC) {
-            findings.addAll(eulerInstead(className).stream().toList());
-            return new Diagnosis("This is the Euler method.", findings);
+        if (exact.isPresent()) {
+            Known known = exact.get();
+            if (promise.isPresent() && !promise.get().allows(known.name, known.order)
+                    && (promise.get().whole() || known.order < promise.get().order())) {
+                findings.add(instead(known, promise.get()));
+            }
+            return new Diagnosis("This is " + known.name + ".", findings);
         }
-        if (exact.isPresent() && promisesEuler && exact.get() != EULER && exact.get().v.length == 1) {
-            findings.add(new Finding(Kind.METHOD, "the position is updated with the new velocity; the slide's Euler method takes the old one:"
-                    + " all of the state moves along the derivative at its start. What is written is symplectic Euler, the slides' simple"
-                    + " algorithm"));
+        double order = measured.getAsDouble();
+        List<Known> meant = ALL.stream().filter(known -> promise.map(name -> name.allows(known.name, known.order))
+                .orElse(true))
+                .toList();
+        Known nearest = (meant.isEmpty() ? ALL : meant).stream()
+                .min(Comparator.comparingInt(known -> differences(known, step).size())).orElseThrow();
+        List<Finding> differences = differences(nearest, step);
+        boolean near = differences.size() <= FEW && nearest.order > order + ALMOST;
+        int wanted = promise.map(NamePromise::order).orElse(near ? nearest.order : 1);
+        boolean pays = order > SECOND_ORDER || order > 1 - ALMOST && keepsArea;
+        if (findings.isEmpty() && order >= wanted - ALMOST && pays) {
+            return new Diagnosis("This is a method of order " + Math.round(order)
+                    + " that moves positions and velocities in turn,"
+                    + (keepsArea ? " symplectic," : "") + " with " + step.v().length
+                    + " accelerations a step; its coefficients are none that we know by name.", findings);
         }
-        Known promised = promised(className).or(() -> exact).orElseGet(() -> ALL.stream()
-                .min(Comparator.comparingInt(known -> differences(known, step).size())).orElseThrow());
-        List<Finding> differences = differences(promised, step);
-        if (!differences.isEmpty() && exact.isPresent()) {
-            findings.add(new Finding(Kind.METHOD, "this is " + exact.get().name + " and not " + promised.name
-                    + ", as its name says"));
+        if (near || promise.isPresent() && promise.get().whole() && nearest.v.length == step.v().length
+                && nearest.v.length < 3) {
+            findings.add(differences.get(0));
+            return new Diagnosis("This is nearest to " + nearest.name + ", but for what is wrong below.", findings);
         }
-        findings.addAll(differences);
-        String identity = exact.isPresent() ? "This is " + exact.get().name + "."
-                : "This is nearest to " + promised.name + ", but for what is wrong below.";
-        return new Diagnosis(identity, findings);
+        findings.add(new Finding(Kind.METHOD, "the measured order is " + String.format(Locale.ROOT, "%.2f", order)
+                + " with "
+                + step.v().length + " accelerations a step" + promise.map(name -> "; the name promises " + name.says()
+                + ", of order " + name.order()).orElse("") + ": the new velocity is "
+                + formula("v", step.v(), 1, " deltaT") + "; compare the coefficients with those of the book"));
+        return new Diagnosis("This is a method of one's own, but for what is wrong below.", findings);
+    }
+
+    /** What is said to a known method under another one's name. */
+    static Finding instead(Known known, NamePromise promise) {
+        if (known.name.equals(NamePromise.EULER) && promise.methods().contains(NamePromise.SYMPLECTIC)) {
+            return oldVelocity();
+        }
+        return new Finding(Kind.METHOD, promise.methods().contains(NamePromise.EULER) && known.v.length == 1
+                ? "the position is updated with the new velocity; the slide's Euler method takes the old one:"
+                + " all of the state moves along the derivative at its start. What is written is symplectic Euler, the "
+                + "slides' simple"
+                + " algorithm" : promise.contradicts(known.name));
+    }
+
+    /** @return what is said to Euler's formula under the name of the simple algorithm */
+    static Finding oldVelocity() {
+        return new Finding(Kind.METHOD, "the position is updated with the old velocity, which is the Euler method; the "
+                + "slides'"
+                + " simple algorithm takes the new one: first v += a deltaT, then x += v deltaT with that v");
     }
 
     private static List<Finding> differences(Known known, ExtractedKicks step) {
@@ -123,25 +134,29 @@ final class KicksDiagnosis {
         if (step.v().length != known.v.length) {
             found.add(new Finding(Kind.METHOD, "evaluations of the acceleration in a step: " + step.v().length + "; "
                     + known.name + " needs "
-                    + known.v.length + ": " + (step.v().length < known.v.length ? "the one at the new position is missing"
+                    + known.v.length + ": " + (step.v().length < known.v.length
+                    ? "the one at the new position is missing"
                     : "one is too many")));
         }
         for (int j = 0; j < Math.min(step.v().length, known.v.length); j++) {
             if (!Formula.same(step.pAt()[j], known.pAt[j])) {
-                found.add(new Finding(Kind.METHOD, "acceleration a" + (j + 1) + " is taken at a position that has moved "
+                found.add(new Finding(Kind.METHOD, "acceleration a" + (j + 1)
+                        + " is taken at a position that has moved "
                         + Formula.number(step.pAt()[j]) + " v deltaT; " + known.authority + " says "
                         + Formula.number(known.pAt[j])));
             }
-            if (!Formula.same(step.c()[j], known.c[j]) && step.end() != 0) {
-                found.add(new Finding(Kind.TIME, "acceleration a" + (j + 1) + " is evaluated at " + Formula.time(step.c()[j])
+            if (!Formula.sameTime(step.c()[j], known.pAt[j]) && step.end() != 0) {
+                found.add(new Finding(Kind.TIME, "acceleration a" + (j + 1) + " is evaluated at "
+                        + Formula.time(step.c()[j])
                         + "; "
-                        + known.authority + " says " + Formula.time(known.c[j])));
+                        + known.authority + " says " + Formula.time(known.pAt[j])));
             }
         }
         compare("velocity", "v", v, Arrays.copyOf(known.v, stages), 1, known, found, " deltaT");
         compare("position", "x", x, Arrays.copyOf(known.x, stages), step.p(), known, found, " deltaT^2");
         if (!Formula.same(step.kept()[0], 1) || !Formula.same(step.kept()[1], 1)) {
-            found.add(new Finding(Kind.STATE, "the new position and velocity have " + Formula.number(step.kept()[0]) + " x and "
+            found.add(new Finding(Kind.STATE, "the new position and velocity have " + Formula.number(step.kept()[0])
+                    + " x and "
                     + Formula.number(step.kept()[1]) + " v in them instead of x and v"));
         }
         return found;
@@ -178,6 +193,7 @@ final class KicksDiagnosis {
         String accelerations = Formula.state(0, weights, names);
         String start = letter.equals("x") ? "x" + (Formula.same(p, 1) ? " + v deltaT" : p == 0 ? ""
                 : " + " + Formula.number(p) + " v deltaT") : "v";
-        return accelerations.equals("0") ? start : start + (accelerations.startsWith(" - ") ? "" : " + ") + accelerations;
+        return accelerations.equals("0") ? start : start + (accelerations.startsWith(" - ") ? "" : " + ")
+                + accelerations;
     }
 }

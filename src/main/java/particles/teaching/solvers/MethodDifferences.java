@@ -3,6 +3,8 @@ package particles.teaching.solvers;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 
@@ -14,6 +16,7 @@ final class MethodDifferences {
     private final double[] c;
     private final ExtractedTableau step;
     private final List<Finding> found = new ArrayList<>();
+    private int count;
 
     private MethodDifferences(KnownMethod method, double[][] a, double[] b, double[] c, ExtractedTableau step) {
         this.method = method;
@@ -29,18 +32,69 @@ final class MethodDifferences {
      * @param b       the weights, in units of deltaT; empty if they tell nothing
      * @param c       the clocks, in units of deltaT; empty if they tell nothing
      * @param step    the step that all was read off
-     * @return the differences; none if it is this method
+     * @return the differences
      */
-    static List<Finding> of(KnownMethod method, double[][] a, double[] b, double[] c, ExtractedTableau step) {
+    static MethodDifferences of(KnownMethod method, double[][] a, double[] b, double[] c, ExtractedTableau step) {
         MethodDifferences differences = new MethodDifferences(method, a, b, c, step);
         differences.compareStages();
         differences.compareClocks();
         differences.compareWeights();
-        return differences.found;
+        return differences;
+    }
+
+    boolean isEmpty() {
+        return found.isEmpty();
+    }
+
+    /** @return what it was compared with */
+    KnownMethod method() {
+        return method;
+    }
+
+    /** @return how many stages differ, in number, place or time; wrong weights count once */
+    int count() {
+        return count;
+    }
+
+    /** @return one mistake that explains all differences, or else the first of them */
+    Finding first() {
+        return aliased().orElse(found.get(0));
+    }
+
+    /** Two mistakes with arrays that make every later line wrong. */
+    private Optional<Finding> aliased() {
+        int n = method.stages();
+        if (a.length != n || n < 3 || b.length == 0) {
+            return Optional.empty();
+        }
+        double[] sum = new double[n];
+        boolean cumulative = true;
+        boolean shared = true;
+        for (int i = 1; i < n; i++) {
+            sum = plus(sum, method.row(i));
+            double[] last = new double[n];
+            last[i - 1] = sum(method.row(i));
+            cumulative &= same(a[i], sum);
+            shared &= same(a[i], last);
+        }
+        double[] last = new double[n];
+        last[n - 1] = 1;
+        if (cumulative) {
+            return Optional.of(new Finding(Finding.Kind.STATE, "every trial state is added to the one before, as "
+                    + slope(2) + " at "
+                    + Formula.state(1, a[2], method.steps()) + " shows: go back to the start s before adding. double[] "
+                    + "trial = s"
+                    + " makes no copy; s.clone() does"));
+        }
+        return shared && same(b, last) ? Optional.of(new Finding(Finding.Kind.STATE, "all of " + slope(0) + " to "
+                + slope(n - 1)
+                + " are one array, which each evaluation writes over: the new state is " + Formula.state(step.kept(), b,
+                method.steps()) + "; give each an array of its own")) : Optional.empty();
     }
 
     private void wrong(Finding.Kind kind, String text) {
         found.add(new Finding(kind, text));
+        count++;
     }
 
     private String slope(int i) {
@@ -53,13 +107,15 @@ final class MethodDifferences {
                     + method.authority() + " needs " + times(method.stages()));
         }
         for (int i = method.stages(); i < a.length; i++) {
-            wrong(Finding.Kind.METHOD, "there is an evaluation too many: getStateDerivative is called " + times(a.length) + ", "
+            wrong(Finding.Kind.METHOD, "there is an evaluation too many: getStateDerivative is called "
+                    + times(a.length) + ", "
                     + method.authority() + " needs " + times(method.stages()));
         }
         for (int i = 0; i < Math.min(a.length, method.stages()); i++) {
             double[] expected = Arrays.copyOf(method.row(i), a.length);
             if (!same(a[i], expected)) {
-                wrong(Finding.Kind.METHOD, slope(i) + " is evaluated at " + Formula.state(1, a[i], method.steps()) + "; "
+                wrong(Finding.Kind.METHOD, slope(i) + " is evaluated at " + Formula.state(1, a[i], method.steps())
+                        + "; "
                         + method.authority()
                         + " says " + Formula.state(1, expected, method.steps()) + stageHint(i, expected));
             }
@@ -100,22 +156,22 @@ final class MethodDifferences {
     private void compareClocks() {
         List<Integer> wrong = new ArrayList<>();
         for (int i = 0; i < Math.min(c.length, method.stages()); i++) {
-            if (!Formula.same(c[i], method.tableau().node(i))) {
+            if (!Formula.sameTime(c[i], method.tableau().node(i))) {
                 wrong.add(i);
             }
         }
-        boolean neverMoved = wrong.size() > 1 && wrong.stream().allMatch(i -> c[i] == 0);
-        if (neverMoved) {
-            wrong(Finding.Kind.TIME, join(wrong.stream().map(this::slope).toList()) + " are evaluated at t; "
-                    + method.authority() + " says "
-                    + join(wrong.stream().map(i -> Formula.time(method.tableau().node(i))).toList())
-                    + ": the clock has to be moved with incTime before each evaluation, and not only at the end");
+        if (wrong.isEmpty()) {
             return;
         }
-        for (int i : wrong) {
-            wrong(Finding.Kind.TIME, slope(i) + " is evaluated at " + Formula.time(c[i]) + "; " + method.authority() + " says "
-                    + Formula.time(method.tableau().node(i)));
-        }
+        String found = wrong.stream().map(i -> Formula.time(c[i])).distinct().count() == 1
+                ? Formula.time(c[wrong.get(0)])
+                : join(wrong.stream().map(i -> Formula.time(c[i])).toList());
+        boolean neverMoved = wrong.size() > 1 && wrong.stream().allMatch(i -> c[i] == 0);
+        count += wrong.size() > 1 ? 1 : 0;
+        wrong(Finding.Kind.TIME, join(wrong.stream().map(this::slope).toList()) + (wrong.size() == 1 ? " is" : " are")
+                + " evaluated at " + found + "; " + method.authority() + " says "
+                + join(wrong.stream().map(i -> Formula.time(method.tableau().node(i))).toList()) + (neverMoved
+                ? ": the clock has to be moved with incTime before each evaluation, and not only at the end" : ""));
     }
 
     private static String join(List<String> words) {
@@ -132,7 +188,8 @@ final class MethodDifferences {
         if (same(weights, expected) || b.length < method.stages() && same(b, Arrays.copyOf(expected, b.length))) {
             return;                                     // right, but for a stage that is missing and was named
         }
-        String text = "the new state is " + Formula.state(step.kept(), weights, method.steps()) + "; " + method.authority()
+        String text = "the new state is " + Formula.state(step.kept(), weights, method.steps()) + "; "
+                + method.authority()
                 + " says "
                 + Formula.state(1, expected, method.steps());
         String hint = weightHint(weights, expected);
@@ -140,13 +197,13 @@ final class MethodDifferences {
             wrong(Finding.Kind.METHOD, text + hint);
             return;
         }
-        for (int j = 0; j < expected.length; j++) {     // one finding a weight, so that the nearest method is the one with the fewest
-            if (!Formula.same(weights[j], expected[j])) {
-                wrong(Finding.Kind.METHOD, text + ": the weight of " + slope(j) + " is " + Formula.number(weights[j])
-                        + " instead of "
-                        + Formula.number(expected[j]));
-            }
-        }
+        List<Integer> wrong = IntStream.range(0, expected.length).filter(j -> !Formula.same(weights[j], expected[j]))
+                .boxed()
+                .toList();
+        wrong(Finding.Kind.METHOD, text + ": the weight" + (wrong.size() == 1 ? "" : "s") + " of "
+                + join(wrong.stream().map(this::slope).toList()) + (wrong.size() == 1 ? " is " : " are ")
+                + join(wrong.stream().map(j -> Formula.number(weights[j])).toList()) + " instead of "
+                + join(wrong.stream().map(j -> Formula.number(expected[j])).toList()));
     }
 
     private String weightHint(double[] weights, double[] expected) {
@@ -167,23 +224,15 @@ final class MethodDifferences {
             return factor;
         }
         double total = sum(weights);
-        return !Formula.same(total, 1) && total != 0 && same(Arrays.stream(weights).map(w -> w / total).toArray(), expected)
-                ? ": all of it is " + Formula.number(total) + " times what it should be; the weights have to add up to 1" : "";
+        return !Formula.same(total, 1) && total != 0 && same(Arrays.stream(weights).map(w -> w / total).toArray(),
+                expected)
+                ? ": all of it is " + Formula.number(total) + " times what it should be; the weights have to add up to "
+                + "1" : "";
     }
 
     static boolean same(double[] x, double[] y) {
         for (int j = 0; j < x.length; j++) {
             if (!Formula.same(x[j], y[j])) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** @return whether each stage is where its time leads */
-    static boolean isConsistent(double[][] rows, double[] clocks) {
-        for (int i = 0; i < rows.length; i++) {
-            if (!Formula.same(sum(rows[i]), clocks[i])) {
                 return false;
             }
         }

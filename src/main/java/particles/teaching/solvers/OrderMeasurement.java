@@ -1,51 +1,83 @@
 package particles.teaching.solvers;
 
 import deSolvers.DESolver;
+import deSolvers.DESolverException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
+import particles.teaching.sources.NonlinearOscillators;
+import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /**
  * The order of a solver, measured: how fast the error over two seconds falls with deltaT.
  *
- * @param order  the slope between the two smallest time steps whose error is above rounding; NaN if there are none
+ * @param order  the middle one of the slopes between the shortest time steps; only those count between which a step
+ *               costs the
+ *               same and whose error is above rounding; NaN if there are none
  * @param points deltaT (s) and the error, by falling deltaT
  */
 public record OrderMeasurement(double order, List<double[]> points) {
     private static final double TIME = 2;
-    private static final double ROUNDING = 1e-12;
+    /** Two hundred roundings of numbers of order 1 make 5e-14; ten times that. */
+    private static final double ROUNDING = 5e-13;
+    private static final int FEWEST = 8;
+    private static final int USUAL = 256;
+    /** An adaptive method of low order divides steps of 2/256 s still, and shows its order only below. */
+    private static final int MOST = 4096;
+    private static final int SLOPES = 3;
 
     /** @return the measurement, on {@link WindyOscillators} */
     public static OrderMeasurement of(Supplier<DESolver> maker) {
-        return of(maker, 1);
+        return of(maker, () -> new WindyOscillators(1));
     }
 
-    /** @return the measurement, on so many particles */
-    public static OrderMeasurement of(Supplier<DESolver> maker, int particles) {
+    /** @return the lower order of those on a linear and on a nonlinear law */
+    static OrderMeasurement lowest(Supplier<DESolver> maker) {
+        OrderMeasurement linear = of(maker);
+        OrderMeasurement other = of(maker, () -> new NonlinearOscillators(1));
+        return linear.order <= other.order || Double.isNaN(other.order) ? linear : other;
+    }
+
+    /** @return the measurement, on sources of this kind */
+    static OrderMeasurement of(Supplier<DESolver> maker, Supplier<? extends StudentSource> sources) {
         List<double[]> points = new ArrayList<>();
-        for (int steps = 8; steps <= 256; steps *= 2) {
-            WindyOscillators source = new WindyOscillators(particles);
-            DESolver solver = maker.get();
+        List<Double> slopes = new ArrayList<>();
+        double last = Double.NaN;
+        double lastCost = Double.NaN;
+        for (int steps = FEWEST; steps <= USUAL || steps <= MOST && slopes.isEmpty() && last > ROUNDING; steps *= 2) {
+            StudentSource source = sources.get();
+            double error = error(maker.get(), source, steps);
+            double cost = (double) source.evaluations() / steps;
+            points.add(new double[] {TIME / steps, error});
+            if (error > ROUNDING && last > ROUNDING && Math.abs(cost - lastCost) < 0.05 * cost + 0.5) {
+                slopes.add(StrictMath.log(last / error) / StrictMath.log(2));
+            }
+            last = error;
+            lastCost = cost;
+        }
+        double[] finest = slopes.stream().skip(Math.max(0, slopes.size() - SLOPES)).mapToDouble(slope -> slope).sorted()
+                .toArray();
+        return new OrderMeasurement(finest.length == 0 ? Double.NaN : finest[finest.length / 2], points);
+    }
+
+    /** The error against the state at two seconds, wherever the solver left the clock; infinite if it gave up. */
+    private static double error(DESolver solver, StudentSource source, int steps) {
+        try {
             for (int i = 0; i < steps; i++) {
                 solver.stepState(source, TIME / steps);
             }
-            points.add(new double[] {TIME / steps, errorAt(source)});
+        } catch (DESolverException | IllegalStateException | ArithmeticException e) {
+            return Double.POSITIVE_INFINITY;            // these steps are too long for it
         }
-        double order = Double.NaN;
-        for (int k = 1; k < points.size() && !(points.get(k)[1] < ROUNDING); k++) {
-            order = StrictMath.log(points.get(k - 1)[1] / points.get(k)[1]) / StrictMath.log(2);
-        }
-        return new OrderMeasurement(order, points);
-    }
-
-    /** The error against the state at two seconds, wherever the solver left the clock. */
-    private static double errorAt(WindyOscillators source) {
         source.incTime(TIME - source.getTime());
-        return source.error();
+        double error = source.error();
+        return Double.isNaN(error) || Arrays.stream(source.state()).anyMatch(Double::isNaN) ? Double.POSITIVE_INFINITY
+                : error;
     }
 
-    public double smallestError() {
+    double smallestError() {
         return points.stream().mapToDouble(point -> point[1]).min().orElse(Double.NaN);
     }
 }

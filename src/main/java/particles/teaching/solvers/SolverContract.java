@@ -1,7 +1,6 @@
 package particles.teaching.solvers;
 
 import deSolvers.DESolver;
-import deSolvers.DESolverException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -9,17 +8,24 @@ import java.util.function.Supplier;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
+import particles.teaching.StudentFailure;
 import particles.teaching.sources.WindyOscillators;
 
 /**
- * What any method has to keep, whatever its formula: each step from the source's own state, any source, any number of them.
+ * What any method has to keep, whatever its formula: each step from the source's own state, any source, any number of
+ * them.
  */
 final class SolverContract {
     private static final double H = 1.0 / 16;
     /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
     private static final double SAME = 1e-9;
+    private static final double ALIKE = 1e-2;
+    private static final int STEPS = 6;
+    private static final int SOME = 40;
+    private static final int MANY = 200;
 
-    private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, state and deltaT are what the"
+    private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, "
+            + "state and deltaT are what the"
             + " last step left, and has to be forgotten in reset()";
 
     private final Supplier<DESolver> maker;
@@ -42,35 +48,51 @@ final class SolverContract {
             contract.checkSizes();
             contract.checkTurns();
             contract.checkChangedDeltaT();
+            contract.checkMany();
         }
         contract.checkZero();
-        contract.advise();
+        contract.checkNegative();
+        contract.findings.addAll(SolverNotes.of(maker));
         return contract.findings;
+    }
+
+    private void note(String text) {
+        findings.add(new Finding(Kind.ADVICE, text));
     }
 
     private void wrong(String text) {
         findings.add(new Finding(Kind.STATE, text));
     }
 
-    /** After somebody else set the state, as a bounce does, the next step starts there. */
+    /**
+     * After somebody else set the state, as a bounce does, the next step starts there, whether or not reset() is
+     * called.
+     */
     private boolean checkOwnCopy() {
         WindyOscillators source = new WindyOscillators(2);
         DESolver solver = maker.get();
-        solver.stepState(source, H);
-        solver.stepState(source, H);
+        for (int step = 0; step < STEPS; step++) {
+            solver.stepState(source, H);
+        }
         double[] moved = source.state();
         Arrays.setAll(moved, k -> moved[k] + 1);
         source.setState(moved);
         double[] expected = fresh(source);
-        solver.reset();
+        source.startRecord();
         solver.stepState(source, H);
-        if (distance(expected, source.state()) > SAME) {
-            wrong(multistep ? "the state was set from outside, as a collision does, and the step afterwards still uses the steps before it" + FORGET
-                    : "the state was set from outside, as a collision does, and the step afterwards does not start there: an array is kept"
-                    + " from the step before. getState has to be called in every step, and the arrays filled anew");
-            return false;
+        if (distance(expected, source.state()) <= SAME) {
+            return true;
         }
-        return true;
+        String from = "the state was set from outside, as a collision does, and the step afterwards ";
+        wrong(multistep ? from + "still uses the steps before it" + FORGET
+                : source.readStates() == 0 ? from + "does not start there: an array is kept from the step before. "
+                + "getState has to"
+                + " be called in every step, and the arrays filled anew"
+                : !source.hasEvaluated(moved) ? from + "begins with a derivative that was kept from the step before, "
+                + "as none is"
+                + " asked for at the new state. It may be kept only while state and time are what the last step left"
+                : from + "is not the one that a new solver makes: something is kept from the step before" + FORGET);
+        return false;
     }
 
     /** @return the state after a step that a new solver makes from the same place, on a copy of the source */
@@ -80,14 +102,63 @@ final class SolverContract {
         return twin.state();
     }
 
+    /**
+     * A source much larger than that of a first example; smaller where the work in a step grows with the square of the
+     * size.
+     */
+    private void checkMany() {
+        WindyOscillators small = new WindyOscillators(1);
+        WindyOscillators larger = new WindyOscillators(4);
+        maker.get().stepState(small, H);
+        maker.get().stepState(larger, H);
+        int particles = larger.evaluations() > 2 * small.evaluations() ? SOME : MANY;
+        WindyOscillators source = new WindyOscillators(particles);
+        String text = "with a source of " + particles + " particles, " + 6 * particles + " numbers, ";
+        String cause = ": an array has a fixed length; source.getStateSize() has to be asked in every step";
+        try {
+            maker.get().stepState(source, H);
+        } catch (RuntimeException e) {
+            wrong(text + "stepState ends in " + StudentFailure.describe(e) + cause);
+            return;
+        }
+        double[] expected = small.state();
+        double[] found = source.state();
+        for (int k = 0; k < found.length; k++) {
+            if (!(Math.abs(found[k] - expected[k % 6]) <= ALIKE)) {     // an adaptive method may choose other steps
+                wrong(text + "entry " + k + " becomes " + Formula.number(found[k])
+                        + " where a source of one particle gives "
+                        + Formula.number(expected[k % 6]) + cause);
+                return;
+            }
+        }
+    }
+
+    /** Whether it steps backwards, or says that it does not. */
+    private void checkNegative() {
+        WindyOscillators source = new WindyOscillators(1);
+        double[] before = source.state();
+        try {
+            maker.get().stepState(source, -H);
+        } catch (RuntimeException e) {
+            note("it refuses a negative deltaT (" + e.getMessage() + ")");
+            return;
+        }
+        if (distance(before, source.state()) == 0) {
+            wrong("a step of negative deltaT does nothing, and says nothing: step backwards, or throw an exception "
+                    + "that says why not");
+        }
+    }
+
     private void checkSizes() {
         DESolver solver = maker.get();
         int last = 3;
         for (int pairs : new int[] {3, 6, 3, 1}) {
             WindyOscillators source = new WindyOscillators(pairs);
             double[] expected = fresh(source);
-            String text = "the solver stepped a source of " + 6 * last + " numbers and then one of " + 6 * pairs + ", and ";
-            String cause = ": the size is cached from the first source. source.getStateSize() has to be asked in every step";
+            String text = "the solver stepped a source of " + 6 * last + " numbers and then one of " + 6 * pairs
+                    + ", and ";
+            String cause = ": the size is cached from the first source. source.getStateSize() has to be asked in every "
+                    + "step";
             try {
                 solver.stepState(source, H);
             } catch (IndexOutOfBoundsException | NegativeArraySizeException e) {
@@ -116,7 +187,8 @@ final class SolverContract {
                 double[] expected = fresh(source);
                 solver.stepState(source, H);
                 if (distance(expected, source.state()) > SAME) {
-                    wrong("two sources of the same size are stepped in turn, and one disturbs the other: something is kept from the step"
+                    wrong("two sources of the same size are stepped in turn, and one disturbs the other: something is "
+                            + "kept from the step"
                             + " before (an array that is not filled anew, a derivative that is not asked for again)");
                     return;
                 }
@@ -134,8 +206,10 @@ final class SolverContract {
             boolean changed = source.getTime() > H;
             solver.stepState(source, deltaT);
             if (changed && distance(twin.state(), source.state()) > SAME) {
-                wrong("deltaT changes from one step to the next, and the step is not the one that a new solver makes with it"
-                        + (multistep ? FORGET : ": deltaT of an earlier step is kept. It is an argument of each call, and may differ in each"));
+                wrong("deltaT changes from one step to the next, and the step is not the one that a new solver makes "
+                        + "with it"
+                        + (multistep ? FORGET : ": deltaT of an earlier step is kept. It is an argument of each call, "
+                        + "and may differ in each"));
                 return;
             }
         }
@@ -149,35 +223,12 @@ final class SolverContract {
         if (change > 1e-12 && Double.isFinite(change)) {
             wrong("a step of deltaT = 0 moves the state by " + Formula.number(change) + "; it has to change nothing");
         } else if (!Double.isFinite(change)) {
-            wrong("a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is something divided by deltaT?");
+            wrong("a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is something "
+                    + "divided by deltaT?");
         }
     }
 
-    private void advise() {
-        WindyOscillators source = new WindyOscillators(1);
-        double[] before = source.state();
-        source.failAtEvaluation(1);
-        try {
-            maker.get().stepState(source, H);
-        } catch (WindyOscillators.Failure expected) {
-            if (distance(before, source.state()) != 0 || source.getTime() != 0) {
-                findings.add(new Finding(Kind.ADVICE, "when the source fails within a step, state and time stay where they were then;"
-                        + " deSolvers.FixedStepSolver puts them back"));
-            }
-        }
-        source = new WindyOscillators(1);
-        source.spoilDerivative();
-        try {
-            maker.get().stepState(source, H);
-            findings.add(new Finding(Kind.ADVICE, "a derivative that is NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it"));
-        } catch (DESolverException expected) {
-            if (expected.getMessage() == null || expected.getMessage().isBlank()) {
-                findings.add(new Finding(Kind.ADVICE, "the exception for a derivative that is NaN says nothing"));
-            }
-        }
-    }
-
-    private static double distance(double[] x, double[] y) {
+    static double distance(double[] x, double[] y) {
         double distance = 0;
         for (int k = 0; k < x.length; k++) {
             double d = Math.abs(x[k] - y[k]);

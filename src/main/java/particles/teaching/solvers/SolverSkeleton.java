@@ -4,20 +4,25 @@ import java.util.List;
 
 /** The text of a solver to begin with: it compiles, and has the algorithm's outline as comments. */
 public final class SolverSkeleton {
-    private static final List<String> MIDPOINT = List.of("deltaS = deltaT * derivative at (s, t)                      the Euler step",
+    private static final List<String> MIDPOINT = List.of("deltaS = deltaT * derivative at (s, t)                      "
+            + "the Euler step",
             "gMid   = derivative at (s + deltaS/2, t + deltaT/2)         after half the time and half of deltaS",
             "new s  = s + deltaT * gMid                                  from the start s, not from the middle");
 
-    private static final List<String> RK4 = List.of("k1 = deltaT * derivative at (s, t)                          the Euler step",
+    private static final List<String> RK4 = List.of("k1 = deltaT * derivative at (s, t)                          the "
+            + "Euler step",
             "k2 = deltaT * derivative at (s + k1/2, t + deltaT/2)        the midpoint step",
             "k3 = deltaT * derivative at (s + k2/2, t + deltaT/2)        the refined midpoint step",
             "k4 = deltaT * derivative at (s + k3, t + deltaT)            the refined refined step",
-            "new s = s + k1/6 + k2/3 + k3/3 + k4/6                       in Java 1/6 * k1[i] is 0: write 1.0/6 * k1[i]");
+            "new s = s + k1/6 + k2/3 + k3/3 + k4/6                       in Java 1/6 * k1[i] is 0: write 1.0/6 * "
+            + "k1[i]");
 
-    private static final List<String> SIMPLE = List.of("for each particle: a = F/m                                  the derivative has it where v stands in s",
+    private static final List<String> SIMPLE = List.of("for each particle: a = F/m                                  "
+            + "the derivative has it where v stands in s",
             "v += a * deltaT", "x += v * deltaT                                             with the new v");
 
-    private static final List<String> GENERAL = List.of("the derivative at (s, t): one straight step along it would be Euler's",
+    private static final List<String> GENERAL = List.of("the derivative at (s, t): one straight step along it would be "
+            + "Euler's",
             "perhaps further derivatives, each at a trial state and its own time",
             "new s = s + deltaT * a mean of the derivatives; the weights add up to 1");
 
@@ -98,10 +103,12 @@ public final class SolverSkeleton {
     }
 
     private static List<String> outline(String name) {
-        if (KicksDiagnosis.isPromisedBy(name)) {
+        String says = NamePromise.of(name).map(NamePromise::says).orElse("");
+        List<String> methods = NamePromise.of(name).map(NamePromise::methods).orElse(List.of());
+        if (methods.contains(NamePromise.SYMPLECTIC) || methods.contains(NamePromise.VERLET)) {
             return SIMPLE;
         }
-        String method = KnownMethod.promisedBy(name).map(KnownMethod::name).orElse("");
-        return method.startsWith("RK4") ? RK4 : method.contains("midpoint") ? MIDPOINT : GENERAL;
+        boolean midpoint = methods.contains(NamePromise.MIDPOINT) || says.endsWith("of order 2") && methods.isEmpty();
+        return says.equals("a Runge-Kutta method of order 4") ? RK4 : midpoint ? MIDPOINT : GENERAL;
     }
 }

@@ -4,7 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A source that writes down all that a solver does with it, and answers evaluations as it is told to. It copies every array
+ * A source that writes down all that a solver does with it, and answers evaluations as it is told to. It copies every
+ * array
  * and keeps no reference, as the contract says.
  */
 public class Probe extends StudentSource {
@@ -40,6 +41,7 @@ public class Probe extends StudentSource {
     }
 
     private final Answer answer;
+    private final int most;
     private boolean stateSet;
     private boolean everSet;
     private final List<Evaluation> recorded = new ArrayList<>();
@@ -51,9 +53,20 @@ public class Probe extends StudentSource {
      * @param answer what evaluations give
      */
     public Probe(double[] start, double time, Answer answer) {
+        this(start, time, answer, MOST_EVALUATIONS);
+    }
+
+    /**
+     * @param start  the state
+     * @param time   the clock (s)
+     * @param answer what evaluations give
+     * @param most   evaluations, after which it throws {@link TooManyEvaluations}
+     */
+    public Probe(double[] start, double time, Answer answer, int most) {
         super(start);
         super.incTime(time);
         this.answer = answer;
+        this.most = most;
     }
 
     /** @return the evaluations, in their order */
@@ -85,7 +98,7 @@ public class Probe extends StudentSource {
 
     @Override
     protected void rates(double t, double[] s, double[] dSdt) {
-        if (recorded.size() == MOST_EVALUATIONS) {
+        if (recorded.size() == most) {
             throw new TooManyEvaluations();
         }
         double[] all = new double[s.length];

@@ -2,7 +2,9 @@ package particles.teaching.sources;
 
 import deSolvers.SecondOrderStateSource;
 
-/** A probe with positions and velocities in turn: dx/dt is the velocity that stands in the state, the rest is as told. */
+/**
+ * A probe with positions and velocities in turn: dx/dt is the velocity that stands in the state, the rest is as told.
+ */
 public final class SecondOrderProbe extends Probe implements SecondOrderStateSource {
     private final int dimension;
 

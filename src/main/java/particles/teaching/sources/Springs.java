@@ -5,7 +5,9 @@ import deSolvers.problems.StepMatrix;
 
 /** One particle on a spring, x'' = -x in each coordinate, the slides' example three times over. */
 public final class Springs extends StudentSource implements SecondOrderStateSource {
-    /** The first coordinate starts at (1, 0), the second at (0, 1): one step shows the whole 2 x 2 matrix of the method. */
+    /**
+     * The first coordinate starts at (1, 0), the second at (0, 1): one step shows the whole 2 x 2 matrix of the method.
+     */
     public Springs() {
         super(1, 0, 0, 0, 1, 0);
     }

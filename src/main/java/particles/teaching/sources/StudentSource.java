@@ -2,11 +2,16 @@ package particles.teaching.sources;
 
 import deSolvers.problems.ReferenceProblem;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** A source for a student's solver: it writes down arrays of a wrong length, and uses what fits of them. */
 public abstract class StudentSource extends ReferenceProblem {
+    private static final int MOST_RECORDED = 4;
+
     private final List<Integer> wrongLengths = new ArrayList<>();
+    private final List<double[]> evaluatedAt = new ArrayList<>();
+    private int reads;
 
     /** @param start the state at t = 0 */
     public StudentSource(double... start) {
@@ -24,5 +29,35 @@ public abstract class StudentSource extends ReferenceProblem {
             wrongLengths.add(array.length);
         }
         return Math.min(array.length, getStateSize());
+    }
+
+    /** From now on it is recorded how often the state is read, and where the derivative is asked for. */
+    public final void startRecord() {
+        reads = 0;
+        evaluatedAt.clear();
+    }
+
+    /** @return how often the state was read */
+    public final int readStates() {
+        return reads;
+    }
+
+    /** @return whether the derivative was asked for at this state */
+    public final boolean hasEvaluated(double[] state) {
+        return evaluatedAt.stream().anyMatch(at -> Arrays.equals(at, state));
+    }
+
+    @Override
+    public void getState(double[] copy) {
+        reads++;
+        super.getState(copy);
+    }
+
+    @Override
+    public void getStateDerivative(double[] dSdt) {
+        if (evaluatedAt.size() < MOST_RECORDED) {
+            evaluatedAt.add(state());
+        }
+        super.getStateDerivative(dSdt);
     }
 }

@@ -9,9 +9,9 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
-import particles.Effect.Trait;
-import particles.Effect;
 import particles.ParticleSystem;
+import particles.law.Effect.Trait;
+import particles.law.Effect;
 import particles.teaching.Finding;
 
 /** Force laws whose force is right and whose account of it is not, and the other way round. */
@@ -23,7 +23,8 @@ class PlantedClaimsTest {
     }
 
     /** The same law for every component of every velocity's place. */
-    private static Effect law(Set<Trait> claims, boolean velocities, Component component, ToDoubleFunction<double[]> energy,
+    private static Effect law(Set<Trait> claims, boolean velocities, Component component,
+            ToDoubleFunction<double[]> energy,
             ToDoubleFunction<double[]> heat) {
         return new Effect() {
             @Override
@@ -125,7 +126,8 @@ class PlantedClaimsTest {
     void nothingIsClaimedAtAll() {
         assertFound(law(EnumSet.noneOf(Trait.class), true, DRAG, NONE, NONE),
                 "method: a claim does not hold: power: the force does work at -0.1684 W; none of getPotentialEnergy,"
-                        + " getDissipatedPower and getDrivenPower accounts for it. Claim CONSERVATIVE with getPotentialEnergy");
+                        + " getDissipatedPower and getDrivenPower accounts for it. Claim CONSERVATIVE with "
+                        + "getPotentialEnergy");
     }
 
     /** Symmetries are claims too, and say nothing of the power. */
@@ -133,14 +135,16 @@ class PlantedClaimsTest {
     void onlyASymmetryIsClaimed() {
         Component pull = (state, k) -> state[k % 3] - state[k - 3];
         assertFound(law(EnumSet.of(Trait.TRANSLATION_INVARIANT), false, pull, NONE, NONE),
-                "power: the force does work at ", " W; none of getPotentialEnergy, getDissipatedPower and getDrivenPower accounts"
+                "power: the force does work at ", " W; none of getPotentialEnergy, getDissipatedPower and "
+                        + "getDrivenPower accounts"
                         + " for it. Claim CONSERVATIVE");
     }
 
     /** It takes 0.3 |v|^2, and says that it takes 0.6 |v|^2; the claim to drive leaves that to the sum of all. */
     @Test
     void powerThatIsAccountedForInPart() {
-        assertFound(law(EnumSet.of(Trait.DISSIPATIVE, Trait.DRIVING), true, DRAG, NONE, state -> 0.6 * squares(state, 3)),
+        assertFound(law(EnumSet.of(Trait.DISSIPATIVE, Trait.DRIVING), true, DRAG, NONE, state -> 0.6 * squares(state,
+                3)),
                 "a claim does not hold: power: the force does work at -", " W; accounted for are -",
                 " W: getPotentialEnergy gives 0 W, getDissipatedPower takes ", " W and getDrivenPower adds 0 W");
     }
@@ -171,6 +175,7 @@ class PlantedClaimsTest {
 
     @Test
     void aStateThatIsWrittenInto() {
-        assertFound(law(EnumSet.noneOf(Trait.class), false, (state, k) -> state[k]++, NONE, NONE), "addForces changes the state");
+        assertFound(law(EnumSet.noneOf(Trait.class), false, (state, k) -> state[k]++, NONE, NONE),
+                "addForces changes the state");
     }
 }

@@ -10,9 +10,9 @@ import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.Effect;
 import particles.ParticleSystem;
-import particles.Particles;
+import particles.law.Effect;
+import particles.law.Particles;
 import particles.spec.ClassNames;
 import particles.teaching.Finding;
 
@@ -46,7 +46,8 @@ class PlantedEffectsTest {
     }
 
     /** Gravity along -y with places to go wrong: factors of force and energy, and their powers of the mass. */
-    private static Function<Particles, Effect> gravity(double force, int massPower, double energy, int offset, boolean add) {
+    private static Function<Particles, Effect> gravity(double force, int massPower, double energy, int offset,
+            boolean add) {
         return p -> new PerParticle(p, Effect.Trait.CONSERVATIVE) {
             @Override
             public void addForces(double[] state, double time, double[] f) {
@@ -137,17 +138,20 @@ class PlantedEffectsTest {
 
     @Test
     void signOfGravity() {
-        assertFound(gravity(-1, 1, 1, 4, true), "method: component y of the force on particle 'p0'", "the sign is wrong");
+        assertFound(gravity(-1, 1, 1, 4, true), "method: component y of the force on particle 'p0'",
+                "the sign is wrong");
     }
 
     @Test
     void massMissingInTheForce() {
-        assertFound(gravity(1, 0, 1, 4, true), "component y of the force on particle 'p0'", "the mass is missing in the force");
+        assertFound(gravity(1, 0, 1, 4, true), "component y of the force on particle 'p0'",
+                "the mass is missing in the force");
     }
 
     @Test
     void forceInThePositionsPlace() {
-        assertFound(gravity(1, 1, 1, 1, true), "state: component y of the force on particle 'p0' is written to entry 1, where the position stands");
+        assertFound(gravity(1, 1, 1, 1, true), "state: component y of the force on particle 'p0' is written to entry "
+                + "1, where the position stands");
     }
 
     @Test
@@ -157,7 +161,8 @@ class PlantedEffectsTest {
 
     @Test
     void forceSetInsteadOfAdded() {
-        assertFound(gravity(1, 1, 1, 4, false), "state: component y of the force on particle 'p0' is set and not added (= instead of +=)");
+        assertFound(gravity(1, 1, 1, 4, false), "state: component y of the force on particle 'p0' is set and not added "
+                + "(= instead of +=)");
     }
 
     @Test

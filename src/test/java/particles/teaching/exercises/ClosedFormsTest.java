@@ -94,7 +94,8 @@ class ClosedFormsTest {
         hold(5, 1e-12, text -> {
             double t = after(text, "followed for ") * after(text, "omega = ");
             double error = after(text, "may be ");
-            return (double) fewest(t, error, z -> 1 - z * z / 2, z -> z) / (2 * fewest(t, error, ClosedFormsTest::cosine,
+            return (double) fewest(t, error, z -> 1 - z * z / 2, z -> z) / (2 * fewest(t, error,
+                    ClosedFormsTest::cosine,
                     ClosedFormsTest::sine));
         });
     }
@@ -133,7 +134,8 @@ class ClosedFormsTest {
     /** k x^2 + m v^2 - deltaT k x v stays what it is, and the energy is largest on the ellipse's diagonal. */
     @Test
     void symplecticEulersEnergySwingsOnAnEllipse() {
-        hold(7, 1e-4, text -> 1 / (1 - after(text, "deltaT = ") * Math.sqrt(after(text, "k = ") / after(text, "m = ")) / 2));
+        hold(7, 1e-4, text -> 1 / (1 - after(text, "deltaT = ") * Math.sqrt(after(text, "k = ") / after(text,
+                "m = ")) / 2));
     }
 
     @Test
@@ -163,7 +165,8 @@ class ClosedFormsTest {
             double h = after(text, "deltaT = ");
             double x = after(text, "x = ");
             double y = after(text, "v = ") / omega;
-            double error = Math.abs(turned(cosine(h * omega), -sine(h * omega), 2, x, y)[0] - turned(cosine(2 * h * omega),
+            double error = Math.abs(turned(cosine(h * omega), -sine(h * omega), 2, x,
+                    y)[0] - turned(cosine(2 * h * omega),
                     -sine(2 * h * omega), 1, x, y)[0]);
             return h * StrictMath.pow(after(text, "error ") / error, 0.2);
         });

@@ -56,7 +56,8 @@ class SceneDesignTest {
 
     @Test
     void whatIsMissingIsSaid() throws IOException {
-        assertFails("does not hold: solver: one of the catalogue, and not euler (here: euler)", GOOD.replace("solver: rk4",
+        assertFails("does not hold: solver: one of the catalogue, and not euler (here: euler)",
+                GOOD.replace("solver: rk4",
                 "solver: euler"));
         assertFails("does not hold: solver: one of the catalogue, and not euler (here: exercises.Mine)",
                 GOOD.replace("solver: rk4", "solver: exercises.Mine"));

@@ -50,7 +50,8 @@ class ThousandStudentsTest {
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> fiftyStudents() {
-        return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.all().get(n - 1).title(), () -> hold(n, 50)));
+        return numeric().map(n -> DynamicTest.dynamicTest(n + ". " + Exercises.all().get(n - 1).title(), () -> hold(n,
+                50)));
     }
 
     @Tag("slow")
@@ -71,9 +72,11 @@ class ThousandStudentsTest {
 
     @Test
     void whatLooksLikeTheAnswerIsNotClear() {
-        assertTrue(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.01, ""), new CommonMistake(1.02, ""))).isClear());
+        assertTrue(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.01, ""), new CommonMistake(1.02, "")))
+                .isClear());
         assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.004, ""))).isClear());
-        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(2, ""), new CommonMistake(2.008, ""))).isClear());
+        assertFalse(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(2, ""), new CommonMistake(2.008, "")))
+                .isClear());
         assertFalse(new Question("", "", 1e-3, 1, 1.5, List.of()).isClear());
         assertFalse(new Question("", "", 1e-3, Double.NaN, 0, List.of()).isClear());
     }

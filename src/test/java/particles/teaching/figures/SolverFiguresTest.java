@@ -12,11 +12,13 @@ import particles.teaching.solvers.SolverCheck;
 class SolverFiguresTest {
     private static SolverFigures figures(String name) {
         return SolverFigures.of(name, () -> SolverCatalog.create(name),
-                SolverCheck.check(() -> SolverCatalog.create(name), SolverCatalog.create(name).getClass().getSimpleName()));
+                SolverCheck.check(() -> SolverCatalog.create(name), SolverCatalog.create(name).getClass()
+                        .getSimpleName()));
     }
 
     private static String value(SolverFigures figures, String property) {
-        List<Object> row = figures.facts().rows().stream().filter(r -> r.get(0).toString().startsWith(property)).findFirst()
+        List<Object> row = figures.facts().rows().stream().filter(r -> r.get(0).toString().startsWith(property))
+                .findFirst()
                 .orElseThrow();
         return row.get(1) + " " + row.get(2);
     }
@@ -28,7 +30,8 @@ class SolverFiguresTest {
     @Test
     void rk4HasItsLimitsAndDamps() {
         SolverFigures rk4 = figures("rk4");
-        assertEquals(2.785293563405282, number(rk4, "largest stable deltaT |lambda|"), 5e-8);      // eight digits are shown
+        // eight digits are shown
+        assertEquals(2.785293563405282, number(rk4, "largest stable deltaT |lambda|"), 5e-8);
         assertEquals(2 * Math.sqrt(2), number(rk4, "largest stable deltaT omega"), 5e-8);
         // |R(i)|^2 = (1 - 1/2 + 1/24)^2 + (1 - 1/6)^2 = 569/576
         assertEquals(Math.sqrt(569.0 / 576), number(rk4, "amplitude of a spring, a step"), 5e-9);

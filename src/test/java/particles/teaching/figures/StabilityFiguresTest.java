@@ -10,7 +10,6 @@ import static particles.teaching.solvers.PlantedSolvers.state;
 import static particles.teaching.solvers.PlantedSolvers.with;
 
 import deSolvers.DESolver;
-import deSolvers.DEStateSource;
 import deSolvers.adaptive.DormandPrinceSolver;
 import java.util.List;
 import java.util.Random;
@@ -20,16 +19,17 @@ import org.ejml.dense.row.CommonOps_DDRM;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import particles.ChartData.Series;
-import particles.ChartData;
-import particles.teaching.solvers.PlantedSolvers;
 import particles.teaching.solvers.PlantedSolvers.AdamsBashforth2;
+import particles.teaching.solvers.PlantedSolvers;
+import particles.view.ChartData.Series;
+import particles.view.ChartData;
 
 /** Stability of solvers that nobody told us about, from their steps, against closed forms. */
 class StabilityFiguresTest {
 
     /**
-     * The theta method for linear laws, as a student might write it: (1 - theta deltaT M) s' = s + (1 - theta) deltaT dSdt.
+     * The theta method for linear laws, as a student might write it: (1 - theta deltaT M) s' = s + (1 - theta) deltaT
+     * dSdt.
      */
     static DESolver theta(double theta) {
         return solver((source, deltaT) -> {
@@ -60,7 +60,8 @@ class StabilityFiguresTest {
     }
 
     private static String value(StabilityFigures figures, String property) {
-        return figures.rows().stream().filter(row -> row.get(0).toString().startsWith(property)).findFirst().orElseThrow()
+        return figures.rows().stream().filter(row -> row.get(0).toString().startsWith(property)).findFirst()
+                .orElseThrow()
                 .get(1).toString();
     }
 
@@ -73,7 +74,8 @@ class StabilityFiguresTest {
     }
 
     /**
-     * The region's outline is a circle around a point of the real axis, and where the stripes are is the other side of it.
+     * The region's outline is a circle around a point of the real axis, and where the stripes are is the other side of
+     * it.
      */
     private static void assertCircle(StabilityFigures figures, double centre, double radius, boolean stableInside) {
         ChartData chart = figures.region().orElseThrow();
@@ -83,7 +85,8 @@ class StabilityFiguresTest {
             if (!Double.isNaN(outline.x()[k])) {
                 points++;
                 double off = Math.sqrt(Math.pow(outline.x()[k] - centre, 2) + Math.pow(outline.y()[k], 2)) - radius;
-                assertEquals(0, off, 1e-3 * radius);        // a square of the net is radius/50 and is halved eight times
+                // a square of the net is radius/50 and is halved eight times
+                assertEquals(0, off, 1e-3 * radius);
             }
         }
         assertTrue(points > 100, "points " + points);       // measured 260 and more
@@ -93,7 +96,8 @@ class StabilityFiguresTest {
             double off = Math.sqrt(Math.pow(stripes.x()[k] - centre, 2) + Math.pow(stripes.y()[k], 2)) - radius;
             if (!Double.isNaN(off)) {
                 inStripes++;
-                assertTrue(stableInside ? off < 1e-3 * radius : off > -1e-3 * radius, "a stripe ends " + off + " outside");
+                assertTrue(stableInside ? off < 1e-3 * radius : off > -1e-3 * radius, "a stripe ends " + off
+                        + " outside");
             }
         }
         assertTrue(inStripes > 40, "ends of stripes " + inStripes);
@@ -156,9 +160,11 @@ class StabilityFiguresTest {
             source.incTime(deltaT);
         }));
         assertEquals("1 + z + z^2/2 + z^3/6", value(figures, "R(z)"));
-        assertEquals(Math.sqrt(3), Double.parseDouble(value(figures, "largest stable deltaT omega")), 5e-8);    // of eight digits
+        // of eight digits
+        assertEquals(Math.sqrt(3), Double.parseDouble(value(figures, "largest stable deltaT omega")), 5e-8);
         double x = damping(figures);
-        assertEquals(-1, 1 - x + x * x / 2 - x * x * x / 6, 4e-7);           // measured 4.4e-8: half of the last digit shown
+        // measured 4.4e-8: half of the last digit shown
+        assertEquals(-1, 1 - x + x * x / 2 - x * x * x / 6, 4e-7);
     }
 
     /**
@@ -171,13 +177,15 @@ class StabilityFiguresTest {
         assertEquals(2, Double.parseDouble(value(figures, "largest stable deltaT omega")), 5e-8);
         assertEquals(2, Double.parseDouble(value(figures, "largest stable deltaT c/m")), 5e-8);
         ChartData region = figures.region().orElseThrow();
-        // x'' = -q x - g x' of symplectic Euler: the new trace is 2 - q - g, the determinant 1 - g, and -1 is reached at 4 = q + 2 g
+        // x'' = -q x - g x' of symplectic Euler: the new trace is 2 - q - g, the determinant 1 - g, and -1 is reached
+        // at 4 = q + 2 g
         Series outline = series(region, "mine");
         int points = 0;
         for (int k = 0; k < outline.x().length; k++) {
             if (outline.y()[k] > 0.05) {
                 points++;
-                assertEquals(4, outline.x()[k] * outline.x()[k] + 2 * outline.y()[k], 1e-3);        // a square of the net, halved eight times
+                // a square of the net, halved eight times
+                assertEquals(4, outline.x()[k] * outline.x()[k] + 2 * outline.y()[k], 1e-3);
             }
         }
         assertTrue(points > 50, "points " + points);

@@ -13,13 +13,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 class AnswerTextTest {
 
     @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"0.125|0.125", "0,125|0.125", " -1.5 |-1.5", "\u22121.5|-1.5", "+2|2", ".5|0.5",
+    @CsvSource(delimiter = '|', value = {"0.125|0.125", "0,125|0.125", " -1.5 |-1.5", "\u22121.5|-1.5", "+2|2",
+            ".5|0.5",
             "3.|3", "1/8|0.125", "1 / 8|0.125",
         "1,5/3|0.5", "1.25e-1|0.125", "1.25E-1|0.125", "1.25 x 10^-1|0.125", "1,25*10^-1|0.125", "0.125 m/s|0.125",
                 "0.125m / s|0.125", "-1/8 m/s|-0.125", "1.25 e-1|0.125", "v = 0.125|0.125", "= 0,125 m/s|0.125",
                 "\u22480.125|0.125", "0.125 ms^-1|0.125", "0.125 m\u00b7s^-1|0.125"})
     void numbersAreRead(String typed, double value) {
-        assertEquals(Optional.of(value), AnswerText.read(typed, "m/s").value(), AnswerText.read(typed, "m/s").problem());
+        assertEquals(Optional.of(value), AnswerText.read(typed, "m/s").value(), AnswerText.read(typed, "m/s")
+                .problem());
     }
 
     @ParameterizedTest

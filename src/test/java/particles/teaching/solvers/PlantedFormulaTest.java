@@ -59,7 +59,8 @@ class PlantedFormulaTest {
     @Test
     void oldVelocityWhereTheSimpleAlgorithmTakesTheNew() {
         assertFound("SymplecticEulerSolver", () -> blocks(false),
-                "method: the position is updated with the old velocity, which is the Euler method; the slides' simple algorithm takes the new");
+                "method: the position is updated with the old velocity, which is the Euler method; the slides' simple "
+                        + "algorithm takes the new");
     }
 
     @Test
@@ -96,7 +97,8 @@ class PlantedFormulaTest {
             double[] gMid = slopeAt(source, with(state, i -> deltaT / 2 * dSdt[i]));
             source.setState(with(state(source), i -> deltaT * gMid[i]));
             source.incTime(deltaT / 2);
-        }), "method: the new state is s + deltaS/2 + deltaT gMid; the slide says s + deltaT gMid: go back to the start s before taking the step");
+        }), "method: the new state is s + deltaS/2 + deltaT gMid; the slide says s + deltaT gMid: go back to the start "
+                + "s before taking the step");
     }
 
     @Test
@@ -113,10 +115,7 @@ class PlantedFormulaTest {
     @Test
     void anotherMethodThanTheNameSays() {
         assertFound("HeunSolver", () -> midpoint(0.5, 0.5, 0.5),
-                "method: this is the midpoint method and not Heun's method, as its name says",
-                "method: k2 is evaluated at s + k1/2; Heun's method says s + k1: it is halved",
-                        "time: k2 is evaluated at t + deltaT/2",
-                "method: the new state is s + k2; Heun's method says s + k1/2 + k2/2: all of them are k2");
+                "method: this is the midpoint method and not Heun's method, as its name says");
     }
 
     @Test
@@ -130,7 +129,8 @@ class PlantedFormulaTest {
             }
             source.setState(state);
             source.incTime(deltaT);
-        }), "method: evaluations of the acceleration in a step: 1; velocity Verlet (leapfrog: kick, drift, kick) needs 2: the one at the new"
-                + " position is missing", "method: the new velocity is v + a1 deltaT; the method says v + a1 deltaT/2 + a2 deltaT/2");
+        }), "method: evaluations of the acceleration in a step: 1; velocity Verlet (leapfrog: kick, drift, kick) needs "
+                + "2: the one at the new"
+                + " position is missing");
     }
 }

@@ -98,7 +98,8 @@ class PlantedHabitsTest {
 
     @Test
     void deltaTOfAnotherStep() {
-        String kept = "state: deltaT changes from one step to the next, and the step is not the one that a new solver makes with it: deltaT of an"
+        String kept = "state: deltaT changes from one step to the next, and the step is not the one that a new solver "
+                + "makes with it: deltaT of an"
                 + " earlier step is kept";
         assertFound("Mine", FirstDeltaT::new, kept);
         assertFound("Mine", PreviousDeltaT::new, kept);
@@ -127,7 +128,8 @@ class PlantedHabitsTest {
             double[] dSdt = slope(source);
             source.setState(with(state(source), i -> deltaT * dSdt[i]));
             source.incTime(source.getTime() + deltaT);
-        }), "time: the clock moves by 9/4 s in a step of 1/4 s that begins at 2 s: incTime takes how far the clock moves");
+        }), "time: the clock moves by 9/4 s in a step of 1/4 s that begins at 2 s: incTime takes how far the clock "
+                + "moves");
     }
 
     @Test
@@ -137,18 +139,21 @@ class PlantedHabitsTest {
             double t = source.getTime();
             source.setState(with(state(source), i -> t * dSdt[i]));
             source.incTime(deltaT);
-        }), "method: the new state does not follow deltaT: its length is the time, source.getTime(), and deltaT is ignored");
+        }), "method: the new state does not follow deltaT: its length is the time, source.getTime(), and deltaT is "
+                + "ignored");
     }
 
     @Test
     void aDerivativeCutOff() {
         assertFound("Mine", () -> euler((dSdt, deltaT) -> deltaT * Math.max(-1, Math.min(1, dSdt))),
-                "method: with derivatives up to 1000 the step is not the one that it makes with derivatives up to 1: something is cut off");
+                "method: with derivatives up to 1000 the step is not the one that it makes with derivatives up to 1: "
+                        + "something is cut off");
     }
 
     @Test
     void aDerivativeRounded() {
-        assertFound("Mine", () -> euler((dSdt, deltaT) -> deltaT * Math.round(dSdt * 1000) / 1000.0), "state: digits get lost");
+        assertFound("Mine", () -> euler((dSdt, deltaT) -> deltaT * Math.round(dSdt * 1000) / 1000.0),
+                "state: digits get lost");
     }
 
     @Test
@@ -163,7 +168,8 @@ class PlantedHabitsTest {
             }
             source.setState(s);
             source.incTime(deltaT);
-        }), "state: with one particle the error goes to 0 with deltaT, with two it does not: the state is three positions and three velocities");
+        }), "state: with one particle the error goes to 0 with deltaT, with two it does not: the state is three "
+                + "positions and three velocities");
     }
 
     @Test
@@ -183,7 +189,8 @@ class PlantedHabitsTest {
     void theClockMovedAtEveryStage() {
         assertFound("RK4Solver", () -> PlantedSolvers.rk4(PlantedSolvers.PLACES, new double[] {1, 1, 1, 1},
                 PlantedSolvers.WEIGHTS),
-                "time: the clock moves by 4 deltaT: incTime(deltaT) is called 4 times, and all moves together have to make one deltaT");
+                "time: the clock moves by 4 deltaT: incTime(deltaT) is called 4 times, and all moves together have to "
+                + "make one deltaT");
     }
 
     @Test
@@ -197,7 +204,8 @@ class PlantedHabitsTest {
         });
         SolverVerdict verdict = SolverCheck.check(() -> tenth, "Mine");
         assertEquals(List.of(), verdict.wrong());
-        assertEquals("This is a Runge-Kutta method of order 1 with 10 evaluations a step; its coefficients are none that we know by name.",
+        assertEquals("This is a Runge-Kutta method of order 1 with 10 evaluations a step; its coefficients are none "
+                + "that we know by name.",
                 verdict.identity());
     }
 
@@ -207,6 +215,7 @@ class PlantedHabitsTest {
         assertTrue(SolverCheck.check(CarefulAdamsBashforth::new, "Mine").multistep());
         assertFound("Mine", PlantedSolvers.AdamsBashforth2::new,
                 "state: the state was set from outside, as a collision does, and the step"
-                + " afterwards still uses the steps before it. What is remembered of earlier steps may be used only while source, time, state");
+                + " afterwards still uses the steps before it. What is remembered of earlier steps may be used only "
+                + "while source, time, state");
     }
 }

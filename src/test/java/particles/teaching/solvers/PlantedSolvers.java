@@ -13,7 +13,9 @@ import particles.teaching.Finding;
 
 /** Solvers as students write them, each with one mistake. */
 public final class PlantedSolvers {
-    /** RK4 as the slide has it: where each stage is, how far the clock moves to it and at last, and what each counts. */
+    /**
+     * RK4 as the slide has it: where each stage is, how far the clock moves to it and at last, and what each counts.
+     */
     public static final double[] PLACES = {0.5, 0.5, 1};
     public static final double[] MOVES = {0.5, 0, 0.5, 0};
     public static final double[] WEIGHTS = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
@@ -99,7 +101,8 @@ public final class PlantedSolvers {
                 source.incTime(moves[before] * deltaT);
                 k[stage] = slopeAt(source, with(state, i -> place * deltaT * k[before][i]));
             }
-            source.setState(with(state, i -> deltaT * (weights[0] * k[0][i] + weights[1] * k[1][i] + weights[2] * k[2][i]
+            source.setState(with(state, i -> deltaT * (weights[0] * k[0][i] + weights[1] * k[1][i]
+                    + weights[2] * k[2][i]
                     + weights[3] * k[3][i])));
             source.incTime(moves[3] * deltaT);
         });

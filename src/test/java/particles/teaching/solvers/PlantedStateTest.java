@@ -9,7 +9,6 @@ import static particles.teaching.solvers.PlantedSolvers.solver;
 import static particles.teaching.solvers.PlantedSolvers.state;
 import static particles.teaching.solvers.PlantedSolvers.with;
 import static particles.teaching.solvers.PlantedSolvers.MOVES;
-import static particles.teaching.solvers.PlantedSolvers.NEW_STATE;
 import static particles.teaching.solvers.PlantedSolvers.PLACES;
 
 import org.junit.jupiter.api.Test;
@@ -24,7 +23,8 @@ class PlantedStateTest {
             source.incTime(deltaT / 2);
             slopeAt(source, with(state, i -> deltaT / 2 * dSdt[i]));
             source.incTime(deltaT / 2);
-        }), "state: the state is left at a trial state, s + k1/2, that of the last evaluation: setState with the new state is missing");
+        }), "state: the state is left at a trial state, s + k1/2, that of the last evaluation: setState with the new "
+                + "state is missing");
     }
 
     @Test
@@ -44,7 +44,8 @@ class PlantedStateTest {
             double[] gMid = slope(source);
             source.setState(with(state, i -> deltaT * gMid[i]));
             source.incTime(deltaT / 2);
-        }), "method: gMid is evaluated at s; the slide says s + deltaS/2: setState is missing before this getStateDerivative");
+        }), "method: gMid is evaluated at s; the slide says s + deltaS/2: setState is missing before this "
+                + "getStateDerivative");
     }
 
     @Test
@@ -66,7 +67,8 @@ class PlantedStateTest {
     @Test
     void keptArray() {
         assertFound("Mine", PlantedSolvers.KeptArray::new,
-                "state: the state was set from outside, as a collision does, and the step afterwards does not start there: an array is kept");
+                "state: the state was set from outside, as a collision does, and the step afterwards does not start "
+                        + "there: an array is kept");
     }
 
     @Test
@@ -87,13 +89,14 @@ class PlantedStateTest {
             source.incTime(deltaT / 2);
             double[] k4 = slopeAt(source, with(state, i -> deltaT * k3[i]));
             source.setState(with(state, i -> deltaT * (k1[i] / 6 + k2[i] / 3 + k3[i] / 3 + k4[i] / 6)));
-        }), "method: k3 is evaluated at s + k1/2 + k2/2; the slide says s + k2/2: go back to the start s before adding");
+        }), "method: k3 is evaluated at s + k1/2 + k2/2; the slide says s + k2/2: go back to the start s before "
+                + "adding");
     }
 
     @Test
     void oneArrayForAllSlopes() {
         assertFound("RK4Solver", () -> rk4(PLACES, MOVES, new double[] {0, 0, 0, 1}),
-                "method: the new state is s + k4" + NEW_STATE + ": all of them are k4, as if k1 to k4 were one array");
+                "state: all of k1 to k4 are one array, which each evaluation writes over: the new state is s + k4");
     }
 
     @Test
@@ -126,6 +129,7 @@ class PlantedStateTest {
     @Test
     void exception() {
         assertFound("Mine", () -> solver((source, deltaT) -> state(source)[source.getStateSize()]++),
-                "failure: stepState ends in an exception: java.lang.ArrayIndexOutOfBoundsException: Index 12 out of bounds for length 12, in ");
+                "failure: stepState ends in an exception: java.lang.ArrayIndexOutOfBoundsException: Index 12 out of "
+                        + "bounds for length 12, in ");
     }
 }

@@ -55,7 +55,8 @@ class PlantedTimeTest {
     @Test
     void theHalfStepOfTheClockStaysOn() {
         assertFound("Mine", () -> midpoint(0.5, 0.5, 1),
-                "time: the clock ends at t + 3/2 deltaT and has to end at t + deltaT; it was moved by deltaT/2, then deltaT");
+                "time: the clock ends at t + 3/2 deltaT and has to end at t + deltaT; it was moved by deltaT/2, then "
+                        + "deltaT");
     }
 
     @Test
@@ -67,7 +68,8 @@ class PlantedTimeTest {
     @Test
     void deltaTHardCoded() {
         assertFound("Mine", () -> euler((dSdt, deltaT) -> 0.01 * dSdt),
-                "method: the new state does not follow deltaT: a time step of 0.01000 s is hard-coded, and deltaT is ignored");
+                "method: the new state does not follow deltaT: a time step of 0.01000 s is hard-coded, and deltaT is "
+                        + "ignored");
     }
 
     @Test
@@ -82,6 +84,7 @@ class PlantedTimeTest {
     @Test
     void derivativeDividedByDeltaT() {
         assertFound("Mine", () -> euler((dSdt, deltaT) -> dSdt / deltaT),
-                "method: the new state does not follow deltaT: the derivative is divided by deltaT; it has to be multiplied by deltaT");
+                "method: the new state does not follow deltaT: the derivative is divided by deltaT; it has to be "
+                        + "multiplied by deltaT");
     }
 }

@@ -1,0 +1,99 @@
+package particles.app.cli;
+
+import deSolvers.DESolverException;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.util.Locale;
+import particles.SimulationException;
+import particles.output.files.OutputException;
+import particles.scene.SceneException;
+
+/** What becomes of an exception: what can be expected to go wrong is a clear line each, anything else a stack trace. */
+public final class Failures {
+    private final PrintWriter err;
+
+    /** @param err where lines and stack traces go */
+    public Failures(PrintWriter err) {
+        this.err = err;
+    }
+
+    /**
+     * Prints what went wrong.
+     *
+     * @param thrown what a command threw
+     * @return how the program ends
+     */
+    public ExitCode print(Throwable thrown) {
+        if (thrown instanceof Failure failure) {
+            failure.lines().forEach(err::println);
+            return failure.exitCode();
+        }
+        if (thrown instanceof SceneException scene) {
+            scene.getLines().forEach(err::println);
+            return ExitCode.BAD_INPUT;
+        }
+        if (thrown instanceof SimulationException || thrown instanceof DESolverException) {
+            err.println(thrown.getMessage());
+            return ExitCode.STOPPED;
+        }
+        if (thrown instanceof OutputException) {
+            err.println(thrown.getMessage());
+            return ExitCode.TROUBLE;
+        }
+        if (thrown instanceof UncheckedIOException unchecked) {
+            return print(unchecked.getCause());
+        }
+        if (thrown instanceof IOException io) {
+            err.println(line(io));
+            return ExitCode.TROUBLE;
+        }
+        if (thrown instanceof OutOfMemoryError) {
+            err.printf(Locale.ROOT,
+                    "the memory that Java may use, %d MiB, is full; take fewer particles, frames or runs, or give"
+                    + " Java more:"
+                    + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
+                    (Runtime.getRuntime().maxMemory() >> 30) + 1);
+            return ExitCode.TROUBLE;
+        }
+        err.println("an error of the program itself, which should not happen:");
+        thrown.printStackTrace(err);
+        return ExitCode.TROUBLE;
+    }
+
+    /**
+     * Java's own messages are often the bare name of a file, or say only by their class or their cause what happened.
+     */
+    private static String line(IOException e) {
+        if (e instanceof FileSystemException file && file.getReason() == null) {
+            return file.getFile() + ": " + reason(file);
+        }
+        StringBuilder line = new StringBuilder();
+        for (Throwable t = e; t != null; t = t.getCause()) {
+            String message = t.getMessage() == null ? t.getClass().getSimpleName() : t.getMessage();
+            if (line.indexOf(message) < 0) {
+                line.append(line.isEmpty() ? "" : ": ").append(message);
+            }
+        }
+        return line.toString();
+    }
+
+    private static String reason(FileSystemException e) {
+        if (e instanceof AccessDeniedException) {
+            return "permission denied";
+        }
+        if (e instanceof NoSuchFileException) {
+            return "no such file or folder";
+        }
+        if (e instanceof NotDirectoryException) {
+            return "not a folder";
+        }
+        return e instanceof FileAlreadyExistsException ? "is already there, and is not a folder"
+                : e.getClass().getSimpleName();
+    }
+}

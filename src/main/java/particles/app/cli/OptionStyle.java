@@ -1,0 +1,50 @@
+package particles.app.cli;
+
+/**
+ * How the person at the keyboard writes an option: {@code -Pscene=2} for gradle, {@code --scene=2} for the start
+ * script.
+ */
+public enum OptionStyle {
+    SHELL("--"),
+    GRADLE("-P");
+
+    /** The system property by which build.gradle says that it started the program. */
+    public static final String STARTED_BY = "desolver.startedBy";
+
+    private final String prefix;
+
+    OptionStyle(String prefix) {
+        this.prefix = prefix;
+    }
+
+    public static OptionStyle current() {
+        return "gradle".equals(System.getProperty(STARTED_BY)) ? GRADLE : SHELL;
+    }
+
+    /**
+     * @param name an option's name, with or without dashes or -P before it
+     * @return the option as it is to be typed
+     */
+    public String option(String name) {
+        return prefix + bare(name);
+    }
+
+    /**
+     * @param found an option as the program got it, with or without =value
+     * @return the option as the person typed it, without the value
+     */
+    String typed(String found) {
+        return this == GRADLE ? option(found) : found.replaceFirst("=.*", "");
+    }
+
+    /** @return the text of the command line's own help, with the options as they are to be typed */
+    String help(String text) {
+        return text.replaceAll("(?<![\\w-])--(?=\\w)", prefix);
+    }
+
+    /** @return the name without dashes or -P before it, and without =value after it */
+    static String bare(String option) {
+        String name = option.replaceFirst("^(--?P(?=\\w)|-+)", "");
+        return name.contains("=") ? name.substring(0, name.indexOf('=')) : name;
+    }
+}

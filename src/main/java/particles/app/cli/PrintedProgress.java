@@ -1,0 +1,35 @@
+package particles.app.cli;
+
+import java.io.PrintWriter;
+import java.util.function.LongSupplier;
+import particles.experiments.runs.ProgressListener;
+
+/** Says how far an experiment is: a line every two seconds at most, none where it is short. */
+public final class PrintedProgress implements ProgressListener {
+    private static final double NANO = 1e-9;
+    private static final double PAUSE = 2;
+
+    private final PrintWriter out;
+    private final LongSupplier nanoTime;
+    private long last;
+
+    /**
+     * @param out      where lines go
+     * @param nanoTime a clock, such as {@link System#nanoTime}
+     */
+    public PrintedProgress(PrintWriter out, LongSupplier nanoTime) {
+        this.out = out;
+        this.nanoTime = nanoTime;
+        last = nanoTime.getAsLong();
+    }
+
+    @Override
+    public void reached(double part, String what) {
+        long now = nanoTime.getAsLong();
+        if ((now - last) * NANO >= PAUSE) {
+            out.println((int) (100 * part) + " %: " + what);
+            out.flush();
+            last = now;
+        }
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * What every command shares: options, exit codes, and failures as lines without stack traces.
+ */
+package particles.app.cli;

@@ -1,0 +1,73 @@
+package particles.app.experiments;
+
+import java.util.List;
+import particles.app.cli.OptionStyle;
+import particles.experiments.energy.DriftCharts;
+import particles.experiments.energy.EnergyDrift;
+import particles.experiments.energy.EnergyDrift.Comparison;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage;
+import particles.output.report.ResultPage.Picture;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code gradle energyDrift}: which solvers keep the energy of a scene. */
+@Command(name = EnergyDriftCommand.NAME, description = "Compares how well solvers keep the energy of a scene.")
+public final class EnergyDriftCommand extends ExperimentCommand {
+    static final String NAME = "energyDrift";
+
+    @Mixin
+    private final SceneOptions options = new SceneOptions();
+
+    @Option(names = "--equalWork", arity = "0..1", fallbackValue = "true", defaultValue = "false",
+            paramLabel = "true|false",
+            description = "Equal evaluations, as many as rk4 needs, instead of equal deltaT (default:"
+            + " ${DEFAULT-VALUE}).")
+    private boolean equalWork;
+
+    public EnergyDriftCommand(OptionStyle style) {
+        super(style);
+    }
+
+    @Override
+    protected String name() {
+        return NAME;
+    }
+
+    @Override
+    protected void check() {
+        scene();
+        solvers();
+    }
+
+    private SceneDescription scene() {
+        return options.scene("undamped-net", style());
+    }
+
+    private List<SolverChoice> solvers() {
+        return options.solvers("all", style());
+    }
+
+    @Override
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        Comparison comparison = EnergyDrift.compare(scene(), solvers(), equalWork, progress);
+        return new ResultPage(NAME, DriftCharts.finding(comparison), List.of(
+                "The energy error is what is left of the change of the total energy when the work of drag, damping,"
+                        + " wind, contacts and collisions is taken out: it is the solver's doing. It is divided by the"
+                        + " largest kinetic plus spring energy of the run, so that the zero of the potential does not"
+                        + " matter.",
+                "An error is called secular if the straight line through it rises by more than twice the scatter"
+                        + " about it and it still grows in the second half, or ends at its largest; it is called"
+                        + " bounded if not. Symplectic solvers trade energy back and forth; the others add or remove a"
+                        + " little in each step, always to the same side."),
+                List.of(Picture.stacked("energy-drift",
+                "Above the size of the error on a logarithmic scale, below the error itself as"
+                        + " long as it is less than a tenth. A cross is a run that ended early.",
+                        DriftCharts.charts(comparison))),
+                List.of(DriftCharts.table(comparison)));
+    }
+}

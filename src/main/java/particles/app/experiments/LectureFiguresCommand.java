@@ -1,0 +1,135 @@
+package particles.app.experiments;
+
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import particles.messages.Digits;
+import particles.app.cli.OptionStyle;
+import particles.experiments.lecture.LectureFigures.Figure;
+import particles.experiments.lecture.LectureFigures.Result;
+import particles.experiments.lecture.LectureFigures;
+import particles.experiments.runs.ProgressListener;
+import particles.messages.Digits;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage.Panel;
+import particles.output.report.ResultPage.Picture;
+import particles.output.report.ResultPage;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle lectureFigures}: the slides' figures, from their captions. */
+@Command(name = LectureFiguresCommand.NAME,
+        description = "The figures of the lecture: Euler, midpoint and RK4 over the vector field.")
+public final class LectureFiguresCommand extends ExperimentCommand {
+    static final String NAME = "lectureFigures";
+
+    private static final int MOST_STEPS = 200_000;
+    private static final int COLUMNS = 3;
+    private static final double DELTA_T = 0.4;
+    private static final int STEPS = 100;
+
+    @Option(names = "--solver", paramLabel = "NAME", description = "One figure more, with this solver.")
+    private String solver;
+
+    @Option(names = "--deltaT", paramLabel = "SECONDS",
+            description = "Its time step (default: " + DELTA_T + "; one period is 6.283 s).")
+    private Double deltaT;
+
+    @Option(names = "--steps", paramLabel = "NUMBER", description = "Its steps (default: " + STEPS + ").")
+    private Integer steps;
+
+    public LectureFiguresCommand(OptionStyle style) {
+        super(style);
+    }
+
+    @Override
+    protected String name() {
+        return NAME;
+    }
+
+    @Override
+    protected void check() {
+        if (deltaT != null) {                           // picocli leaves an option null that was not given
+            positive("deltaT", deltaT);
+            requireSolver("deltaT");
+        }
+        if (steps != null) {
+            requireWithin("steps", steps, 1, MOST_STEPS);
+            requireSolver("steps");
+        }
+        if (solver != null) {
+            try {
+                SolverCatalog.create(solver);
+            } catch (NoSuchElementException | IllegalArgumentException e) {
+                throw wrong("solver", e.getMessage());
+            }
+        }
+    }
+
+    private void requireSolver(String option) {
+        if (solver == null) {
+            throw wrong(option,
+                    "needs " + style().option("solver") + ", whose figure it is for; the slides' figures have"
+                    + " their own");
+        }
+    }
+
+    @Override
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        List<Figure> figures = new ArrayList<>(LectureFigures.onSlides());
+        if (solver != null) {
+            figures.add(new Figure(solver, deltaT == null ? DELTA_T : deltaT, steps == null ? STEPS : steps));
+        }
+        List<Result> results = new ArrayList<>();
+        List<Picture> pictures = new ArrayList<>();
+        List<Panel> panels = new ArrayList<>();
+        pictures.add(Picture.phase("vector-field", "The vector field of x'' = -x, and the one solution through (1, 0).",
+                LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))));
+        panels.add(new Panel(LectureFigures.exactChart(), true, Optional.of(LectureFigures.field(1.5))));
+        for (Figure figure : figures) {
+            progress.reached((double) results.size() / figures.size(), figure.solver());
+            Result result = LectureFigures.run(figure);
+            results.add(result);
+            Panel panel = new Panel(LectureFigures.chart(result, title(result)), true,
+                    Optional.of(LectureFigures.field(LectureFigures.reach(result))));
+            panels.add(panel);
+            pictures.add(Picture.phase(fileName(figure), caption(result), panel.data(), panel.field()));
+        }
+        pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
+                "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", COLUMNS, panels));
+        return new ResultPage(NAME,
+                LectureFigures.finding(results.subList(0, LectureFigures.onSlides().size())),
+                List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed"
+                        + " ellipse, a circle if both axes had one scale; it takes 2 pi seconds to go round,"
+                        + " clockwise. The arrows are the vector field that a solver sees.",
+                        "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N"
+                                + " steps multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R"
+                                + " - h). The table has both, measured and computed; where they agree, the picture is"
+                                + " the method and not a bug."),
+                pictures, List.of(LectureFigures.table(results)));
+    }
+
+    private static String title(Result result) {
+        Figure figure = result.figure();
+        return figure.solver() + ", deltaT = " + Digits.exact(figure.deltaT()) + " s, " + figure.steps() + " steps: "
+                + String.format(Locale.ROOT, "amplitude\u00a0\u00d7\u00a0%.4g, phase\u00a0%+.2g\u00a0rad",
+                result.amplitude(),
+                result.phaseError()).replace('-', '\u2212');
+    }
+
+    private static String caption(Result result) {
+        return String.format(Locale.ROOT,
+                "%s, deltaT = %s s, %d steps: the amplitude is multiplied by %.6f, the energy by %.6f,"
+                + " and the phase %s by %.6f rad.", result.figure().solver(), Digits.exact(result.figure().deltaT()),
+                result.figure().steps(), result.amplitude(), result.amplitude() * result.amplitude(),
+                result.phaseError() > 0 ? "runs ahead" : "lags", Math.abs(result.phaseError()));
+    }
+
+    private static String fileName(Figure figure) {
+        return figure.solver().replaceAll("[^\\w-]", "-") + "-" + Digits.exact(figure.deltaT()) + "s-" + figure.steps()
+                + "-steps";
+    }
+}

@@ -1,0 +1,135 @@
+package particles.app.experiments;
+
+import deSolvers.catalog.DidYouMean;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import particles.app.cli.OptionStyle;
+import particles.experiments.phase.Axis;
+import particles.experiments.phase.PhasePortraits;
+import particles.experiments.phase.PhasePortraits.Portrait;
+import particles.experiments.phase.PhasePortraits.Portraits;
+import particles.experiments.runs.ProgressListener;
+import particles.law.Particles;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage;
+import particles.output.report.ResultPage.Panel;
+import particles.output.report.ResultPage.Picture;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code gradle phasePlots}: phase portraits of a scene by several solvers. */
+@Command(name = PhasePlotsCommand.NAME,
+        description = "Draws phase portraits of a scene by several solvers over a reference.")
+public final class PhasePlotsCommand extends ExperimentCommand {
+    static final String NAME = "phasePlots";
+
+    @Mixin
+    private final SceneOptions options = new SceneOptions();
+
+    @Option(names = "--particles", paramLabel = "IDS", split = ";",
+            description = "Particles, separated by semicolons (default: the one of the scene's own phase plot).")
+    private List<String> particles = List.of();
+
+    @Option(names = "--axes", paramLabel = "AXES",
+            description = "Of x, y and z, as xy (default: that of the scene's own phase plot).")
+    private String axes;
+
+    public PhasePlotsCommand(OptionStyle style) {
+        super(style);
+    }
+
+    @Override
+    protected String name() {
+        return NAME;
+    }
+
+    @Override
+    protected void check() {
+        Scene scene = SceneBuilder.build(description(), new Overrides());
+        options.solvers("euler,symplectic-euler,rk4", style());
+        ids(scene);
+        axes(scene);
+    }
+
+    private SceneDescription description() {
+        return options.scene("euler-spiral", style());
+    }
+
+    private List<String> ids(Scene scene) {
+        Particles all = scene.system().getParticles();
+        List<String> known = new ArrayList<>();
+        for (int i = 0; i < all.count(); i++) {
+            known.add(all.id(i));
+        }
+        for (String id : particles) {
+            if (!known.contains(id)) {
+                throw wrong("particles", "the scene has no particle '" + id + "'" + DidYouMean.hint(id, known,
+                        "'%s'"::formatted)
+                        + " it has " + known.size() + ", from '" + known.get(0) + "' to '" + known.get(known.size() - 1)
+                        + "'");
+            }
+        }
+        return particles.isEmpty()
+                ? List.of(all.id(scene.phase().map(Scene.Phase::particle).orElseGet(() -> lastFree(all))))
+                : particles;
+    }
+
+    /** Those that are born later have no path from the start on. */
+    private int lastFree(Particles all) {
+        for (int i = all.count() - 1; i >= 0; i--) {
+            if (!all.isFixed(i)) {
+                return i;
+            }
+        }
+        throw wrong("scene", "no particle of this scene can move when it begins, so there is no path to draw");
+    }
+
+    /** None for the axis along which a particle goes farthest. */
+    private List<Axis> axes(Scene scene) {
+        if (axes == null) {                             // picocli leaves an option null that was not given
+            return scene.phase().map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
+        }
+        if (!axes.matches("[xyz]+")) {
+            throw wrong("axes", "'" + axes + "' has to be of the letters x, y and z");
+        }
+        return Arrays.stream(axes.split("")).distinct().map(letter ->
+                Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
+    }
+
+    @Override
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        SceneDescription description = description();
+        Scene scene = SceneBuilder.build(description, new Overrides());
+        Portraits portraits = PhasePortraits.compare(description, options.solvers("euler,symplectic-euler,rk4",
+                style()),
+                ids(scene),
+                axes(scene), progress);
+        List<Portrait> all = portraits.portraits();
+        String finding = PhasePortraits.finding(description.title(), all);
+        String caption = "Velocity over position. The pale band is the reference, dormand-prince with a tolerance of"
+                + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
+        int columns = columns((int) all.stream().map(Portrait::solver).distinct().count());
+        Picture picture = all.size() == 1 ? Picture.chart("phase-plots", caption, all.get(0).chart())
+                : Picture.panels("phase-plots", caption, finding, columns,
+                        all.stream().map(portrait -> new Panel(portrait.chart(), false, Optional.empty())).toList());
+        return new ResultPage(NAME, finding, List.of(
+                "A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral"
+                        + " outwards gains and a spiral inwards loses it. How far a path is off the curve is measured"
+                        + " in halves of the curve's width and height. A path that stays on the curve and yet ends"
+                        + " elsewhere, away from the hollow mark, has a wrong phase only."),
+                List.of(picture), List.of(portraits.table()));
+    }
+
+    /** Rows of equal length where that is possible: all solvers in one, or in two or three of up to four. */
+    private static int columns(int solvers) {
+        return solvers <= 4 ? solvers : solvers % 4 == 0 || solvers > 9 ? 4 : 3;
+    }
+}

@@ -1,0 +1,117 @@
+package particles.app.experiments;
+
+import java.util.List;
+import java.util.Locale;
+import particles.messages.Digits;
+import particles.app.cli.OptionStyle;
+import particles.experiments.race.Race.Result;
+import particles.experiments.race.Race;
+import particles.experiments.race.RaceCharts;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
+import particles.messages.Digits;
+import particles.output.animation.GifAnimation;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage.Picture;
+import particles.output.report.ResultPage;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code gradle race}: solvers beside each other, with equal work. */
+@Command(name = RaceCommand.NAME, description = "Solvers beside each other on a scene, with equal work: one animation.")
+public final class RaceCommand extends ExperimentCommand {
+    static final String NAME = "race";
+    private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
+    private static final String SHEET = "race.png";
+    /** Frames shown in a second. */
+    private static final double PLAYBACK = 20;
+    private static final int FEWEST_FRAMES = 40;
+    private static final int MOST_FRAMES = 300;
+    private static final int FRAMES_POSSIBLE = 2000;
+    private static final int MOST_SOLVERS = 16;
+    /** The part of the time that the runs take, and not the film. */
+    private static final double RUNS = 0.6;
+
+    @Mixin
+    private final SceneOptions options = new SceneOptions();
+
+    @Option(names = "--frames", paramLabel = "NUMBER", description = "Frames of the animation, which shows 20 a second"
+            + " (default: 20 for a second of the scene, from 40 to 300).")
+    private Integer frames;
+
+    public RaceCommand(OptionStyle style) {
+        super(style);
+    }
+
+    @Override
+    protected String name() {
+        return NAME;
+    }
+
+    @Override
+    protected void check() {
+        SceneDescription scene = scene();
+        if (!(scene.duration() > 0)) {
+            throw wrong("duration", "a race has to last longer than " + Digits.few(scene.duration()) + " s");
+        }
+        if (frames != null) {                           // picocli leaves an option null that was not given
+            requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
+        }
+        if (solvers().size() > MOST_SOLVERS) {
+            throw wrong("solvers", solvers().size() + " are too many to be seen; at most " + MOST_SOLVERS);
+        }
+    }
+
+    private SceneDescription scene() {
+        return options.scene("soft-chain", style());
+    }
+
+    private List<SolverChoice> solvers() {
+        return options.solvers(SOLVERS, style());
+    }
+
+    private int frameCount(SceneDescription scene) {
+        return frames != null ? frames
+                : (int) Math.max(FEWEST_FRAMES, Math.min(MOST_FRAMES, Math.round(PLAYBACK * scene.duration())));
+    }
+
+    @Override
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        SceneDescription scene = scene();
+        List<SolverChoice> solvers = solvers();
+        int count = frameCount(scene);
+        try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.duration(), PLAYBACK)) {
+            Result race = new Race(scene, solvers, count).run(pictures, (part, what) -> progress.reached(RUNS * part,
+                    what));
+            pictures.write(folder, SHEET, race, part -> progress.reached(RUNS + (1 - RUNS) * part, "the animation"));
+            return page(race, count);
+        }
+    }
+
+    private static ResultPage page(Result race, int count) {
+        double speed = race.duration() * PLAYBACK / count;
+        String pace = race.shares().slowest().map(slowest -> slowest.label() + ", which cannot do with less,")
+                .orElse("rk4 at the scene's step");
+        String rule = race.equalTime()
+                ? "All run for the same measured time, as long as " + pace + " needs: an implicit solver does more than"
+                        + " evaluate the derivative, so that equal evaluations would not be fair. A time is that of a"
+                        + " busy processor, the median of runs that were made in turn after a warm-up."
+                : "All get as many evaluations of the derivative as " + pace
+                        + " needs, to within one step: a cheap method makes more and shorter steps, an adaptive one"
+                        + " gets the tolerance that costs as much.";
+        return new ResultPage(NAME, RaceCharts.title(race), List.of(rule,
+                "The grey ghost is the reference, " + Race.REFERENCE + ". The strip below shows the energy error of"
+                        + " each solver, physics taken out, over the energy scale. Who goes where the reference never"
+                        + " comes near, or fails, has left the race; its panel stays as it was.",
+                String.format(Locale.ROOT, "The animation is played %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
+                        : String.format(Locale.ROOT, "at %.3g times the speed of the scene", speed))),
+                List.of(Picture.made(GifAnimation.FILE, "The race."),
+                        Picture.made(SHEET, "The race at some moments, and the energy error over time."),
+                        Picture.stacked("race-charts", "Above the distance of each solver from the reference, root mean"
+                                + " square over the particles; below its energy error. A cross is where one left.",
+                                List.of(RaceCharts.distance(race), RaceCharts.energy(race)))),
+                List.of(RaceCharts.table(race)));
+    }
+}

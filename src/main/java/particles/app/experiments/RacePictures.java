@@ -1,0 +1,114 @@
+package particles.app.experiments;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.DoubleConsumer;
+import particles.Observer;
+import particles.messages.Digits;
+import particles.experiments.race.Race.Lane;
+import particles.experiments.race.Race.Result;
+import particles.experiments.race.Race;
+import particles.experiments.race.RaceCharts;
+import particles.experiments.runs.Extent;
+import particles.experiments.runs.SolverChoice;
+import particles.law.Vector3;
+import particles.messages.Digits;
+import particles.output.files.OutputFolder;
+import particles.output.frames.FrameSetup;
+import particles.output.race.RaceFilm;
+import particles.output.raster.CameraFraming;
+import particles.scene.Scene;
+import particles.view.Camera;
+
+/** Watches a race, and makes its film. The panels take their shape from where the reference goes. */
+final class RacePictures implements Race.Audience, AutoCloseable {
+    /**
+     * Room around where the reference goes, as a part of the largest extent; who leaves it is still seen for a while.
+     */
+    private static final double ROOM = 0.06;
+    private static final double WIDEST = 16.0 / 9;
+    private static final double NARROWEST = 0.9;
+
+    private final int panels;
+    private final double rate;
+    private final double playback;
+    private Optional<RaceFilm> film = Optional.empty();
+    private Optional<Camera> camera = Optional.empty();
+
+    /**
+     * @param panels   how many solvers there are
+     * @param rate     frames for a second of simulated time (1/s)
+     * @param playback frames shown in a second (1/s)
+     */
+    RacePictures(int panels, double rate, double playback) {
+        this.panels = panels;
+        this.rate = rate;
+        this.playback = playback;
+    }
+
+    @Override
+    public List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent) {
+        if (solver.isEmpty()) {
+            begin(extent);
+        }
+        FrameSetup stage = new FrameSetup(camera.orElseThrow(), scene.look(), scene.scenery(), "", "");
+        RaceFilm made = film.orElseThrow();
+        return List.of(solver.isPresent() ? made.watch(solver.get().label(), stage) : made.watchReference(stage));
+    }
+
+    private void begin(Extent extent) {
+        Vector3 size = extent.high().minus(extent.low());
+        double room = ROOM * Math.max(size.x(), Math.max(size.y(), size.z()));
+        Vector3 around = new Vector3(room, room, size.z() > 0 ? room : 0);
+        Vector3 low = extent.low().minus(around);
+        Vector3 high = extent.high().plus(around);
+        double aspect = (high.x() - low.x() + high.z() - low.z()) / Math.max(room, high.y() - low.y());
+        aspect = Math.max(NARROWEST, Math.min(WIDEST, aspect));
+        camera = Optional.of(CameraFraming.around(low, high, aspect));
+        film = Optional.of(new RaceFilm(panels, aspect, rate, playback));
+    }
+
+    /**
+     * Writes the film and the sheet.
+     *
+     * @param folder   where they go
+     * @param sheet    the sheet's name
+     * @param race     what was watched
+     * @param progress hears which part is done
+     */
+    void write(OutputFolder folder, String sheet, Result race, DoubleConsumer progress) {
+        List<RaceFilm.Words> words = new ArrayList<>();
+        for (Lane lane : race.lanes()) {
+            words.add(new RaceFilm.Words(lane.match().setting().solver().label(), step(lane),
+                    cost(lane, race.equalTime()),
+                    lane.left()));
+        }
+        film.orElseThrow().write(folder, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
+                RaceCharts.finding(race),
+                "Grey ghost: the reference, " + Race.REFERENCE + "."), words, RaceCharts.energy(race), progress);
+    }
+
+    /** Two digits, as there is little room; the table has the others. */
+    private static String step(Lane lane) {
+        return lane.match().setting().tolerance().map(t -> "tolerance " + two(t)).orElseGet(() -> "deltaT = "
+                + two(lane.match().setting().deltaT()) + " s");
+    }
+
+    private static String two(double value) {
+        return Digits.few(new BigDecimal(value).round(new MathContext(2)).doubleValue());
+    }
+
+    private static String cost(Lane lane, boolean equalTime) {
+        return equalTime ? Digits.few(1000 * lane.match().seconds().orElse(Double.NaN)) + " ms"
+                : lane.match().evaluations() + " evaluations";
+    }
+
+    @Override
+    public void close() {
+        film.ifPresent(RaceFilm::close);
+    }
+}

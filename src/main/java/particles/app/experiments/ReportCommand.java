@@ -1,0 +1,191 @@
+package particles.app.experiments;
+
+import deSolvers.catalog.DidYouMean;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import particles.app.cli.Failures;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.PrintedProgress;
+import particles.app.cli.Version;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+import particles.output.report.Report;
+import particles.output.report.Report.Section;
+import particles.output.report.ReportWriter;
+import particles.output.report.ResultPage;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+
+/** {@code gradle report}: the experiments on one page, for the course or for a scene. */
+@Command(name = ReportCommand.NAME, description = "All experiments, of the course or of a scene, on one HTML page.")
+public final class ReportCommand extends ResultsCommand {
+    static final String NAME = "report";
+    static final String FILE = "report.html";
+    /** What a scene is looked at with: all would take long on large ones. */
+    private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
+    private static final String SCENE_OPTION = "--scene";
+    private static final int MOST_LINES = 8;
+    private static final double NANO = 1e-9;
+
+    private final List<ExperimentCommand> experiments;
+
+    @Option(names = SCENE_OPTION, paramLabel = "NAME", description = "The scene that energyDrift, phasePlots and race"
+            + " look at: a file, or the name or number of one in scenes (default: each its own).")
+    private String scene;
+
+    @Option(names = "--solvers", paramLabel = "NAMES", description = "Their solvers, separated by commas, or all"
+            + " (default: with a scene " + SOLVERS + ").")
+    private String solvers;
+
+    @Option(names = "--experiments", paramLabel = "NAMES", defaultValue = "all",
+            description = "Experiments, separated by commas (default: ${DEFAULT-VALUE}).")
+    private String names = "all";
+
+    /**
+     * @param style       how options are typed, for messages
+     * @param experiments what the report joins, in this order
+     */
+    public ReportCommand(OptionStyle style, List<ExperimentCommand> experiments) {
+        super(style);
+        this.experiments = experiments;
+    }
+
+    @Override
+    protected String name() {
+        return NAME;
+    }
+
+    @Override
+    public void run(PrintWriter lines) {
+        Optional<SceneDescription> about = about();
+        List<ExperimentCommand> chosen = chosen();
+        long begin = System.nanoTime();
+        PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
+        List<Section> sections = new ArrayList<>();
+        try (OutputFolder folder = OutputFolder.open(folder(), FILE)) {
+            for (ExperimentCommand experiment : chosen) {
+                double done = sections.size();
+                sections.add(section(experiment, (part, what) ->
+                        progress.reached((done + part) / chosen.size(), experiment.name() + ", " + what)));
+            }
+            ReportWriter.write(folder, FILE, new Report(title(about), text(about, chosen), sections,
+                    String.format(Locale.ROOT,
+                    "Made by gradle report of DESolver %s in %.0f s.", Version.CURRENT,
+                    (System.nanoTime() - begin) * NANO)));
+        }
+        for (Section section : sections) {
+            lines.printf(Locale.ROOT, "%-15s %4.0f s  %s%n", section.name(), section.seconds(), section.page()
+                    .map(ResultPage::title).orElseGet(() -> "failed: " + section.failure().orElse("")));
+        }
+        lines.println();
+        lines.printf(Locale.ROOT, "all on one page, in %.0f s: %s%n", (System.nanoTime() - begin) * NANO,
+                folder().resolve(FILE));
+    }
+
+    private Optional<SceneDescription> about() {
+        // a solver that does not exist is said before anything runs
+        new SceneOptions().solvers(solvers(), style());
+        // picocli leaves options null that were not given
+        return scene == null ? Optional.empty() : Optional.of(new SceneOptions().scene(scene, style()));
+    }
+
+    private String solvers() {
+        return solvers != null ? solvers : SOLVERS;
+    }
+
+    private List<ExperimentCommand> chosen() {
+        if (names.strip().equals("all")) {
+            return experiments;
+        }
+        List<String> known = experiments.stream().map(ExperimentCommand::name).toList();
+        List<String> wanted = Arrays.stream(names.split(",")).map(String::strip).filter(name -> !name.isEmpty())
+                .toList();
+        for (String name : wanted) {
+            if (!known.contains(name)) {
+                throw wrong("experiments", "no experiment is called '" + name + "'" + DidYouMean.hint(name, known,
+                        "'%s'"::formatted)
+                        + " known: " + String.join(", ", known));
+            }
+        }
+        if (wanted.isEmpty()) {
+            throw wrong("experiments", "no experiment is named; known: " + String.join(", ", known));
+        }
+        return experiments.stream().filter(experiment -> wanted.contains(experiment.name())).toList();
+    }
+
+    /** An experiment that fails has a section too; a disk that is full ends all. */
+    private Section section(ExperimentCommand experiment, ProgressListener progress) {
+        CommandLine line = new CommandLine(experiment);
+        String purpose = String.join(" ", line.getCommandSpec().usageMessage().description());
+        Path into = folder().resolve(experiment.name());
+        long begin = System.nanoTime();
+        Optional<ResultPage> page = Optional.empty();
+        Optional<String> failure = Optional.empty();
+        try {
+            line.setExpandAtFiles(false).parseArgs(options(line.getCommandSpec()));
+            progress.reached(0, "begins");
+            experiment.check();
+            page = Optional.of(experiment.writeInto(into, progress));
+        } catch (OutputException e) {
+            throw e;
+        } catch (RuntimeException e) {
+            failure = Optional.of(reason(e));
+        }
+        return new Section(experiment.name(), purpose, into, (System.nanoTime() - begin) * NANO, page, failure);
+    }
+
+    /** Those who look at a scene get this one. */
+    private String[] options(CommandSpec spec) {
+        List<String> options = new ArrayList<>();
+        if (spec.findOption(SCENE_OPTION) != null) {
+            if (scene != null) {
+                options.add(SCENE_OPTION + "=" + scene);
+            }
+            if (scene != null || solvers != null) {
+                options.add("--solvers=" + solvers());
+            }
+        }
+        return options.toArray(String[]::new);
+    }
+
+    private static String reason(RuntimeException thrown) {
+        StringWriter lines = new StringWriter();
+        PrintWriter out = new PrintWriter(lines);
+        new Failures(out).print(thrown);
+        out.flush();
+        return lines.toString().lines().limit(MOST_LINES).map(String::strip).collect(Collectors.joining("\n"));
+    }
+
+    private static String title(Optional<SceneDescription> about) {
+        return about.map(description -> description.title() + ": what accuracy costs").orElse("What accuracy costs");
+    }
+
+    private List<String> text(Optional<SceneDescription> about, List<ExperimentCommand> chosen) {
+        List<String> text = new ArrayList<>();
+        about.ifPresent(description -> {
+            text.add(description.teaches());
+            text.add("Those experiments that run a scene look at this one, with " + String.join(", ",
+                    SolverChoice.list(solvers()).stream().map(SolverChoice::label).toList())
+                    + "; the other experiments have problems of their own.");
+        });
+        text.add("How long steps may be, what an error costs, and what becomes of the energy: "
+                + chosen.size() + (chosen.size() == 1 ? " experiment" : " experiments")
+                + " with the course's solvers.");
+        text.add("A click on a column's head sorts a table by it, a click on a picture shows it larger. The numbers"
+                + " behind each picture, with all digits, are in the folder of the experiment's name beside this"
+                + " page.");
+        return text;
+    }
+}

@@ -1,0 +1,80 @@
+package particles.app.experiments;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.NoSuchElementException;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.experiments.runs.SolverChoice;
+import picocli.CommandLine.Option;
+
+/** A command with a folder of results of its own, build/out/NAME. */
+abstract class ResultsCommand extends ProgramCommand {
+    private static final Path RESULTS = Path.of("build", "out");
+
+    @Option(names = "--out", paramLabel = "FOLDER",
+            description = "Where the results go (default: build/out and the task's name).")
+    private String out;
+
+    private final OptionStyle style;
+
+    /** @param style how options are typed, for messages */
+    ResultsCommand(OptionStyle style) {
+        this.style = style;
+    }
+
+    /** @return its task's name */
+    protected abstract String name();
+
+    protected OptionStyle style() {
+        return style;
+    }
+
+    /** @return where results go */
+    protected final Path folder() {
+        if (out == null) {                              // picocli leaves an option null that was not given
+            return RESULTS.resolve(name());
+        }
+        try {
+            if (!out.isBlank()) {
+                return Path.of(out);
+            }
+        } catch (InvalidPathException e) {
+            throw wrong("out", "'" + out + "' is no folder's name: " + e.getReason());
+        }
+        throw wrong("out", "needs the name of a folder");
+    }
+
+    /** @return the failure that says what is wrong with an option */
+    protected Failure wrong(String option, String why) {
+        return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
+    }
+
+    /** @return the solvers that the option names */
+    protected final List<SolverChoice> solverChoices(String names) {
+        try {
+            return SolverChoice.list(names);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            throw wrong("solvers", e.getMessage());
+        }
+    }
+
+    /** Refuses a whole number that is out of its range; {@link Integer#MAX_VALUE} is no upper limit. */
+    protected void requireWithin(String option, int value, int least, int most) {
+        if (value < least || value > most) {
+            throw wrong(option, value + " has to be " + (most == Integer.MAX_VALUE ? least + " or more"
+                    : "from " + least + " to " + most));
+        }
+    }
+
+    /** @return the number, if it is finite and over 0 */
+    protected double positive(String option, double value) {
+        if (!(value > 0) || !(value <= Double.MAX_VALUE)) {
+            throw wrong(option, value + " has to be finite and more than 0");
+        }
+        return value;
+    }
+}

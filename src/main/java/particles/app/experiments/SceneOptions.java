@@ -1,0 +1,56 @@
+package particles.app.experiments;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.NoSuchElementException;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.student.StudentClasses;
+import particles.experiments.runs.SolverChoice;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine.Option;
+
+/** The options of experiments that run a scene with several solvers. */
+final class SceneOptions {
+    private static final Path SCENES = Path.of("scenes");
+
+    @Option(names = "--scene", paramLabel = "NAME",
+            description = "The scene: a file, or the name or number of one in scenes.")
+    private String scene;
+
+    @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers, separated by commas, or all.")
+    private String solvers;
+
+    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "Another time step than the scene's.")
+    private String deltaT;
+
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "Another duration than the scene's.")
+    private String duration;
+
+    /** @return the scene that was asked for, or else this one, with what overrides it */
+    SceneDescription scene(String standard, OptionStyle style) {
+        Overrides overrides = new Overrides();
+        if (deltaT != null) {                           // picocli leaves an option null that was not given
+            overrides.with("deltaT", deltaT, style.option("deltaT"));
+        }
+        if (duration != null) {
+            overrides.with("duration", duration, style.option("duration"));
+        }
+        Path file = SceneFiles.find(SCENES, scene == null ? standard : scene);
+        return SceneBuilder.build(SceneReader.read(file, new StudentClasses()), overrides).description();
+    }
+
+    /** @return the solvers that were asked for, or else these */
+    List<SolverChoice> solvers(String standard, OptionStyle style) {
+        try {
+            return SolverChoice.list(solvers == null ? standard : solvers);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("solvers") + ": " + e.getMessage());
+        }
+    }
+}

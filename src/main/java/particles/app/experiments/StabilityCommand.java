@@ -1,0 +1,125 @@
+package particles.app.experiments;
+
+import java.nio.file.Path;
+import java.util.List;
+import particles.app.cli.OptionStyle;
+import particles.app.student.StudentClasses;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.stability.SceneStability;
+import particles.experiments.stability.StabilityLimits;
+import particles.experiments.stability.StabilityRegion;
+import particles.experiments.stability.StabilityRegion.Window;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage;
+import particles.output.report.ResultPage.Picture;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.view.DataTable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle stability}: how long a step may be, measured on every solver's real code, or in one scene. */
+@Command(name = StabilityCommand.NAME, description = "Measures how long a stable step of each solver may be.")
+public final class StabilityCommand extends ExperimentCommand {
+    static final String NAME = "stability";
+    private static final Path SCENES = Path.of("scenes");
+
+    @Option(names = "--scene", paramLabel = "NAME",
+            description = "How long a step may be in this scene: a file, or the name or number of"
+            + " one in scenes (default: each solver by itself).")
+    private String scene = "";
+
+    @Option(names = "--solvers", paramLabel = "NAMES",
+            description = "Solvers to try in the scene, separated by commas (default: all).")
+    private String solvers = "";
+
+    @Option(names = "--deltaT", paramLabel = "SECONDS",
+            description = "At which step growth is told, instead of the scene's.")
+    private String deltaT = "";
+
+    public StabilityCommand(OptionStyle style) {
+        super(style);
+    }
+
+    @Override
+    protected String name() {
+        return NAME;
+    }
+
+    @Override
+    protected void check() {
+        if (scene.isEmpty() && !(solvers.isEmpty() && deltaT.isEmpty())) {
+            throw wrong(solvers.isEmpty() ? "deltaT" : "solvers", "goes with " + style().option("scene") + " only");
+        }
+        if (!scene.isEmpty()) {
+            solverChoices(solvers.isEmpty() ? "all" : solvers);
+            if (SceneStability.spectrum(described()).modes().stream().noneMatch(mode -> mode.re() <= 0)) {
+                throw wrong("scene",
+                        "at the start of this scene nothing moves by itself that a long step could make grow: choose"
+                        + " one with springs, drag or rods between particles that can move");
+            }
+        }
+    }
+
+    private SceneDescription described() {
+        Overrides overrides = new Overrides();
+        if (!deltaT.isEmpty()) {
+            overrides.with("deltaT", deltaT, style().option("deltaT"));
+        }
+        return SceneBuilder.build(SceneReader.read(SceneFiles.find(SCENES, scene), new StudentClasses()),
+                overrides).description();
+    }
+
+    @Override
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        return scene.isEmpty() ? limits(progress) : SceneStabilityPage.measure(described(),
+                solverChoices(solvers.isEmpty() ? "all" : solvers), progress);
+    }
+
+    private static ResultPage limits(ProgressListener progress) {
+        DataTable limits = StabilityLimits.measure((part, what) -> progress.reached(part / 2, what));
+        return new ResultPage(NAME, "How long a step may be before it grows", List.of(
+                "Every number was measured on the solver's real code, by bisection on the test equation y' = lambda"
+                        + " y. Theory stands beside it: it is what the catalogue states. A spring without damping lies"
+                        + " on the imaginary axis, lambda = i omega; what only decays lies on the negative real axis.",
+                "An adaptive solver makes its sub-steps shorter before anything grows. What is measured of it is one"
+                        + " sub-step as long as deltaT, which a tolerance that allows everything makes it take: beyond"
+                        + " its limit it has to take more of them, and that is what a stiff system costs it."
+                        + " bulirsch-stoer states no limits, as every number of lines of its table has its own;"
+                        + " measured are those with which it begins.",
+                "Symplectic solvers need positions and velocities: what is measured is a damped spring with the"
+                        + " eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet"
+                        + " and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and"
+                        + " with strong damping it is their limit."),
+                List.of(region("slides", "Explicit steps: stable inside the outline",
+                                "The slides' solvers and adams. euler and midpoint touch the imaginary axis only at 0.",
+                                List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), progress,
+                                0.5),
+                        region("adaptive", "One sub-step of the explicit adaptive solvers: stable inside the outline",
+                                "Longer steps are divided, so that these outlines say what a stiff system costs.",
+                                List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
+                                new Window(-14, 4, 12, 0.15),
+                                progress, 0.6),
+                        region("symplectic", "Symplectic steps on a damped spring: stable inside the outline",
+                                "Without damping, on the imaginary axis, the limit is 2, of yoshida4 1.57; damping"
+                                + " takes from it.",
+                                List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04),
+                                progress, 0.7),
+                        region("implicit", "Implicit steps: stable outside the outline",
+                                "All that decays is stable. implicit-midpoint has the imaginary axis itself for an"
+                                        + " outline: what grows grows, and what decays decays. The others damp what"
+                                        + " grows too, if it is fast.",
+                                List.of("backward-euler", "implicit-midpoint", "radau"), new Window(-3, 13, 8, 0.15),
+                                progress, 0.85)),
+                List.of(limits));
+    }
+
+    private static Picture region(String name, String title, String caption, List<String> solvers, Window window,
+                                  ProgressListener progress, double done) {
+        progress.reached(done, "outlines of " + String.join(", ", solvers));
+        return Picture.map("region-" + name, caption, StabilityRegion.outlines(title, solvers, window));
+    }
+}

@@ -1,0 +1,125 @@
+package particles.app.experiments;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.NoSuchElementException;
+import particles.messages.Digits;
+import particles.app.cli.OptionStyle;
+import particles.experiments.lecture.CostExercise.Cost;
+import particles.experiments.lecture.CostExercise;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.work.WorkCharts;
+import particles.experiments.work.WorkPrecision.Curve;
+import particles.experiments.work.WorkPrecision;
+import particles.experiments.work.WorkProblem;
+import particles.experiments.work.WorkProblems;
+import particles.experiments.work.WorkTables;
+import particles.messages.Digits;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage.Picture;
+import particles.output.report.ResultPage;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle workPrecision}: what precision costs. */
+@Command(name = WorkPrecisionCommand.NAME,
+        description = "Sets the error of solvers against their cost, on several problems.")
+public final class WorkPrecisionCommand extends ExperimentCommand {
+    static final String NAME = "workPrecision";
+
+    private static final String FAILURES = " Below: the runs without a result.";
+
+    @Option(names = "--problem", paramLabel = "NAMES", defaultValue = "all",
+            description = "Problems, separated by commas:"
+            + " oscillator, pendulum, kepler, network, stiff-chain, cloth (default: ${DEFAULT-VALUE}).")
+    private String problem = "all";
+
+    @Option(names = "--solvers", paramLabel = "NAMES", defaultValue = "all",
+            description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
+    private String solvers = "all";
+
+    public WorkPrecisionCommand(OptionStyle style) {
+        super(style);
+    }
+
+    @Override
+    protected String name() {
+        return NAME;
+    }
+
+    @Override
+    protected void check() {
+        solverChoices(solvers);
+        for (String name : names()) {
+            if (!WorkProblems.NAMES.contains(name)) {
+                try {
+                    WorkProblems.of(name);
+                } catch (NoSuchElementException e) {
+                    throw wrong("problem", e.getMessage());
+                }
+            }
+        }
+    }
+
+    private List<String> names() {
+        List<String> names = problem.strip().equals("all") ? WorkProblems.NAMES
+                : Arrays.stream(problem.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct()
+                .toList();
+        if (names.isEmpty()) {
+            throw wrong("problem", "no problem is named; known: " + String.join(", ", WorkProblems.NAMES));
+        }
+        return names;
+    }
+
+    @Override
+    protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+        Map<WorkProblem, List<Curve>> all = new LinkedHashMap<>();
+        List<String> names = names();
+        List<SolverChoice> choices = solverChoices(solvers);
+        for (String name : names) {
+            progress.reached((double) all.size() / names.size(), name + ", the reference");
+            WorkProblem solved = WorkProblems.of(name);
+            List<Curve> curves = new ArrayList<>();
+            for (SolverChoice choice : choices) {
+                progress.reached((all.size() + (double) curves.size() / choices.size()) / names.size(), choice.label()
+                        + " on " + name);
+                curves.add(WorkPrecision.measure(solved, choice));
+            }
+            all.put(solved, curves);
+        }
+        progress.reached(1, "the lecture's exercise");
+        List<Cost> costs = CostExercise.solve();
+        List<Picture> pictures = new ArrayList<>();
+        all.forEach((solved, curves) -> {
+            String caption = solved.title() + " over " + Digits.few(solved.duration()) + " s; reference: "
+                    + solved.origin()
+                    + ".";
+            pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
+                    + " Filled points are those of the fitted slope."
+                    + FAILURES, WorkCharts.byEvaluations(solved, curves)));
+            pictures.add(Picture.stacked(solved.name() + "-time", caption
+                    + " Times are those of a busy processor, medians of three or more runs after a warm-up; bars"
+                    + " go from the fastest to the slowest." + FAILURES,
+                    WorkCharts.byTime(solved, curves)));
+        });
+        return new ResultPage(NAME, CostExercise.finding(costs), List.of(
+                "Each line is a solver, each point a run with half the step, or a tenth of the tolerance, of the one"
+                        + " before. Its slope is the order: with half the step, the error of rk4 falls to a sixteenth."
+                        + " Slopes are fitted only where they are those of the method: over the last three or more"
+                        + " errors in a row that are less than 0.1, above the last digits, and on a straight line,"
+                        + " which says that the slopes between them differ by 0.1 at most; of adaptive solvers, by"
+                        + " 1.5. A slope that is off theory by more than 1.25 is none of the method: such errors fall"
+                        + " for another reason, as where sub-steps become short enough to be stable. Points that are"
+                        + " fitted are filled.",
+                "The stiff chain does nothing but follow its shaken wall. Explicit solvers have no result until their"
+                        + " step is short enough for the stiffest spring, and are then more accurate than anybody"
+                        + " asked. Implicit ones take long steps, but see only the stages of a step: there radau has"
+                        + " the order of its stages, 3, and not 5, until the step is as short as the time of the"
+                        + " springs. Its steps are equal here, as those of the others."),
+                pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
+    }
+}

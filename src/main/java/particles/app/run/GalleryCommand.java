@@ -1,0 +1,92 @@
+package particles.app.run;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import particles.app.cli.ProgramCommand;
+import particles.app.student.StudentClasses;
+import particles.law.Particles;
+import particles.output.frames.FrameObserver;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSetup;
+import particles.output.frames.LastFrame;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.view.Camera;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import picocli.CommandLine.Command;
+
+/** {@code gradle gallery}: one small picture of each scene, and the page that shows them. */
+@Command(name = "gallery", description = "Draws a small picture of each scene and writes scenes/README.md.")
+public final class GalleryCommand extends ProgramCommand {
+    public static final int WIDTH = 320;
+    public static final int HEIGHT = 180;
+    /** A picture shows the motion after this part of the run, when most scenes are in full swing. */
+    private static final double MOMENT = 0.4;
+    /** More trails than this would hide what they show. */
+    private static final int MOST_TRAILS = 6;
+
+    private final Path folder;
+
+    /** @param folder where the scenes are, and the page goes */
+    public GalleryCommand(Path folder) {
+        this.folder = folder;
+    }
+
+    @Override
+    public void run(PrintWriter out) throws IOException {
+        // a scene that cannot be read stops this before anything is drawn
+        String page = GalleryPage.of(folder);
+        Path pictures = Files.createDirectories(folder.resolve(GalleryPage.PICTURES));
+        for (Path file : SceneFiles.list(folder)) {
+            String name = SceneName.of(file).whole();
+            draw(file, pictures.resolve(name + ".png"));
+            out.println(name);
+            out.flush();
+        }
+        Files.writeString(folder.resolve(GalleryPage.FILE), page);
+        out.println("the gallery: " + folder.resolve(GalleryPage.FILE));
+    }
+
+    private static void draw(Path file, Path picture) {
+        SceneDescription described = SceneReader.read(file, new StudentClasses());
+        Overrides whole = new Overrides();
+        Camera camera = CameraFinder.find(SceneBuilder.build(described, whole), described, whole);
+        double moment = MOMENT * described.duration();
+        Scene scene = SceneBuilder.build(described, new Overrides().with("duration", Double.toString(moment),
+                "the gallery"));
+        FrameSetup stage = new FrameSetup(camera, withTrails(scene, moment), scene.scenery(), "", "");
+        FrameRenderer renderer = new FrameRenderer(stage, WIDTH, HEIGHT, 2);
+        double framesPerSecond = Math.max(scene.output().frameRate(), 20 / moment);
+        try (FrameObserver frames = new FrameObserver(renderer, Math.round(framesPerSecond * moment) / moment,
+                List.of(new LastFrame(picture, WIDTH, HEIGHT)))) {
+            scene.simulation().addObserver(frames);
+            scene.simulation().run();
+        }
+    }
+
+    /** A still picture of few particles shows no motion without the way they came. */
+    private static RenderOptions withTrails(Scene scene, double duration) {
+        RenderOptions look = scene.look();
+        ParticleStyle style = look.style();
+        Particles particles = scene.system().getParticles();
+        long free = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            free += particles.isFixed(i) ? 0 : 1;
+        }
+        if (free > MOST_TRAILS || style.kind() != ParticleStyle.Kind.BALLS || style.trail() > 0) {
+            return look;
+        }
+        return new RenderOptions(look.particles(), look.springs(), look.particleRadius(), look.strainRange(),
+                look.particleColour(),
+                look.fixedColour(), look.frontColour(), look.backColour(),
+                new ParticleStyle(style.kind(), style.ageColours(), duration, style.night()));
+    }
+}

@@ -1,0 +1,62 @@
+package particles.app.run;
+
+import java.nio.file.Path;
+import java.util.List;
+import particles.app.student.StudentClasses;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
+
+/** The text of {@code scenes/README.md}: the gallery of scenes, and the reference of all keys of a scene file. */
+public final class GalleryPage {
+    /** The page's name, in the folder of scenes. */
+    public static final String FILE = "README.md";
+    /** The folder of its pictures, in the folder of scenes. */
+    public static final String PICTURES = "pictures";
+
+    private static final String BEGINNING = """
+            # Scenes
+
+            A scene is a text file that names particles, forces, rules and a solver. `gradle run -Pscene=9` runs scene
+            9; `-Pscene=my-scene.yaml` runs a file of your own. To write one, copy the scene nearest to what you want
+            and change it: each file explains itself in comments. Editors that know JSON Schema complete and check
+            keys by `scene.schema.json`, which each scene names in its first line.
+
+            `gradle gallery` writes this page, with one picture of each scene. Lines show where particles came from.
+
+            | picture | scene |
+            | --- | --- |
+            """;
+    private static final String KEYS = """
+
+            ## Keys of a scene file
+
+            Lengths are in metres, masses in kilograms, times in seconds; y points up. A key whose default is *needed*
+            has to be given, and a key with an empty default may be left out. An unknown key is an error, with its
+            line.
+
+            """;
+
+    private GalleryPage() {
+    }
+
+    /**
+     * @param folder where the scenes are
+     * @return the page, in Markdown
+     */
+    public static String of(Path folder) {
+        StringBuilder page = new StringBuilder(BEGINNING);
+        for (Path file : SceneFiles.list(folder)) {
+            page.append(row(SceneName.of(file), SceneReader.read(file, new StudentClasses()))).append('\n');
+        }
+        return page + KEYS + SceneFormat.reference("###");
+    }
+
+    private static String row(SceneName name, SceneDescription scene) {
+        String teaches = String.join(" ", List.of(scene.teaches().strip().split("\\s+"))).replace("|", "\\|");
+        return "| ![" + scene.title() + "](" + PICTURES + "/" + name.whole() + ".png) | [" + name.whole() + "]("
+                + name.whole()
+                + ".yaml): **" + scene.title() + "**<br>" + teaches + "<br>Solver: " + scene.solver() + " |";
+    }
+}

@@ -1,0 +1,97 @@
+package particles.app.run;
+
+import deSolvers.catalog.SolverCatalog;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.app.student.StudentClasses;
+import particles.lab.LabBuilder;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle lab}: one page that runs scenes in a browser. */
+@Command(name = "lab", description = "A page that runs scenes in a browser: build/out/lab/index.html.")
+public final class LabCommand extends ProgramCommand {
+    private static final Path PAGE = Path.of("build", "out", "lab", "index.html");
+    private static final String BUILDER = "particles.lab.compile.PageBuilder";
+
+    @Option(names = "--scene", paramLabel = "NAME",
+            description = "The scene that it opens with: a file, or the name or number of one in scenes.")
+    private String scene = SceneFiles.DEFAULT;
+
+    @Option(names = "--solver", paramLabel = "CLASS", description = "A solver of your own that is in the page too.")
+    private String solver;
+
+    private final Path folder;
+    private final Path exercises;
+    private final OptionStyle style;
+
+    /**
+     * @param folder    where the scenes are
+     * @param exercises where students' classes are
+     * @param style     how options are typed
+     */
+    public LabCommand(Path folder, Path exercises, OptionStyle style) {
+        this.folder = folder;
+        this.exercises = exercises;
+        this.style = style;
+    }
+
+    @Override
+    public void run(PrintWriter out) throws IOException {
+        Path first = SceneFiles.find(folder, scene);
+        List<Path> scenes = new ArrayList<>(SceneFiles.list(folder));
+        if (scenes.stream().noneMatch(file -> file.toAbsolutePath().equals(first.toAbsolutePath()))) {
+            scenes.add(first);
+        }
+        Set<String> solvers = new TreeSet<>();
+        if (solver != null && isClass(solver)) {        // picocli leaves an option null that was not given
+            solvers.add(solver);
+        }
+        Set<String> effects = new TreeSet<>();
+        for (Path file : scenes) {
+            SceneDescription description = SceneReader.read(file, new StudentClasses());
+            if (isClass(description.solver())) {
+                solvers.add(description.solver());
+            }
+            description.effects().stream().map(effect -> effect.kind().name()).filter(name -> name.contains("."))
+                    .forEach(effects::add);
+        }
+        String page = builder().build(new LabBuilder.Contents(scenes, first, Optional.ofNullable(solver),
+                List.copyOf(solvers), List.copyOf(effects), exercises));
+        Files.createDirectories(PAGE.getParent());
+        Files.writeString(PAGE, page);
+        out.println(PAGE + ": " + Math.round(Files.size(PAGE) / 1e4) / 100.0 + " MB; open it in a browser");
+    }
+
+    private boolean isClass(String name) {
+        try {
+            SolverCatalog.create(name);
+            return !SolverCatalog.names().contains(name);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("solver") + ": " + e.getMessage());
+        }
+    }
+
+    private static LabBuilder builder() {
+        try {
+            return Class.forName(BUILDER).asSubclass(LabBuilder.class).getConstructor().newInstance();
+        } catch (ReflectiveOperationException e) {
+            throw new Failure(ExitCode.BAD_INPUT, "the page's compiler is not here; type: gradle lab");
+        }
+    }
+}

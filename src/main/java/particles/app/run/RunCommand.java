@@ -1,0 +1,106 @@
+package particles.app.run;
+
+import java.io.PrintWriter;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.scene.SceneFiles;
+import particles.scene.format.OutputDescription.Video;
+import particles.scene.format.Overrides;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle run}: a scene becomes frames, an animation, plots and numbers. */
+@Command(name = "run",
+        description = "Runs a scene: frames, an animation, energy and phase-space plots, the trajectory.")
+public final class RunCommand extends ProgramCommand {
+    private static final Path RESULTS = Path.of("build", "out");
+
+    @Option(names = "--scene", paramLabel = "NAME", defaultValue = SceneFiles.DEFAULT,
+            description = "The scene: a file, or the name or number of one in scenes (default: ${DEFAULT-VALUE}).")
+    private String scene;
+
+    @Option(names = "--solver", paramLabel = "NAME", description = "Another solver than the scene's.")
+    private String solver;
+
+    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "Another time step than the scene's.")
+    private String deltaT;
+
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "Another duration than the scene's.")
+    private String duration;
+
+    @Option(names = "--threads", paramLabel = "NUMBER",
+            description = "How many threads may evaluate the forces of a large system (default: one for each"
+                    + " processor).")
+    private String threads;
+
+    @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results go (default: build/out/NAME).")
+    private String out;
+
+    @Option(names = "--frames", arity = "0..1", fallbackValue = "true", defaultValue = "true",
+            paramLabel = "true|false",
+            description = "Whether pictures are drawn (default: true).")
+    private boolean frames;
+
+    @Option(names = "--video", paramLabel = "none|mp4", converter = VideoOption.class,
+            description = "Whether the pictures become a film too, film.mp4 (default: what the scene says, or else"
+                    + " none).")
+    private Video video;
+
+    private final Path scenes;
+    private final OptionStyle style;
+    private final StopRequest stop;
+
+    /**
+     * @param scenes the folder in which scenes are looked for
+     * @param style  how options are typed, for messages
+     * @param stop   tells the run when it has to end early
+     */
+    public RunCommand(Path scenes, OptionStyle style, StopRequest stop) {
+        this.scenes = scenes;
+        this.style = style;
+        this.stop = stop;
+    }
+
+    @Override
+    public void run(PrintWriter lines) {
+        Path file = SceneFiles.find(scenes, scene);
+        Overrides overrides = new Overrides();
+        override(overrides, "solver", solver);
+        override(overrides, "deltaT", deltaT);
+        override(overrides, "duration", duration);
+        override(overrides, "threads", threads);
+        if (!frames && video == Video.MP4) {
+            throw new Failure(ExitCode.BAD_INPUT,
+                    style.option("video") + "=mp4 needs pictures; leave " + style.option("frames")
+                    + "=false away");
+        }
+        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop).run(lines);
+    }
+
+    private void override(Overrides overrides, String name, String value) {
+        if (value != null) {                            // picocli leaves an option null that was not given
+            overrides.with(name, value, style.option(name));
+        }
+    }
+
+    private Path folderFor(Path file) {
+        if (out == null) {
+            String name = SceneName.of(file).whole();
+            return RESULTS.resolve(name.isBlank() || name.startsWith(".") ? "scene" + name : name);
+        }
+        try {
+            if (!out.isBlank()) {
+                return Path.of(out);
+            }
+        } catch (InvalidPathException e) {
+            throw new Failure(ExitCode.BAD_INPUT, style.option("out") + ": '" + out + "' is no folder's name: "
+                    + e.getReason());
+        }
+        throw new Failure(ExitCode.BAD_INPUT, style.option("out") + " needs the name of a folder");
+    }
+}

@@ -1,0 +1,113 @@
+package particles.app.run;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Optional;
+import particles.SimulationException;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.student.StudentClasses;
+import particles.messages.BlowUpMessage;
+import particles.messages.Digits;
+import particles.messages.FrictionMessage;
+import particles.output.files.OutputFolder;
+import particles.output.files.RunSummaryWriter;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
+import particles.scene.format.OutputDescription.Video;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.threads.ParallelForces;
+
+/** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
+final class RunJob {
+    private final Path file;
+    private final Overrides overrides;
+    private final Path results;
+    private final boolean frames;
+    private final Optional<Video> wanted;
+    private final OptionStyle style;
+    private final StopRequest stop;
+
+    /**
+     * @param file      the scene
+     * @param overrides what goes before what it says
+     * @param results   the folder for what comes out
+     * @param frames    whether pictures are drawn
+     * @param wanted    another film than the scene's, if one was asked for
+     * @param style     how options are typed, for messages
+     * @param stop      tells when the run has to end early
+     */
+    RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
+           OptionStyle style, StopRequest stop) {
+        this.file = file;
+        this.overrides = overrides;
+        this.results = results;
+        this.frames = frames;
+        this.wanted = wanted;
+        this.style = style;
+        this.stop = stop;
+    }
+
+    /**
+     * Runs the scene.
+     *
+     * @param out where progress and the summary are printed
+     * @throws Failure if the run ended early; what it made until then is complete
+     */
+    void run(PrintWriter out) {
+        SceneDescription described = SceneReader.read(file, new StudentClasses());
+        String hash = FileHash.of(file);
+        TimeEstimate.of(described, overrides, frames).ifPresent(line -> {
+            out.println(line);
+            out.flush();
+        });
+        Scene scene = SceneBuilder.build(described, overrides);
+        Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
+        RunFiles files = new RunFiles(scene.output(), frames, video);
+        try (OutputFolder folder = OutputFolder.open(results, files.names())) {
+            stop.addLastResort(folder::close);
+            Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);
+            RunObservers observers = new RunObservers(scene, folder);
+            Optional<String> early;
+            try (observers) {
+                if (files.haveFrames()) {
+                    observers.addFrames(CameraFinder.find(scene, described, overrides), video);
+                }
+                observers.add(progress);
+                observers.add(new StopObserver(stop));
+                early = simulate(scene);
+            }
+            Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
+                    observers.books(),
+                    progress.seconds());
+            RunSummaryWriter.write(folder, summary.record());
+            observers.drawCharts();
+            summary.lines().forEach(out::println);
+            out.println("in " + results + ": " + String.join(", ", files.names()));
+            early.ifPresent(why -> {
+                throw new Failure(ExitCode.STOPPED, why);
+            });
+        }
+    }
+
+    /** @return why it ended early, if it did */
+    private Optional<String> simulate(Scene scene) {
+        ParallelForces.use(scene.system(),
+                scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
+        try {
+            scene.simulation().run();
+            return Optional.empty();
+        } catch (SimulationException e) {
+            return FrictionMessage.of(scene, style::option,
+                    e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
+        } catch (StoppedException e) {
+            return Optional.of(e.getMessage() + " at t = " + Digits.few(scene.system().getTime()) + " s of "
+                    + Digits.few(scene.simulation().getDuration()) + " s");
+        } finally {
+            ParallelForces.use(scene.system(), 1);
+        }
+    }
+}

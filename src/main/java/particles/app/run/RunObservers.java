@@ -1,0 +1,143 @@
+package particles.app.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.messages.Digits;
+import particles.experiments.energy.EnergyHistory;
+import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.experiments.phase.Axis;
+import particles.experiments.phase.PhaseHistory;
+import particles.experiments.phase.VectorFields;
+import particles.messages.Digits;
+import particles.output.animation.Film;
+import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartWriter;
+import particles.output.files.OutputFolder;
+import particles.output.files.TrajectoryWriter;
+import particles.output.frames.FrameObserver;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameSink;
+import particles.output.frames.PngFrames;
+import particles.scene.Scene;
+import particles.scene.format.OutputDescription.Video;
+import particles.scene.format.OutputDescription;
+import particles.view.Camera;
+import particles.view.ChartData;
+import particles.view.VectorField;
+
+/** What looks on while a scene runs, and makes files of what it sees. */
+final class RunObservers implements AutoCloseable {
+    /** A trajectory of no more lines than this can be opened by anything. */
+    private static final long MOST_LINES = 200_000;
+    /** So many samples of the energies are taken at most; they cost about what half an evaluation does. */
+    private static final long MOST_ENERGIES = 100_000;
+
+    private static final int ANIMATION_WIDTH = 640;
+    private static final int MOST_DECIMALS = 6;
+
+    private final Scene scene;
+    private final OutputFolder folder;
+    private final TrajectoryWriter trajectory;
+    private final EnergyHistory energy;
+    private final EnergyLedgerRecorder books;
+    private final Optional<PhaseHistory> phase;
+    private Optional<FrameObserver> frames = Optional.empty();
+
+    /**
+     * @param scene  a scene that is about to run
+     * @param folder where files go
+     */
+    RunObservers(Scene scene, OutputFolder folder) {
+        this.scene = scene;
+        this.folder = folder;
+        OutputDescription output = scene.output();
+        double steps = Math.ceil(scene.simulation().getDuration() / scene.simulation().getDeltaT());
+        int particles = scene.system().getParticles().count();
+        long stride = output.trajectoryStride().map(Integer::longValue)
+                .orElseGet(() -> TrajectoryWriter.strideFor(steps, particles, MOST_LINES));
+        trajectory = new TrajectoryWriter(folder, stride);
+        long energies = TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES);
+        energy = new EnergyHistory(energies);
+        books = new EnergyLedgerRecorder(energies);
+        phase = scene.phase().map(plot -> new PhaseHistory(scene.system().getParticles().id(plot.particle())));
+        add(trajectory);
+        add(energy);
+        add(books);
+        phase.ifPresent(this::add);
+    }
+
+    /** @param observer one more, told after those that are there */
+    void add(Observer observer) {
+        scene.simulation().addObserver(observer);
+    }
+
+    /**
+     * Has frames drawn, an animation made of them if the scene wants one, and a film if one is wanted.
+     *
+     * @param camera from where
+     * @param video  which film
+     */
+    void addFrames(Camera camera, Video video) {
+        OutputDescription output = scene.output();
+        FrameSetup stage = new FrameSetup(camera, scene.look(), scene.scenery(), scene.description().title(),
+                caption());
+        int decimals = (int) Math.max(0, Math.min(MOST_DECIMALS, Math.ceil(Math.log10(output.frameRate()))));
+        FrameRenderer renderer = new FrameRenderer(stage, output.width(), output.height(), decimals);
+        List<FrameSink> sinks = new ArrayList<>(List.of(new PngFrames(folder, output.width(), output.height())));
+        if (output.animation()) {
+            sinks.add(new GifAnimation(folder, renderer, ANIMATION_WIDTH, output.frameRate()));
+        }
+        if (video == Video.MP4) {
+            sinks.add(new Film(folder, output.width(), output.height(), output.frameRate()));
+        }
+        FrameObserver observer = new FrameObserver(renderer, output.frameRate(), sinks);
+        frames = Optional.of(observer);
+        add(observer);
+    }
+
+    EnergyHistory energy() {
+        return energy;
+    }
+
+    EnergyLedgerRecorder books() {
+        return books;
+    }
+
+    /** Completes the files that were written during the run, also where it ended early. */
+    @Override
+    public void close() {
+        try {
+            trajectory.close();
+        } finally {
+            frames.ifPresent(FrameObserver::close);
+        }
+    }
+
+    /** Draws what was recorded. */
+    void drawCharts() {
+        String title = scene.description().title() + " (" + caption() + ")";
+        if (scene.output().energy()) {
+            List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
+            charts.addAll(books.charts(energy.getScale()));
+            ChartWriter.writeStacked(folder, RunFiles.ENERGY, charts);
+        }
+        phase.ifPresent(history -> drawPhase(history, Axis.values()[scene.phase().orElseThrow().axis()], title));
+    }
+
+    private void drawPhase(PhaseHistory history, Axis axis, String title) {
+        ParticleSystem system = scene.system();
+        ChartData path = history.chart(axis, title);
+        ChartData.Series states = path.series().get(0);
+        Optional<VectorField> field = VectorFields.around(system, axis, states.x(), states.y());
+        ChartWriter.writePhase(folder, RunFiles.PHASE, path, field);
+    }
+
+    /** What tells this run from others of the scene. */
+    private String caption() {
+        return scene.description().solver() + ", deltaT = " + Digits.exact(scene.simulation().getDeltaT()) + " s";
+    }
+}

@@ -1,0 +1,63 @@
+package particles.app.run;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.ProgramCommand;
+import particles.app.student.StudentClasses;
+import particles.scene.SceneException;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine.Command;
+
+/** {@code gradle scenes}: the ladder of scenes, with what each teaches. */
+@Command(name = "scenes", description = "Lists the scenes with what each teaches.")
+public final class ScenesCommand extends ProgramCommand {
+    private static final int WIDTH = 110;
+    private static final String INDENT = "    ";
+
+    private final Path folder;
+
+    /** @param folder where the scenes are */
+    public ScenesCommand(Path folder) {
+        this.folder = folder;
+    }
+
+    @Override
+    public void run(PrintWriter out) {
+        List<Path> files = SceneFiles.list(folder);
+        if (files.isEmpty()) {
+            throw new Failure(ExitCode.BAD_INPUT, "there is no scene in the folder " + folder.toAbsolutePath());
+        }
+        List<String> problems = new ArrayList<>();
+        for (Path file : files) {
+            try {
+                print(file, SceneReader.read(file, new StudentClasses()), out);
+            } catch (SceneException e) {
+                problems.addAll(e.getLines());          // the others are listed all the same
+            }
+        }
+        if (!problems.isEmpty()) {
+            throw new Failure(ExitCode.BAD_INPUT, problems);
+        }
+    }
+
+    private static void print(Path file, SceneDescription scene, PrintWriter out) {
+        SceneName name = SceneName.of(file);
+        String space = " ".repeat(Math.max(1, INDENT.length() - name.number().length()));
+        out.println(name.number() + space + name.bare() + ": " + scene.title() + " (" + scene.solver() + ")");
+        StringBuilder line = new StringBuilder(INDENT);
+        for (String word : scene.teaches().strip().split("\\s+")) {
+            if (line.length() > INDENT.length() && line.length() + word.length() >= WIDTH) {
+                out.println(line.toString().stripTrailing());
+                line.setLength(INDENT.length());
+            }
+            line.append(word).append(' ');
+        }
+        out.println(line.toString().stripTrailing());
+    }
+}

@@ -1,0 +1,20 @@
+package particles.app.run;
+
+import particles.Motion;
+import particles.Observer;
+
+/** Ends a run after the step in which the end was asked for. It is the last observer: the others have seen the step. */
+final class StopObserver implements Observer {
+    private final StopRequest request;
+
+    StopObserver(StopRequest request) {
+        this.request = request;
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        if (request.isWanted()) {
+            throw new StoppedException();
+        }
+    }
+}

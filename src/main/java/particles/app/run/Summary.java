@@ -1,0 +1,70 @@
+package particles.app.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import particles.Simulation;
+import particles.app.cli.Version;
+import particles.experiments.energy.EnergyHistory;
+import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.messages.Digits;
+import particles.output.files.RunSummary;
+import particles.scene.Scene;
+
+/** What a run was and how it went, for people and for run.json. */
+final class Summary {
+    /** Of the energy scale: a tenth is seen in the motion. */
+    private static final double LARGE_ERROR = 0.1;
+
+    private final Scene scene;
+    private final RunSummary record;
+
+    /**
+     * @param name    of the scene
+     * @param hash    of its file
+     * @param scene   after its run
+     * @param energy  what was seen of its energy
+     * @param books   its ledger
+     * @param seconds how long the run took (s)
+     */
+    Summary(String name, String hash, Scene scene, EnergyHistory energy, EnergyLedgerRecorder books, double seconds) {
+        this.scene = scene;
+        Simulation simulation = scene.simulation();
+        record = new RunSummary(name, hash, scene.description().solver(), simulation.getDeltaT(),
+                simulation.getDuration(), scene.system().getTime(), Version.CURRENT, simulation.getSteps(),
+                scene.system().getEvaluations(), seconds, energy.getStart(), energy.getEnd(), energy.getScale(),
+                energy.getLargestDrift(), books.getWork(), books.getNumericalError(), books.getLargestNumericalError());
+    }
+
+    RunSummary record() {
+        return record;
+    }
+
+    /** @return a few lines */
+    List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
+                + " s");
+        lines.add(Digits.few(record.endTime()) + " s" + (record.endTime() < record.duration() * (1 - 1e-9)
+                ? " of " + Digits.few(record.duration()) + " s" : "") + " in " + counted(record.steps(),
+                "step") + " with "
+                + counted(record.evaluations(), "evaluation") + " of the derivative; it took "
+                + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
+        if (record.deltaT() > record.duration() && record.steps() == 1) {
+            lines.add("the run is shorter than deltaT: its only step was " + Digits.few(record.endTime()) + " s long");
+        }
+        lines.add("energy " + Digits.few(record.startEnergy()) + " J at the start, " + Digits.few(record.endEnergy())
+                + " J at the end, at most " + Digits.few(record.largestEnergyDrift()) + " J from the start");
+        double error = record.largestRelativeNumericalError();
+        lines.add("numerical error, what no physics explains of that: at most "
+                + Digits.few(record.largestNumericalError())
+                + " J, " + Digits.few(error) + " of the energy scale of " + Digits.few(record.energyScale()) + " J");
+        if (error > LARGE_ERROR) {
+            lines.add("that is too much to trust the motion; a smaller deltaT or another solver does better");
+        }
+        return lines;
+    }
+
+    private static String counted(long count, String thing) {
+        return count + " " + thing + (count == 1 ? "" : "s");
+    }
+}

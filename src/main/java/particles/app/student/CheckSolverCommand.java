@@ -1,0 +1,84 @@
+package particles.app.student;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import particles.output.report.ResultPage;
+import particles.output.report.ResultPage.Picture;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.solvers.SolverCheck;
+import particles.teaching.figures.SolverFigures;
+import particles.teaching.solvers.SolverVerdict;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: what method a solver is, and what is wrong with it. */
+@Command(name = CheckSolverCommand.NAME,
+        description = "Checks a solver: which method it is, and what is wrong with it.")
+public final class CheckSolverCommand extends CheckCommand {
+    static final String NAME = "checkSolver";
+
+    @Option(names = "--solver", paramLabel = "NAME", required = true,
+            description = "A solver's name, or the class of your own.")
+    private String solver;
+
+    @Override
+    String name() {
+        return NAME;
+    }
+
+    @Override
+    String subject() {
+        return "--solver=" + solver;
+    }
+
+    @Override
+    Checked check() {
+        String full = SolverCatalog.names().contains(solver) || solver.contains(".") ? solver : "exercises." + solver;
+        Supplier<DESolver> maker = () -> SolverCatalog.create(full);
+        String name;
+        try {
+            name = maker.get().getClass().getSimpleName();
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            return new Checked(solver + " cannot be checked.", List.of(new Finding(Kind.FAILURE,
+                    e.getMessage())), new ResultPage(NAME, solver + " cannot be checked",
+                            List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
+        }
+        SolverVerdict verdict = SolverCheck.check(maker, name);
+        String title = name + ": " + verdict.identity();
+        List<String> text = paragraphs(verdict.findings());
+        if (verdict.wrong().stream().anyMatch(finding -> finding.kind() == Kind.FAILURE)) {
+            return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, List.of(), List.of()));
+        }
+        SolverFigures figures;
+        try {
+            figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
+        } catch (RuntimeException e) {                  // the class's own: what was found out is told all the same
+            List<Finding> all = new ArrayList<>(verdict.findings());
+            if (verdict.wrong().isEmpty()) {            // else it is a consequence of what is said already
+                all.add(SolverFigures.failure(e));
+            }
+            return new Checked(title, all, new ResultPage(NAME, title, paragraphs(all), List.of(), List.of()));
+        }
+        List<Picture> pictures = new ArrayList<>();
+        pictures.add(Picture.chart("order",
+                "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
+                figures.order()));
+        figures.region().ifPresent(region -> pictures.add(Picture.map("region",
+                "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
+                        + " there: deltaT times its eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m."
+                        + " Pale: the built-in solver that is nearest.", region)));
+        pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.",
+                figures.energy()));
+        pictures.add(Picture.chart("work-precision",
+                "The error after eight seconds against the work: lower left is better.",
+                figures.workPrecision()));
+        return new Checked(title, verdict.findings(), new ResultPage(NAME, title, text, pictures,
+                Stream.concat(Stream.of(figures.facts()), figures.growth().stream()).toList()));
+    }
+}

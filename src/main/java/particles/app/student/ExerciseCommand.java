@@ -1,0 +1,62 @@
+package particles.app.student;
+
+import java.io.PrintWriter;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.teaching.exercises.Exercises;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
+import particles.teaching.marking.Mark;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/**
+ * {@code gradle exercise -Pnumber=5 -Pstudent=ID}: the text with the student's own numbers; with {@code -Panswer} the
+ * mark.
+ */
+@Command(name = "exercise", description = "Shows an exercise with numbers of your own, or marks your answer.")
+public final class ExerciseCommand extends ProgramCommand {
+    @Option(names = "--number", paramLabel = "NUMBER", required = true, description = "Which exercise.")
+    private String number;
+
+    @Option(names = "--student", paramLabel = "ID", required = true,
+            description = "Your id, from which your numbers come.")
+    private String student;
+
+    @Option(names = "--answer", paramLabel = "ANSWER",
+            description = "Your answer: a number, or a scene's file in the last exercise.")
+    private String answer;
+
+    private final OptionStyle style;
+
+    /** @param style how options are typed */
+    public ExerciseCommand(OptionStyle style) {
+        this.style = style;
+    }
+
+    @Override
+    public void run(PrintWriter out) {
+        int count = Exercises.all().size();
+        if (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1 || Integer.parseInt(number) > count) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("number") + ": '" + number
+                    + "' is no exercise; there are 1 to " + count);
+        }
+        if (student.isBlank()) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("student") + ": the id is empty");
+        }
+        Exercise exercise = Exercises.all().get(Integer.parseInt(number) - 1);
+        Draw draw = new Draw(student, Integer.parseInt(number));
+        if (answer == null) {                           // picocli leaves an option null that was not given
+            out.println(number + ". " + exercise.title());
+            out.println(exercise.text(draw));
+            return;
+        }
+        Mark mark = exercise.mark(draw, answer);
+        if (!mark.right()) {
+            throw new Failure(ExitCode.BAD_INPUT, mark.lines());
+        }
+        mark.lines().forEach(out::println);
+    }
+}

@@ -1,0 +1,173 @@
+package particles.app.student;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.output.files.OutputFolder;
+import particles.output.report.JUnitXml;
+import particles.output.report.ResultPage;
+import particles.output.report.ResultPageWriter;
+import particles.teaching.exercises.AnswersFile;
+import particles.teaching.exercises.Exercises;
+import particles.teaching.marking.Draw;
+import particles.teaching.marking.Exercise;
+import particles.teaching.marking.Mark;
+import particles.view.DataTable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/**
+ * {@code gradle grade -Pstudent=ID}: marks all answers and all solvers of a student, as one report and for autograders.
+ */
+@Command(name = GradeCommand.NAME, description = "Marks all answers and solvers of a student.")
+public final class GradeCommand extends ProgramCommand {
+    static final String NAME = "grade";
+    private static final int MOST_LINES = 12;
+    private static final String SOLVER = "Solver.java";
+
+    @Option(names = "--student", paramLabel = "ID", required = true, description = "The student's id.")
+    private String student;
+
+    @Option(names = "--answers", paramLabel = "FILE", defaultValue = "answers.yaml",
+            description = "The file of answers, lines such as 5: 3.42 (default: answers.yaml).")
+    private Path answers;
+
+    @Option(names = "--solvers", paramLabel = "NAMES",
+            description = "Solver classes that have to pass, separated by commas"
+            + " (default: every ...Solver.java in src/main/java/exercises).")
+    private String solvers;
+
+    @Option(names = "--out", paramLabel = "FOLDER", defaultValue = "build/out/grade",
+            description = "Where the report goes (default: build/out/grade).")
+    private Path results;
+
+    private final Path folder;
+    private final OptionStyle style;
+
+    /**
+     * @param folder where the student's classes are
+     * @param style  how options are typed
+     */
+    public GradeCommand(Path folder, OptionStyle style) {
+        this.folder = folder;
+        this.style = style;
+    }
+
+    /** What was looked at, whether there was anything to look at, and its mark. */
+    private record Graded(String name, boolean answered, Mark mark) {
+        void print(PrintWriter out) {
+            out.println((!answered ? "no answer " : mark.right() ? "mark      " : "no mark   ") + name);
+            if (answered) {
+                mark.lines().forEach(line -> out.println("            " + line));
+            }
+        }
+    }
+
+    @Override
+    public void run(PrintWriter out) throws IOException {
+        if (student.isBlank()) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("student") + ": the id is empty");
+        }
+        try (OutputFolder files = OutputFolder.open(results, NAME + ".md", "marks.csv", "TEST-" + NAME + ".xml")) {
+            AnswersFile read = AnswersFile.read(answers);
+            read.problems().forEach(out::println);
+            List<Graded> graded = new ArrayList<>(exercises(read));
+            graded.addAll(solvers());
+            graded.forEach(item -> item.print(out));
+            long marks = graded.stream().filter(item -> item.mark().right()).count();
+            String title = marks + " of " + graded.size() + " marks for " + student.strip();
+            write(files, title, read.problems(), graded);
+            out.println(title + "; report: " + results.resolve(NAME + ".md"));
+            if (marks < graded.size()) {
+                throw new Failure(ExitCode.BAD_INPUT, graded.size() - marks == 1 ? "one mark is missing"
+                        : graded.size() - marks + " marks are missing");
+            }
+        }
+    }
+
+    private List<Graded> exercises(AnswersFile read) {
+        List<Graded> graded = new ArrayList<>();
+        for (int number = 1; number <= Exercises.all().size(); number++) {
+            Exercise exercise = Exercises.all().get(number - 1);
+            String answer = read.answers().get(number);
+            graded.add(new Graded(number + ". " + exercise.title(), answer != null,
+                    answer == null      // null for a number without an answer
+                    ? new Mark(false, List.of("There is no answer."))
+                    : exercise.mark(new Draw(student, number), beside(number, answer))));
+        }
+        return graded;
+    }
+
+    /** A scene's path counts from the file of answers, so that both can be handed in together. */
+    private String beside(int number, String answer) {
+        return number < Exercises.all().size() || answer.isBlank() ? answer : answers.resolveSibling(answer).toString();
+    }
+
+    private List<Graded> solvers() throws IOException {
+        Set<String> names = new LinkedHashSet<>();
+        if (solvers != null) {                          // picocli leaves an option null that was not given
+            Stream.of(solvers.split(",")).map(name -> name.strip().replaceFirst("^exercises[.]", ""))
+                    .filter(name -> !name.isEmpty()).forEach(names::add);
+        } else if (Files.isDirectory(folder)) {
+            try (Stream<Path> files = Files.list(folder)) {
+                files.map(file -> file.getFileName().toString()).filter(name -> name.endsWith(SOLVER)).sorted()
+                        .forEach(name -> names.add(name.substring(0, name.length() - ".java".length())));
+            }
+        }
+        List<Graded> graded = new ArrayList<>();
+        for (String name : names) {
+            graded.add(new Graded("solver " + name, true, check(name)));
+        }
+        return graded;
+    }
+
+    private Mark check(String name) throws IOException {
+        if (!Files.isRegularFile(folder.resolve(name + ".java"))) {
+            return new Mark(false, List.of("there is no file " + name + ".java"));
+        }
+        StudentProcess.Outcome outcome = StudentProcess.runQuietly(List.of(CheckSolverCommand.NAME,
+                "--solver=exercises." + name,
+                "--inThisProcess", "--out=" + results.resolve(name)), folder);
+        List<String> lines = outcome.lines().stream().takeWhile(line -> !line.startsWith("property"))
+                .filter(line -> !line.isBlank()).limit(MOST_LINES).toList();
+        return new Mark(outcome.code() == ExitCode.DONE.code(), lines);
+    }
+
+    /** In a table's cell: lines that are sentences, or announce what follows, stand by themselves. */
+    private static String paragraph(List<String> lines) {
+        StringBuilder text = new StringBuilder();
+        for (String line : lines) {
+            text.append(text.length() == 0 ? "" : text.toString().matches("(?s).*[.:]") ? " "
+                    : "; ").append(line.strip());
+        }
+        return text.toString();
+    }
+
+    private static void write(OutputFolder files, String title, List<String> problems, List<Graded> graded) {
+        List<List<Object>> rows = new ArrayList<>();
+        List<JUnitXml.Case> cases = new ArrayList<>();
+        for (Graded item : graded) {
+            String first = item.mark().lines().isEmpty() ? "" : item.mark().lines().get(0);
+            rows.add(List.of(item.name(), item.mark().right() ? 1 : 0, paragraph(item.mark().lines())));
+            cases.add(new JUnitXml.Case(item.name(), item.mark().right() ? Optional.empty() : Optional.of(first),
+                    item.mark().lines()));
+        }
+        DataTable table = new DataTable("marks", "Marks",
+                List.of(DataTable.column("exercise"), DataTable.column("mark"),
+                DataTable.column("what there is to say")),
+                rows);
+        ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)));
+        JUnitXml.write(files, NAME, cases);
+    }
+}

@@ -1,0 +1,125 @@
+package particles.app.student;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.ProgramCommand;
+import particles.teaching.effects.EffectSkeleton;
+import particles.teaching.solvers.SolverSkeleton;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/**
+ * {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: a class to begin with.
+ */
+public abstract class NewClassCommand extends ProgramCommand {
+    @Option(names = "--class", paramLabel = "NAME", required = true,
+            description = "What the class is to be called, such as HeunSolver or MyForce.")
+    private String className;
+
+    private final Path folder;
+    private final OptionStyle style;
+
+    /**
+     * @param folder where students' classes are
+     * @param style  how options are typed
+     */
+    NewClassCommand(Path folder, OptionStyle style) {
+        this.folder = folder;
+        this.style = style;
+    }
+
+    /** @return the class's text */
+    abstract String text(String name);
+
+    /** @return the command that checks such a class, without the class's name */
+    abstract String check();
+
+    /** @return how a class with this full name is used, to follow a colon */
+    abstract String use(String fullName);
+
+    @Override
+    public final void run(PrintWriter out) throws IOException {
+        String name = className.replaceFirst("^exercises[.]", "");
+        if (!SolverSkeleton.isClassName(name)) {
+            throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
+                    + "' is no name for a class; a capital and then letters and digits are, as in HeunSolver");
+        }
+        Path file = folder.resolve(name + ".java");
+        Files.createDirectories(folder);
+        try {
+            Files.write(file, text(name).getBytes(StandardCharsets.UTF_8), StandardOpenOption.CREATE_NEW);
+        } catch (FileAlreadyExistsException e) {
+            throw new Failure(ExitCode.BAD_INPUT, file
+                    + " is there already, and is left as it is; take another name, or remove it first");
+        }
+        out.println("written: " + file);
+        out.println("to check it: gradle " + check() + "exercises." + name);
+        out.println("to use it: " + use("exercises." + name));
+    }
+
+    /** A solver. */
+    @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
+    public static final class NewSolver extends NewClassCommand {
+        @Option(names = "--from", paramLabel = "CLASS", defaultValue = SolverSkeleton.SLIDES_WAY,
+                description = "What it extends: DESolver, as on the slides, or FixedStepSolver, which has helpers for"
+                        + " formulas.")
+        private String from;
+
+        private final OptionStyle style;
+
+        public NewSolver(Path folder, OptionStyle style) {
+            super(folder, style);
+            this.style = style;
+        }
+
+        @Override
+        String text(String name) {
+            if (!SolverSkeleton.SOLVER_BASES.contains(from)) {
+                throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("from") + ": '" + from
+                        + "' cannot be extended here; allowed are: " + String.join(", ", SolverSkeleton.SOLVER_BASES));
+            }
+            return SolverSkeleton.solver(name, from);
+        }
+
+        @Override
+        String check() {
+            return "checkSolver -Psolver=";
+        }
+
+        @Override
+        String use(String fullName) {
+            return "gradle run -Pscene=2 -Psolver=" + fullName;
+        }
+    }
+
+    /** A force law. */
+    @Command(name = "newEffect", description = "Writes the skeleton of a force law of your own.")
+    public static final class NewEffect extends NewClassCommand {
+        public NewEffect(Path folder, OptionStyle style) {
+            super(folder, style);
+        }
+
+        @Override
+        String text(String name) {
+            return EffectSkeleton.effect(name);
+        }
+
+        @Override
+        String check() {
+            return "checkEffect -Peffect=";
+        }
+
+        @Override
+        String use(String fullName) {
+            return "in a scene, under effects:  - " + fullName + ": {strength: 2}";
+        }
+    }
+}

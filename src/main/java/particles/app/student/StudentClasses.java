@@ -1,0 +1,49 @@
+package particles.app.student;
+
+import java.lang.reflect.InvocationTargetException;
+import particles.spec.ClassNames;
+import particles.spec.Kind;
+
+/** Finds the classes that scenes name; students' own are compiled when they are named, by {@link StudentLoader}. */
+public final class StudentClasses implements ClassNames {
+    private static final String KEYS = "$Keys";
+
+    @Override
+    public <K extends Kind> K find(String name, Class<K> type) {
+        K kind = make(name, type);
+        if (!kind.name().equals(name)) {
+            throw new IllegalArgumentException("the Keys of " + name + " call it '" + kind.name() + "'; write super(\""
+                    + name + "\", ...) in their constructor");
+        }
+        return kind;
+    }
+
+    private static <K extends Kind> K make(String name, Class<K> type) {
+        ClassLoader loader = Thread.currentThread().getContextClassLoader();
+        try {
+            return Class.forName(name + KEYS, true, loader).asSubclass(type).getConstructor().newInstance();
+        } catch (ClassNotFoundException e) {
+            throw new IllegalArgumentException(isThere(name, loader) ? name
+                    + " has no keys for scenes; it needs a 'public static"
+                    + " final class Keys extends " + type.getSimpleName() + "', such as gradle newEffect writes"
+                    : "there is no class " + name + "; a class of your own stands in src/main/java/exercises, and"
+                    + " gradle newEffect writes one to begin with", e);
+        } catch (NoSuchMethodException | InstantiationException | IllegalAccessException | ClassCastException e) {
+            throw new IllegalArgumentException("the Keys of " + name
+                    + " cannot be made; they have to be a 'public static final"
+                    + " class Keys extends " + type.getSimpleName() + "' with a 'public Keys()'", e);
+        } catch (InvocationTargetException | LinkageError e) {      // a static field that fails twice has no cause
+            throw new IllegalArgumentException("the Keys of " + name + " cannot be made: "
+                    + (e.getCause() == null ? e : e.getCause()), e);
+        }
+    }
+
+    private static boolean isThere(String name, ClassLoader loader) {
+        try {
+            Class.forName(name, false, loader);
+            return true;
+        } catch (ClassNotFoundException e) {
+            return false;
+        }
+    }
+}

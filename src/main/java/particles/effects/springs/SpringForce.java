@@ -1,0 +1,228 @@
+package particles.effects.springs;
+
+import java.util.Set;
+import particles.law.DifferentiableEffect;
+import particles.law.DivisibleEffect;
+import particles.law.ForceDerivatives;
+import particles.law.IndexedEffect;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.view.SpringView;
+
+/**
+ * Damped springs between pairs of particles, the slides' "Damped Spring Force": on particle i, due to j,
+ * <pre>
+ *   r = x_j - x_i,   r' = v_j - v_i
+ *   F_ij = [ k (|r| - l) + k_d (r . r') / |r| ] r / |r|,     F_ji = -F_ij
+ * </pre>
+ * k stiffness, l rest length, k_d damping. (The slide's r' is printed with a sign lost; it is the derivative of r.)
+ *
+ * <p>Two particles at the same place give no direction to push in: such a spring exerts no force at that instant. For
+ * l = 0 that is the law's own limit; for l &gt; 0 it is the unstable balance of a spring compressed to a point.
+ *
+ * <p>Springs are numbered as they were added until forces are first evaluated; then they are sorted by the particle
+ * where they begin. Numbers are valid until springs are added.
+ *
+ * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides
+ * "Spring Force" and "Damped Spring Force".
+ */
+public final class SpringForce implements DivisibleEffect, DifferentiableEffect, IndexedEffect, SpringView {
+    private final Particles particles;
+    private final SpringTable table = new SpringTable();
+    private boolean damped;
+    private final SpringJacobian derivative = new SpringJacobian();
+
+    /** @param particles whom the springs connect */
+    public SpringForce(Particles particles) {
+        this.particles = particles;
+    }
+
+    /**
+     * Adds a spring.
+     *
+     * @param i          the index of the particle where it begins
+     * @param j          the index of the particle where it ends, another one
+     * @param stiffness  k (N/m), 0 or more
+     * @param restLength l (m), 0 or more
+     * @param damping    k_d (N s/m), 0 or more
+     * @throws IllegalArgumentException if a number is out of its range, or i = j
+     */
+    public void addSpring(int i, int j, double stiffness, double restLength, double damping) {
+        int n = particles.count();
+        if (i < 0 || i >= n || j < 0 || j >= n) {
+            throw new IllegalArgumentException("a spring between particles " + i + " and " + j + "; there are " + n);
+        }
+        if (i == j) {
+            throw new IllegalArgumentException("a spring from particle '" + particles.id(i) + "' to itself");
+        }
+        require("stiffness", stiffness);
+        require("rest length", restLength);
+        require("damping", damping);
+        table.add(i, j, stiffness, restLength, damping);
+        damped |= damping > 0;
+    }
+
+    private static void require(String name, double value) {
+        if (!(value >= 0) || !(value <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a spring's " + name + " has to be 0 or more and finite, not " + value);
+        }
+    }
+
+    @Override
+    public String getName() {
+        return "springs";
+    }
+
+    @Override
+    public Set<Trait> getTraits() {
+        return Set.of(Trait.INTERNAL, Trait.TRANSLATION_INVARIANT, Trait.ROTATION_INVARIANT,
+                damped ? Trait.DISSIPATIVE : Trait.CONSERVATIVE);
+    }
+
+    @Override
+    public int size() {
+        return table.count;
+    }
+
+    @Override
+    public boolean dependsOnVelocity() {
+        return damped;
+    }
+
+    @Override
+    public int countBlocks() {
+        table.arrange();
+        return table.blocks().count();
+    }
+
+    /** @return the first spring of a block or joint; it ends where the next one begins */
+    public int getPartStart(int part) {
+        return table.blocks().start(part);
+    }
+
+    @Override
+    public int getFirstParticle(int block) {
+        return block == table.blocks().count() ? particles.count() : table.blocks().firstParticle(block);
+    }
+
+    @Override
+    public void addPart(int part, double[] state, double time, double[] force) {
+        SpringKernel.addForces(table, state, force, getPartStart(part), getPartStart(part + 1));
+    }
+
+    @Override
+    public void addForces(double[] state, double time, double[] force) {
+        int parts = 2 * countBlocks() - 1;
+        for (int part = 0; part < parts; part++) {
+            addPart(part, state, time, force);
+        }
+    }
+
+    @Override
+    public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+        for (int s = 0; s < table.count; s++) {
+            derivative.add(state, table.from[s], table.to[s], table.stiffness[s], table.restLength[s], table.damping[s],
+                    derivatives);
+        }
+    }
+
+    @Override
+    public double getPotentialEnergy(double[] state, double time) {
+        double energy = 0;
+        for (int s = 0; s < table.count; s++) {
+            double stretch = length(state, s) - table.restLength[s];
+            energy += table.stiffness[s] * stretch * stretch / 2;
+        }
+        return energy;
+    }
+
+    @Override
+    public double getDissipatedPower(double[] state, double time) {
+        double power = 0;
+        for (int s = 0; damped && s < table.count; s++) {
+            if (table.damping[s] > 0) {
+                double rate = lengthRate(state, s);
+                power += table.damping[s] * rate * rate;
+            }
+        }
+        return power;
+    }
+
+    /** d|r|/dt of spring s (m/s), 0 where its ends are at the same place. */
+    private double lengthRate(double[] state, int s) {
+        int i = table.from[s];
+        int j = table.to[s];
+        double rx = state[j] - state[i];
+        double ry = state[j + 1] - state[i + 1];
+        double rz = state[j + 2] - state[i + 2];
+        double vx = state[j + 3] - state[i + 3];
+        double vy = state[j + 4] - state[i + 4];
+        double vz = state[j + 5] - state[i + 5];
+        double square = rx * rx + ry * ry + rz * rz;
+        if (SpringKernel.isOrdinary(square)) {
+            return (rx * vx + ry * vy + rz * vz) / Math.sqrt(square);
+        }
+        double length = new Vector3(rx, ry, rz).length();
+        return length > 0 ? rx / length * vx + ry / length * vy + rz / length * vz : 0;
+    }
+
+    /**
+     * @param state the particles' state
+     * @param s     a spring
+     * @return its present length |r| (m)
+     */
+    public double length(double[] state, int s) {
+        int i = table.from[s];
+        int j = table.to[s];
+        double rx = state[j] - state[i];
+        double ry = state[j + 1] - state[i + 1];
+        double rz = state[j + 2] - state[i + 2];
+        double square = rx * rx + ry * ry + rz * rz;
+        return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : new Vector3(rx, ry, rz).length();
+    }
+
+    /** {@inheritDoc} Springs go with either of their ends. */
+    @Override
+    public void reindex(int[] newIndex) {
+        table.reindex(newIndex);
+    }
+
+    /**
+     * Takes springs out. Those that stay keep their order.
+     *
+     * @param gone by index, true for springs to be taken out; as many as there are springs
+     */
+    public void removeSprings(boolean[] gone) {
+        table.remove(gone);
+    }
+
+    @Override
+    public int springCount() {
+        return table.count;
+    }
+
+    @Override
+    public int from(int s) {
+        return table.from[s] / Particles.STRIDE;
+    }
+
+    @Override
+    public int to(int s) {
+        return table.to[s] / Particles.STRIDE;
+    }
+
+    @Override
+    public double restLength(int s) {
+        return table.restLength[s];
+    }
+
+    @Override
+    public double stiffness(int s) {
+        return table.stiffness[s];
+    }
+
+    @Override
+    public double damping(int s) {
+        return table.damping[s];
+    }
+}

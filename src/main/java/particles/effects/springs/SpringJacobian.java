@@ -1,0 +1,86 @@
+package particles.effects.springs;
+
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+
+/**
+ * The derivative of a damped spring's force. With u = r/|r|, w = r' and the tension tau = k (|r| - l) + k_d (u . w):
+ * <pre>
+ *   dF_ij/dr  = k u u^T + tau/|r| (1 - u u^T) + k_d/|r| u (w - (u . w) u)^T
+ *   dF_ij/dr' = k_d u u^T
+ * </pre>
+ * and dF_ij/dx_i = -dF_ij/dr. The second term is negative across a compressed spring, which would buckle. The last one
+ * is not symmetric; it is there where a damped spring turns.
+ *
+ * <p>Source: derived from the slide "Damped Spring Force"; for l = 0 or k_d = 0 as in D. Baraff, A. Witkin (1998).
+ */
+final class SpringJacobian {
+    /** Shorter springs have no direction that could be told from rounding. */
+    private static final double SHORTEST = 1e-140;
+
+    private final double[] dFdX = new double[9];
+    private final double[] dFdV = new double[9];
+    private final double[] u = new double[3];
+    private final double[] turning = new double[3];
+
+    /**
+     * Adds the blocks of one spring.
+     *
+     * @param i where the particle on which F_ij acts begins in the state
+     * @param j where the other one does
+     */
+    void add(double[] state, int i, int j, double stiffness, double restLength, double damping,
+            ForceDerivatives derivatives) {
+        double length = direction(state, i, j);
+        // without direction: what a spring of rest length 0 has everywhere
+        double across = -stiffness;
+        double along = 0;
+        double drag = 0;
+        if (length > 0) {
+            double stretching = 0;
+            for (int c = 0; c < 3; c++) {
+                turning[c] = state[j + 3 + c] - state[i + 3 + c];
+                stretching += u[c] * turning[c];
+            }
+            for (int c = 0; c < 3; c++) {
+                turning[c] = damping * (turning[c] - stretching * u[c]) / length;
+            }
+            across = -(stiffness * (length - restLength) + damping * stretching) / length;
+            along = -stiffness - across;
+            drag = -damping;
+        }
+        for (int row = 0, e = 0; row < 3; row++) {
+            for (int column = 0; column < 3; column++, e++) {
+                dFdX[e] = along * u[row] * u[column] - u[row] * turning[column] + (row == column ? across : 0);
+                dFdV[e] = drag * u[row] * u[column];
+            }
+        }
+        derivatives.addPair(i / Particles.STRIDE, j / Particles.STRIDE, dFdX, dFdV);
+    }
+
+    /** Writes u and returns |r|; both are 0 where there is no direction. */
+    private double direction(double[] state, int i, int j) {
+        double largest = 0;
+        for (int c = 0; c < 3; c++) {
+            u[c] = state[j + c] - state[i + c];
+            turning[c] = 0;
+            largest = Math.max(largest, Math.abs(u[c]));
+        }
+        if (!(largest > SHORTEST)) {
+            u[0] = 0;
+            u[1] = 0;
+            u[2] = 0;
+            return 0;
+        }
+        double square = 0;
+        for (int c = 0; c < 3; c++) {
+            u[c] /= largest;
+            square += u[c] * u[c];
+        }
+        double length = Math.sqrt(square);
+        for (int c = 0; c < 3; c++) {
+            u[c] /= length;
+        }
+        return largest * length;
+    }
+}

@@ -1,0 +1,158 @@
+package particles.effects.springs;
+
+import java.util.Arrays;
+import particles.law.Particles;
+
+/**
+ * The numbers of all springs in flat arrays, and how they are kept: added, taken out, followed when particles go, and
+ * put into the order in which their forces are evaluated fastest.
+ */
+final class SpringTable {
+    private static final int NOT_COUNTED = -1;
+
+    int count;
+    int[] from = new int[8];                            // where the particles' entries begin in the state
+    int[] to = new int[8];
+    double[] stiffness = new double[8];
+    double[] restLength = new double[8];
+    double[] damping = new double[8];
+    // how many particles springs begin at, in the order of the table
+    private int owners = NOT_COUNTED;
+    private boolean arranged;
+    private boolean sorted = true;
+    private final SpringBlocks blocks = new SpringBlocks();
+
+    void add(int i, int j, double stiffness, double restLength, double damping) {
+        if (count == from.length) {
+            setCapacity(Math.max(8, count + count / 2));
+        }
+        from[count] = Particles.STRIDE * i;
+        to[count] = Particles.STRIDE * j;
+        this.stiffness[count] = stiffness;
+        this.restLength[count] = restLength;
+        this.damping[count] = damping;
+        sorted &= count == 0 || from[count - 1] <= from[count];
+        count++;
+        arranged = false;
+    }
+
+    private void setCapacity(int capacity) {
+        from = Arrays.copyOf(from, capacity);
+        to = Arrays.copyOf(to, capacity);
+        stiffness = Arrays.copyOf(stiffness, capacity);
+        restLength = Arrays.copyOf(restLength, capacity);
+        damping = Arrays.copyOf(damping, capacity);
+    }
+
+    /** Springs go with either of their ends. */
+    void reindex(int[] newIndex) {
+        boolean[] gone = new boolean[count];
+        for (int s = 0; s < count; s++) {
+            int i = newIndex[from[s] / Particles.STRIDE];
+            int j = newIndex[to[s] / Particles.STRIDE];
+            gone[s] = i < 0 || j < 0;
+            from[s] = Particles.STRIDE * i;
+            to[s] = Particles.STRIDE * j;
+        }
+        remove(gone);
+        blocks.reindex(newIndex);
+    }
+
+    void remove(boolean[] gone) {
+        if (arranged) {
+            blocks.remove(gone);
+        }
+        int stay = 0;
+        for (int s = 0; s < count; s++) {
+            if (!gone[s]) {
+                move(s, stay++);
+            }
+        }
+        count = stay;
+        owners = NOT_COUNTED;
+    }
+
+    private void move(int s, int stay) {
+        from[stay] = from[s];
+        to[stay] = to[s];
+        stiffness[stay] = stiffness[s];
+        restLength[stay] = restLength[s];
+        damping[stay] = damping[s];
+    }
+
+    /**
+     * Sorts the springs by the particle where they begin, those of one particle in the order in which they were added:
+     * so that its position, velocity and force stay in registers for all of its springs. A counting sort, linear in
+     * their number. Then divides them into blocks.
+     */
+    void arrange() {
+        if (arranged && owners != NOT_COUNTED) {
+            return;
+        }
+        if (!arranged) {
+            if (!sorted) {
+                sort();
+            }
+            put(blocks.divide(from, to, count));
+            sorted = blocks.count() == 1;
+            arranged = true;
+        }
+        owners = 0;
+        for (int s = 0; s < count; s++) {
+            owners += s == 0 || from[s] != from[s - 1] ? 1 : 0;
+        }
+    }
+
+    /** @return their blocks, once they are arranged */
+    SpringBlocks blocks() {
+        return blocks;
+    }
+
+    /** @return whether a particle owns enough springs, two or more on average, to take them together */
+    boolean isGrouped() {
+        return count >= 2L * owners;
+    }
+
+    private void sort() {
+        int last = 0;
+        for (int s = 0; s < count; s++) {
+            last = Math.max(last, from[s] / Particles.STRIDE);
+        }
+        int[] place = new int[last + 2];
+        for (int s = 0; s < count; s++) {
+            place[from[s] / Particles.STRIDE + 1]++;
+        }
+        for (int i = 0; i <= last; i++) {
+            place[i + 1] += place[i];
+        }
+        int[] order = new int[count];
+        for (int s = 0; s < count; s++) {
+            order[place[from[s] / Particles.STRIDE]++] = s;
+        }
+        put(order);
+    }
+
+    private void put(int[] order) {
+        from = permuted(from, order);
+        to = permuted(to, order);
+        stiffness = permuted(stiffness, order);
+        restLength = permuted(restLength, order);
+        damping = permuted(damping, order);
+    }
+
+    private static int[] permuted(int[] values, int[] order) {
+        int[] result = new int[order.length];
+        for (int s = 0; s < order.length; s++) {
+            result[s] = values[order[s]];
+        }
+        return result;
+    }
+
+    private static double[] permuted(double[] values, int[] order) {
+        double[] result = new double[order.length];
+        for (int s = 0; s < order.length; s++) {
+            result[s] = values[order[s]];
+        }
+        return result;
+    }
+}

@@ -1,0 +1,127 @@
+package particles.engine;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
+import particles.law.Reaction;
+
+/** Adds up the forces of effects and reactions. */
+public final class ForceSum {
+    private static final int STRIDE = Particles.STRIDE;
+    /** Particles at a time: their state and force, 48 kB together, stay in the nearest cache. */
+    private static final int STRETCH = 512;
+
+    private final Particles particles;
+    private final List<Effect> effects;
+    private final List<Reaction> reactions;
+    private Optional<ParallelDerivative> parallel = Optional.empty();
+    private final List<PerParticleEffect> perParticle = new ArrayList<>();
+    private final List<Effect> others = new ArrayList<>();
+    private int sorted;                                 // how many effects are in one of the two lists
+
+    public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
+        this.particles = particles;
+        this.effects = effects;
+        this.reactions = reactions;
+    }
+
+    /** The derivative (v, F/m) of a state. */
+    public void derivative(double[] state, double time, double[] dSdt) {
+        sortEffects();
+        if (parallel.isPresent() && parallel.get().pays()) {
+            parallel.get().derivative(state, time, dSdt);
+            return;
+        }
+        int n = particles.count();
+        begin(state, time, dSdt, 0, n);
+        for (int e = 0; e < others.size(); e++) {
+            others.get(e).addForces(state, time, dSdt);
+        }
+        addReactions(state, time, dSdt);
+        finish(state, dSdt, 0, n);
+    }
+
+    /** The effects that act on each particle by itself. */
+    public List<PerParticleEffect> perParticle() {
+        return perParticle;
+    }
+
+    /** All other effects, in the order in which they act. */
+    public List<Effect> others() {
+        return others;
+    }
+
+    /** Lets something else evaluate the derivative where that pays; closes what did so before. */
+    public void setParallel(Optional<ParallelDerivative> other) {
+        parallel.ifPresent(ParallelDerivative::close);
+        parallel = other;
+    }
+
+    private void sortEffects() {
+        for (; sorted < effects.size(); sorted++) {
+            if (effects.get(sorted) instanceof PerParticleEffect effect) {
+                perParticle.add(effect);
+            } else {
+                others.add(effects.get(sorted));
+            }
+        }
+    }
+
+    /** The forces of the effects on single particles, for the particles first ... end - 1. */
+    public void begin(double[] state, double time, double[] dSdt, int first, int end) {
+        for (int from = first; from < end; from += STRETCH) {
+            int to = Math.min(end, from + STRETCH);
+            Arrays.fill(dSdt, STRIDE * from, STRIDE * to, 0.0);
+            for (int e = 0; e < perParticle.size(); e++) {
+                perParticle.get(e).addForces(state, time, dSdt, from, to);
+            }
+        }
+    }
+
+    /** From forces to the derivative: (0, F) becomes (v, F/m). */
+    public void finish(double[] state, double[] dSdt, int from, int to) {
+        double[] inverseMasses = particles.inverseMasses();
+        for (int x = STRIDE * from, i = from; x < STRIDE * to; x += STRIDE, i++) {
+            double inverseMass = inverseMasses[i];
+            dSdt[x] = state[x + 3];
+            dSdt[x + 1] = state[x + 4];
+            dSdt[x + 2] = state[x + 5];
+            dSdt[x + 3] *= inverseMass;
+            dSdt[x + 4] *= inverseMass;
+            dSdt[x + 5] *= inverseMass;
+        }
+    }
+
+    /** The forces of all effects; 0 where positions stand. */
+    public void effects(double[] state, double time, double[] force) {
+        int n = particles.count();
+        Arrays.fill(force, 0, STRIDE * n, 0.0);
+        for (int e = 0; e < effects.size(); e++) {
+            effects.get(e).addForces(state, time, force);
+        }
+    }
+
+    public boolean dependOnVelocity() {
+        boolean depend = false;
+        for (int e = 0; e < effects.size(); e++) {
+            depend |= effects.get(e).dependsOnVelocity();
+        }
+        for (int r = 0; r < reactions.size(); r++) {
+            depend |= reactions.get(r).dependsOnVelocity();
+        }
+        return depend;
+    }
+
+    public void addReactions(double[] state, double time, double[] force) {
+        for (int r = 0; r < reactions.size(); r++) {
+            Reaction reaction = reactions.get(r);
+            if (reaction.isActive()) {
+                reaction.addForces(state, time, force);
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package particles.experiments.energy;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import particles.experiments.energy.EnergyDrift.Comparison;
+import particles.experiments.energy.EnergyDrift.Drift;
+import particles.experiments.energy.EnergyDrift.Kind;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
+
+/** Energy drift as charts and as a table. */
+public final class DriftCharts {
+    /** What crosses are called in the legend. */
+    public static final String STOPPED = "stopped";
+    /** The linear chart ends where an error is no longer a small one. */
+    private static final double LINEAR = 0.1;
+    private static final double SMALLEST = 1e-17;
+
+    private DriftCharts() {
+    }
+
+    /**
+     * @param comparison what was measured
+     * @return the error as it is, near 0, and its size on a logarithmic scale, over the same time
+     */
+    public static List<ChartData> charts(Comparison comparison) {
+        List<Series> linear = new ArrayList<>();
+        List<Series> logarithmic = new ArrayList<>();
+        List<double[]> failures = new ArrayList<>();
+        for (Drift drift : comparison.drifts()) {
+            String name = drift.setting().solver().label();
+            int n = 0;
+            while (n < drift.error().length && Math.abs(drift.error()[n]) <= LINEAR) {
+                n++;
+            }
+            linear.add(new Series(name, Mark.LINE, Arrays.copyOf(drift.time(), n), Arrays.copyOf(drift.error(), n)));
+            double[] size = Arrays.stream(drift.error()).map(e -> Math.abs(e) < SMALLEST ? Double.NaN
+                    : Math.abs(e)).toArray();
+            logarithmic.add(new Series(name, Mark.LINE, drift.time(), size));
+            if (drift.kind() == Kind.FAILED) {
+                failures.add(new double[] {drift.time()[drift.time().length - 1], Math.max(SMALLEST,
+                        Math.abs(drift.end()))});
+            }
+        }
+        if (!failures.isEmpty()) {
+            logarithmic.add(new Series(STOPPED, Mark.FAILURES, failures.stream().mapToDouble(f -> f[0]).toArray(),
+                    failures.stream().mapToDouble(f -> f[1]).toArray()));
+        }
+        return List.of(new ChartData(finding(comparison), "time (s)", "|energy error| / scale", false, true,
+                logarithmic),
+                new ChartData("", "time (s)", "energy error / scale", false, false, linear));
+    }
+
+    /**
+     * @param comparison what was measured
+     * @return what it shows, in a sentence
+     */
+    public static String finding(Comparison comparison) {
+        List<String> parts = new ArrayList<>();
+        for (Kind kind : Kind.values()) {
+            List<String> names = comparison.drifts().stream().filter(drift -> drift.kind() == kind)
+                    .map(drift -> drift.setting().solver().label()).toList();
+            if (!names.isEmpty()) {
+                parts.add((names.size() > 3 ? names.size() + " solvers" : String.join(", ", names)) + " "
+                        + switch (kind) {
+                    case SECULAR -> names.size() == 1 ? "drifts" : "drift";
+                    case BOUNDED -> names.size() == 1 ? "stays bounded" : "stay bounded";
+                    case ROUNDING -> names.size() == 1 ? "is exact to rounding" : "are exact to rounding";
+                    case FAILED -> names.size() == 1 ? "fails" : "fail";
+                });
+            }
+        }
+        return comparison.scene() + ": " + String.join("; ", parts) + (comparison.equalWork() ? " (equal evaluations)"
+                : "");
+    }
+
+    /**
+     * @param comparison what was measured
+     * @return a row a solver
+     */
+    public static DataTable table(Comparison comparison) {
+        List<List<Object>> rows = new ArrayList<>();
+        for (Drift drift : comparison.drifts()) {
+            rows.add(List.of(drift.setting().solver().label(), drift.setting().deltaT(),
+                    drift.setting().tolerance().orElse(Double.NaN), drift.end(), drift.largest(), drift.slope(),
+                    drift.kind().name().toLowerCase(Locale.ROOT), drift.outcome().evaluations(),
+                    drift.outcome().seconds(),
+                    drift.outcome().failure().orElse("")));
+        }
+        return new DataTable("drift", "Energy error over the scale of "
+                + new BigDecimal(comparison.scale()).round(new MathContext(4)).toPlainString() + " J",
+                List.of(DataTable.column("solver"), DataTable.column("deltaT (s)"), DataTable.column("tolerance"),
+                        new DataTable.Column("end drift", 3), new DataTable.Column("largest", 3),
+                        new DataTable.Column("slope (1/s)", 3), DataTable.column("kind"),
+                        DataTable.column("evaluations"),
+                        new DataTable.Column("time (s)", 2), DataTable.column("why it ended")), rows);
+    }
+}

@@ -1,0 +1,138 @@
+package particles.experiments.energy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import particles.Observer;
+import particles.experiments.runs.EqualWork;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SceneRun.Outcome;
+import particles.experiments.runs.SceneRun.Setting;
+import particles.experiments.runs.SolverChoice;
+import particles.scene.Scene;
+import particles.scene.format.SceneDescription;
+
+/**
+ * How well solvers keep a scene's energy: the ledger's numerical error, which is the change that neither drag nor
+ * bounces nor any other work explains, relative to the scene's energy scale.
+ */
+public final class EnergyDrift {
+    /** Below this part of the scale, errors are those of the last digits. */
+    private static final double ROUNDING = 1e-12;
+    /**
+     * A straight line that rises by more than so many times the scatter about it is no accident of where a wave ends.
+     */
+    private static final double SECULAR = 2;
+    /** What grows in proportion to time is twice as large in the second half of a run as in the first. */
+    private static final double GROWS = 1.4;
+    /** A decay that is complete grows no more; its error ends at the largest there was. */
+    private static final double STILL = 0.98;
+    private static final double REFERENCE_TOLERANCE = 1e-9;
+    private static final long MOST_EVALUATIONS = 20_000_000;
+
+    /** How an energy error goes on. */
+    public enum Kind {
+        /** It grows with time. */
+        SECULAR,
+        /** It goes up and down within limits. */
+        BOUNDED,
+        /** It is that of the last digits. */
+        ROUNDING,
+        /** There is no end to look at: the run failed. */
+        FAILED
+    }
+
+    /**
+     * One solver's run.
+     *
+     * @param setting how the scene was solved
+     * @param time    when (s)
+     * @param error   the energy's numerical error over the scale then
+     * @param end     the last one
+     * @param largest the largest, without its sign
+     * @param slope   of the straight line through all (1/s)
+     * @param kind    how it goes on
+     * @param outcome how the run went
+     */
+    public record Drift(Setting setting, double[] time, double[] error, double end, double largest, double slope,
+            Kind kind,
+                        Outcome outcome) {
+    }
+
+    /**
+     * All of them.
+     *
+     * @param scene     the scene's title
+     * @param duration  of the runs (s)
+     * @param scale     what errors were divided by (J)
+     * @param equalWork whether the runs were made to cost the same, rather than to have the same step
+     * @param drifts    one a solver
+     */
+    public record Comparison(String scene, double duration, double scale, boolean equalWork, List<Drift> drifts) {
+    }
+
+    private EnergyDrift() {
+    }
+
+    /**
+     * @param scene     a scene, with the step and duration that are wanted
+     * @param solvers   whom to compare
+     * @param equalWork whether each gets the step, or tolerance, with which it costs what rk4 costs at the scene's step
+     * @param progress  hears how far it is
+     * @return the runs
+     */
+    public static Comparison compare(SceneDescription scene, List<SolverChoice> solvers, boolean equalWork,
+                                     ProgressListener progress) {
+        progress.reached(0, "the energy scale");
+        double scale = scale(scene);
+        long target = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
+        EqualWork work = new EqualWork(scene, scene.duration(), target);
+        List<Drift> drifts = new ArrayList<>();
+        for (SolverChoice solver : solvers) {
+            progress.reached((double) drifts.size() / solvers.size(), solver.label());
+            Setting setting = equalWork ? work.find(solver).setting() : new Setting(solver, scene.deltaT(),
+                    Optional.empty());
+            drifts.add(measure(SceneRun.build(scene, setting, scene.duration()), setting, scale, List.of()));
+        }
+        return new Comparison(scene.title(), scene.duration(), scale, equalWork, drifts);
+    }
+
+    /** @param beside who looks on too, and first */
+    public static Drift measure(Scene built, Setting setting, double scale, List<? extends Observer> beside) {
+        DriftRecorder recorder = new DriftRecorder();
+        List<Observer> observers = new ArrayList<>(beside);
+        observers.add(recorder);
+        Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, observers);
+        double[][] points = recorder.points();
+        for (int k = 0; k < points[1].length; k++) {
+            points[1][k] /= scale;
+        }
+        return new Drift(setting, points[0], points[1], recorder.end() / scale, recorder.largest() / scale,
+                recorder.slope() / scale, kind(recorder, outcome, scale), outcome);
+    }
+
+    private static Kind kind(DriftRecorder recorder, Outcome outcome, double scale) {
+        if (outcome.failure().isPresent()) {
+            return Kind.FAILED;
+        }
+        if (recorder.largest() < ROUNDING * scale) {
+            return Kind.ROUNDING;
+        }
+        double[] halves = recorder.halves(outcome.endTime() / 2);
+        boolean straight = Math.abs(recorder.slope()) * outcome.endTime() > SECULAR * recorder.scatter();
+        boolean goesOn = halves[1] > GROWS * halves[0] || Math.abs(recorder.end()) > STILL * recorder.largest();
+        return straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
+    }
+
+    /** The largest kinetic plus spring energy of a run that is as good as exact. */
+    private static double scale(SceneDescription scene) {
+        EnergyHistory history = new EnergyHistory();
+        Setting setting = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),
+                Optional.of(REFERENCE_TOLERANCE));
+        Scene reference = SceneRun.build(scene, setting, scene.duration());
+        Outcome outcome = SceneRun.run(reference, MOST_EVALUATIONS, List.of(history));
+        double scale = history.getScale();
+        return outcome.failure().isEmpty() && scale > 0 ? scale : reference.energyScale();
+    }
+}

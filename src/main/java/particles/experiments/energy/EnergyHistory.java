@@ -1,0 +1,167 @@
+package particles.experiments.energy;
+
+import java.util.ArrayList;
+import java.util.List;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.experiments.runs.MinMaxThinning;
+import particles.law.Effect;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/**
+ * The energies of a run over time: kinetic, what each effect stores, and their sum, after each step and again after
+ * rules changed something, so that the loss in a bounce is a vertical line. Thinned to some thousand points a curve,
+ * with every extreme kept.
+ */
+public final class EnergyHistory implements Observer {
+    private static final int BUCKETS = 1024;
+    /** Energies below this part of weight times height are the rounding of a scene at rest. */
+    private static final double AT_REST = 1e-12;
+
+    private final long stride;
+    private final MinMaxThinning kinetic = new MinMaxThinning(BUCKETS);
+    private final MinMaxThinning total = new MinMaxThinning(BUCKETS);
+    private final MinMaxThinning potential = new MinMaxThinning(BUCKETS);
+    private final List<Effect> effects = new ArrayList<>();
+    private final List<MinMaxThinning> stored = new ArrayList<>();
+    private double[] values = {};
+    private long step;
+    private double largestOfMotionAndSprings;
+    private double restScale;
+
+    /** Looks at every step. */
+    public EnergyHistory() {
+        this(1);
+    }
+
+    /**
+     * @param stride every how many steps the energies are computed, 1 or more: that costs as much as half an evaluation
+     */
+    public EnergyHistory(long stride) {
+        if (stride < 1) {
+            throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
+        }
+        this.stride = stride;
+    }
+
+    @Override
+    public void started(ParticleSystem system) {
+        effects.addAll(system.getEffects());
+        effects.forEach(effect -> stored.add(new MinMaxThinning(BUCKETS)));
+        values = new double[effects.size()];
+        restScale = RestScale.of(system);
+        record(system, system.getOwnState(), system.getTime());
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        step++;
+        if (step % stride == 0) {
+            record(motion.getSystem(), motion.getEndState(), motion.getEndTime());
+        }
+    }
+
+    @Override
+    public void changed(ParticleSystem system, Rule rule) {
+        if (step % stride == 0) {
+            record(system, system.getOwnState(), system.getTime());
+        }
+    }
+
+    @Override
+    public void finished(ParticleSystem system) {
+        if (step % stride != 0) {
+            record(system, system.getOwnState(), system.getTime());
+        }
+    }
+
+    private void record(ParticleSystem system, double[] state, double time) {
+        double motion = system.getKineticEnergy(state);
+        double internal = motion;
+        double sum = 0;
+        for (int e = 0; e < values.length; e++) {
+            Effect effect = effects.get(e);
+            values[e] = effect.getPotentialEnergy(state, time);
+            sum += values[e];
+            if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
+                internal += values[e];
+            }
+            stored.get(e).add(time, values[e]);
+        }
+        kinetic.add(time, motion);
+        potential.add(time, sum);
+        total.add(time, motion + sum);
+        largestOfMotionAndSprings = Math.max(largestOfMotionAndSprings, internal);
+    }
+
+    /** @return the total energy at the start (J) */
+    public double getStart() {
+        return total.first();
+    }
+
+    /** @return the total energy at the end (J) */
+    public double getEnd() {
+        return total.last();
+    }
+
+    /** @return the largest |E(t) - E(0)| of the run (J) */
+    public double getLargestDrift() {
+        return Math.max(total.largest() - total.first(), total.first() - total.smallest());
+    }
+
+    /**
+     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene
+     *         at rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
+     */
+    public double getScale() {
+        return largestOfMotionAndSprings > AT_REST * restScale ? largestOfMotionAndSprings : restScale;
+    }
+
+    /**
+     * The energies. The total is the first series. A potential that no inner force has, such as gravity's, has its zero
+     * at the lowest value of the run, since a chart must not depend on where the origin lies; its name says so.
+     *
+     * @param title of the chart, such as the scene and its solver
+     * @return the chart
+     * @throws IllegalStateException before the run
+     */
+    public ChartData chart(String title) {
+        if (total.isEmpty()) {
+            throw new IllegalStateException("no run was observed");
+        }
+        List<Series> series = new ArrayList<>();
+        double zero = 0;
+        List<Series> parts = new ArrayList<>();
+        for (int e = 0; e < effects.size(); e++) {
+            MinMaxThinning energy = stored.get(e);
+            if (energy.smallest() == 0 && energy.largest() == 0) {
+                continue;
+            }
+            boolean internal = effects.get(e).getTraits().contains(Effect.Trait.INTERNAL);
+            double lowest = internal ? 0 : energy.smallest();
+            zero += lowest;
+            parts.add(line("potential: " + effects.get(e).getName() + (lowest == 0 ? "" : ", from its lowest"), energy,
+                    lowest));
+        }
+        String from = zero == 0 ? "" : ", from the lowest";
+        series.add(line("total" + from, total, zero));
+        series.add(line("kinetic", kinetic, 0));
+        if (parts.size() > 1) {
+            series.add(line("potential" + from, potential, zero));
+        }
+        series.addAll(parts);
+        return new ChartData(title, "time (s)", "energy (J)", false, false, List.copyOf(series));
+    }
+
+    private static Series line(String name, MinMaxThinning energy, double zero) {
+        double[][] points = energy.points();
+        for (int k = 0; k < points[1].length; k++) {
+            points[1][k] -= zero;
+        }
+        return new Series(name, Mark.LINE, points[0], points[1]);
+    }
+}

@@ -1,0 +1,126 @@
+package particles.experiments.energy;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import particles.EnergyLedger;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.experiments.runs.MinMaxThinning;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/**
+ * A run's energy ledger over time: what each kind of work put in or took out, and what is left over, which is the error
+ * of the numbers. Every step is booked; what is drawn is thinned to some thousand points a curve, with every extreme
+ * kept.
+ */
+public final class EnergyLedgerRecorder implements Observer {
+    private static final int BUCKETS = 1024;
+
+    private final EnergyLedger ledger = new EnergyLedger();
+    private final long stride;
+    private final MinMaxThinning error = new MinMaxThinning(BUCKETS);
+    private final Map<String, MinMaxThinning> work = new LinkedHashMap<>();
+    private long step;
+
+    /** @param stride every how many steps a point is drawn, 1 or more */
+    public EnergyLedgerRecorder(long stride) {
+        if (stride < 1) {
+            throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
+        }
+        this.stride = stride;
+    }
+
+    @Override
+    public void started(ParticleSystem system) {
+        ledger.started(system);
+        record(system.getTime());
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        ledger.moved(motion);
+        step++;
+        if (step % stride == 0) {
+            record(motion.getEndTime());
+        }
+    }
+
+    @Override
+    public void changed(ParticleSystem system, Rule rule) {
+        ledger.changed(system, rule);
+        if (step % stride == 0) {
+            record(system.getTime());
+        }
+    }
+
+    @Override
+    public void finished(ParticleSystem system) {
+        if (step % stride != 0) {
+            record(system.getTime());
+        }
+    }
+
+    private void record(double time) {
+        error.add(time, ledger.getNumericalError());
+        ledger.getWork().forEach((name, joules) -> work.computeIfAbsent(name, unknown -> began()).add(time, joules));
+    }
+
+    /** The first bounce may come late; until then its work was 0. */
+    private MinMaxThinning began() {
+        MinMaxThinning fresh = new MinMaxThinning(BUCKETS);
+        for (double time : error.points()[0]) {
+            fresh.add(time, 0);
+        }
+        return fresh;
+    }
+
+    /** @return the work done on the system, by name (J); negative where energy was taken out */
+    public Map<String, Double> getWork() {
+        return ledger.getWork();
+    }
+
+    /** @return the energy that no work explains, at the end (J) */
+    public double getNumericalError() {
+        return ledger.getNumericalError();
+    }
+
+    /** @return the largest of it during the run, without its sign (J); NaN before a run */
+    public double getLargestNumericalError() {
+        return error.isEmpty() ? Double.NaN : Math.max(error.largest(), -error.smallest());
+    }
+
+    /**
+     * @param scale what errors are divided by (J); 0 where nothing moves
+     * @return the work of each kind, if there was any, and below it the numerical error, over the same time
+     */
+    public List<ChartData> charts(double scale) {
+        List<ChartData> charts = new ArrayList<>();
+        List<Series> lines = new ArrayList<>();
+        work.forEach((name, joules) -> {
+            if (joules.smallest() != 0 || joules.largest() != 0) {
+                double[][] points = joules.points();
+                lines.add(new Series("work: " + name, Mark.LINE, points[0], points[1]));
+            }
+        });
+        if (!lines.isEmpty()) {
+            charts.add(new ChartData("what physics put in (+) and took out (\u2212)", "time (s)",
+                    lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") + " (J)" : "work (J)", false,
+                    false,
+                    lines));                            // short enough for a low panel; the sign says the rest
+        }
+        double[][] points = error.points();
+        for (int k = 0; k < points[1].length; k++) {
+            points[1][k] = points[1][k] == 0 ? 0 : points[1][k] / scale;
+        }
+        charts.add(new ChartData("numerical error: the change of energy that no physics explains", "time (s)",
+                "numerical error / scale", false, false,
+                List.of(new Series("numerical error", Mark.LINE, points[0], points[1]))));
+        return charts;
+    }
+}

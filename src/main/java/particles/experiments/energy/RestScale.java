@@ -1,0 +1,40 @@
+package particles.experiments.energy;
+
+import particles.ParticleSystem;
+import particles.law.Particles;
+
+/** The energy scale of a scene in which nothing moves: weight times height. */
+final class RestScale {
+    private RestScale() {
+    }
+
+    /**
+     * @param system at its start
+     * @return the length of the sum of all effects' forces on the particles that can move, times the extent of all
+     *         particles along it, or times 1 m where they have none (J); 0 without force
+     */
+    static double of(ParticleSystem system) {
+        Particles particles = system.getParticles();
+        double[] state = system.getOwnState();
+        double[] force = new double[system.getStateSize()];
+        system.addUpEffects(state, system.getTime(), force);
+        double[] sum = new double[3];
+        for (int i = 0; i < particles.count(); i++) {
+            for (int c = 0; c < 3 && !particles.isFixed(i); c++) {
+                sum[c] += force[Particles.STRIDE * i + 3 + c];
+            }
+        }
+        double weight = Math.sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+        if (!(weight > 0)) {
+            return 0;
+        }
+        double lowest = Double.POSITIVE_INFINITY;
+        double highest = Double.NEGATIVE_INFINITY;
+        for (int x = 0; x < force.length; x += Particles.STRIDE) {
+            double along = (state[x] * sum[0] + state[x + 1] * sum[1] + state[x + 2] * sum[2]) / weight;
+            lowest = Math.min(lowest, along);
+            highest = Math.max(highest, along);
+        }
+        return weight * (highest > lowest ? highest - lowest : 1);
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * Energy over time, the ledger's numerical error, and how solvers drift.
+ */
+package particles.experiments.energy;

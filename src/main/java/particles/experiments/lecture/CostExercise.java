@@ -1,0 +1,92 @@
+package particles.experiments.lecture;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Oscillator;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import particles.view.DataTable;
+
+/** The lecture's exercise: "Estimate cost of RK4 versus midpoint for similar accuracy", on x'' = -x over 100 s. */
+public final class CostExercise {
+    private static final double DURATION = 100;
+    private static final List<Double> ERRORS = List.of(1e-1, 1e-2, 1e-3, 1e-4, 1e-6);
+
+    private CostExercise() {
+    }
+
+    /**
+     * @param error    of the state at the end
+     * @param midpoint evaluations that the midpoint method needs for it
+     * @param rk4      evaluations that RK4 needs
+     */
+    public record Cost(double error, long midpoint, long rk4) {
+    }
+
+    /** @return the costs for errors from 0.1 to one in a million */
+    public static List<Cost> solve() {
+        return ERRORS.stream().map(error -> new Cost(error, 2 * steps("midpoint", error), 4 * steps("rk4", error)))
+                .toList();
+    }
+
+    /** The fewest steps that reach the error; over this range it falls with every step more. */
+    private static long steps(String solver, double error) {
+        int few = 100;
+        int enough = 200;
+        while (error(solver, enough) > error) {
+            few = enough;
+            enough *= 2;
+        }
+        while (enough - few > 1) {
+            int middle = (few + enough) / 2;
+            if (error(solver, middle) > error) {
+                few = middle;
+            } else {
+                enough = middle;
+            }
+        }
+        return enough;
+    }
+
+    private static double error(String name, int steps) {
+        Oscillator oscillator = new Oscillator();
+        DESolver solver = SolverCatalog.create(name);
+        for (int n = 0; n < steps; n++) {
+            solver.stepState(oscillator, DURATION / steps);
+        }
+        double[] state = oscillator.state();
+        double[] exact = oscillator.exactState(DURATION);
+        double dx = state[0] - exact[0];
+        double dv = state[1] - exact[1];
+        return Math.sqrt(dx * dx + dv * dv);
+    }
+
+    /**
+     * @param costs from {@link #solve}
+     * @return the answer in a sentence
+     */
+    public static String finding(List<Cost> costs) {
+        Cost rough = costs.get(0);
+        Cost fine = costs.get(costs.size() - 1);
+        return String.format(Locale.ROOT,
+                "Higher order pays the more, the more precision is asked: midpoint costs %.2g times what RK4"
+                + " costs for an error of %s, and %.2g times for %s", (double) rough.midpoint() / rough.rk4(),
+                rough.error(),
+                (double) fine.midpoint() / fine.rk4(), Double.toString(fine.error()).replace(".0E", "e"));
+    }
+
+    /**
+     * @param costs from {@link #solve}
+     * @return the answer to the exercise
+     */
+    public static DataTable table(List<Cost> costs) {
+        List<List<Object>> rows = new ArrayList<>();
+        costs.forEach(cost -> rows.add(List.of(cost.error(), cost.midpoint(), cost.rk4(),
+                (double) cost.midpoint() / cost.rk4())));
+        return new DataTable("exercise",
+                "The lecture's exercise: evaluations for similar accuracy, midpoint against RK4",
+                List.of(DataTable.column("error"), DataTable.column("midpoint"), DataTable.column("rk4"),
+                        new DataTable.Column("midpoint / rk4", 3)), rows);
+    }
+}

@@ -1,0 +1,238 @@
+package particles.experiments.lecture;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Oscillator;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.stability.StabilityPolynomial;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
+import particles.view.VectorField;
+
+/**
+ * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state
+ * space, over its vector field, with what theory says of amplitude and phase.
+ *
+ * <p>Source: COMPSCI 715 (2003), slides "Example IVP", "The Euler Method", "Mid-point Method", "RK4 Results".
+ */
+public final class LectureFigures {
+    private static final int ARROWS = 17;
+    private static final int CIRCLE = 361;
+
+    /** The slides' captions. Of Euler's step they say only what comes of it; 3 periods are 160.6 of these steps. */
+    private static final List<Figure> ON_SLIDES = List.of(
+            new Figure("euler", 0.11737, 161), new Figure("midpoint", 1, 11), new Figure("midpoint", 0.5, 100),
+            new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100),
+            new Figure("rk4", 0.4,
+                    1250));
+
+    /**
+     * Which run.
+     *
+     * @param solver its name in the catalogue
+     * @param deltaT the time step (s)
+     * @param steps  how many
+     */
+    public record Figure(String solver, double deltaT, int steps) {
+    }
+
+    /**
+     * A run, measured against theory.
+     *
+     * @param figure      which run
+     * @param amplitude   the last state's distance from the origin over the first's
+     * @param phaseError  by how much it has turned further than the exact solution (rad); negative where it lags
+     * @param theory      the same two numbers from R(ih), where it is known
+     * @param evaluations of the derivative
+     * @param x           positions after each step, with the start
+     * @param v           velocities
+     */
+    public record Result(Figure figure, double amplitude, double phaseError, Optional<Theory> theory, long evaluations,
+            double[] x,
+                         double[] v) {
+    }
+
+    /**
+     * What R(ih) says.
+     *
+     * @param amplitude  |R|<sup>N</sup>
+     * @param phaseError N (arg R - h) (rad)
+     */
+    public record Theory(double amplitude, double phaseError) {
+    }
+
+    private LectureFigures() {
+    }
+
+    /** @return the figures of the slides, in their order */
+    public static List<Figure> onSlides() {
+        return ON_SLIDES;
+    }
+
+    /**
+     * @param figure a run
+     * @return what comes of it
+     */
+    public static Result run(Figure figure) {
+        Oscillator oscillator = new Oscillator();
+        DESolver solver = SolverCatalog.create(figure.solver());
+        double[] x = new double[figure.steps() + 1];
+        double[] v = new double[figure.steps() + 1];
+        double[] state = {1, 0};
+        double turned = 0;
+        x[0] = 1;
+        for (int n = 1; n <= figure.steps(); n++) {
+            solver.stepState(oscillator, figure.deltaT());
+            oscillator.getState(state);
+            x[n] = state[0];
+            v[n] = state[1];
+            // clockwise; each step turns by less than half a circle, so that whole turns are not lost
+            turned -= StrictMath.atan2(v[n] * x[n - 1] - x[n] * v[n - 1], x[n] * x[n - 1] + v[n] * v[n - 1]);
+        }
+        Optional<Theory> theory = StabilityPolynomial.of(figure.solver(), figure.deltaT())
+                .map(r -> new Theory(r.amplitude(figure.steps()), r.phaseError(figure.steps(), figure.deltaT())));
+        return new Result(figure, Math.sqrt(state[0] * state[0] + state[1] * state[1]),
+                turned - figure.steps() * figure.deltaT(),
+                theory, oscillator.evaluations(), x, v);
+    }
+
+    /**
+     * @param result a run
+     * @param title  of the chart
+     * @return its path, the exact one, the start, and where both end
+     */
+    public static ChartData chart(Result result, String title) {
+        int n = result.figure().steps();
+        Mark mark = n <= 200 ? Mark.LINE_AND_POINTS : Mark.LINE;
+        double[] end = new Oscillator().exactState(n * result.figure().deltaT());
+        return new ChartData(title, "position x (m)", "velocity v (m/s)", false, false, List.of(
+                new Series(SolverChoice.of(result.figure().solver()).label(), mark, result.x(), result.v()), exact(),
+                point("start", Mark.POINTS, 1, 0),
+                point("end", Mark.POINTS, result.x()[n], result.v()[n]),
+                point("exact end", Mark.OPEN_POINTS, end[0], end[1])));
+    }
+
+    private static Series point(String name, Mark mark, double x, double v) {
+        return new Series(name, mark, new double[] {x}, new double[] {v});
+    }
+
+    /**
+     * @return the exact solution alone, which is what the vector field says, with the looks that it has in the others
+     */
+    public static ChartData exactChart() {
+        return new ChartData("Vectors show the vector field (v, \u2212x); each solution is an ellipse",
+                "position x (m)",
+                "velocity v (m/s)", false, false, List.of(new Series("no path", Mark.LINE, new double[0],
+                        new double[0]),
+                        exact(), point("start", Mark.POINTS, 1, 0)));
+    }
+
+    private static Series exact() {
+        double[] x = new double[CIRCLE];
+        double[] v = new double[CIRCLE];
+        for (int k = 0; k < CIRCLE; k++) {
+            double t = 2 * Math.PI * k / (CIRCLE - 1);
+            x[k] = StrictMath.cos(t);
+            v[k] = -StrictMath.sin(t);
+        }
+        return new Series("exact", Mark.LINE, x, v);
+    }
+
+    /**
+     * @param reach how far out it is needed
+     * @return the field (v, -x) on a square grid around the origin
+     */
+    public static VectorField field(double reach) {
+        int n = ARROWS * ARROWS;
+        VectorField field = new VectorField(new double[n], new double[n], new double[n], new double[n]);
+        for (int k = 0; k < n; k++) {
+            field.x()[k] = reach * (2.0 * (k % ARROWS) / (ARROWS - 1) - 1);
+            field.v()[k] = reach * (2.0 * (k / ARROWS) / (ARROWS - 1) - 1);
+            field.dx()[k] = field.v()[k];
+            field.dv()[k] = -field.x()[k];
+        }
+        return field;
+    }
+
+    /** @return how far out the path goes, with a margin */
+    public static double reach(Result result) {
+        double x = Arrays.stream(result.x()).map(Math::abs).max().orElse(1);
+        double v = Arrays.stream(result.v()).map(Math::abs).max().orElse(1);
+        return 1.1 * Math.max(1, Math.max(x, v));
+    }
+
+    /**
+     * @param results runs
+     * @return who spirals which way, and how much the step has to say in that: the longest and the shortest one of a
+     *         solver that spirals outwards with several
+     */
+    public static String finding(List<Result> results) {
+        String ways = Stream.of(way(results, "outwards", result -> result.amplitude() > 1),
+                way(results, "inwards", result -> result.amplitude() < 1)).flatMap(Optional::stream)
+                .collect(Collectors.joining(", "));
+        for (String solver : solvers(results, result -> result.amplitude() > 1)) {
+            List<Result> steps = results.stream().filter(result -> result.figure().solver().equals(solver))
+                    .sorted(Comparator.comparingDouble(result -> -result.figure().deltaT())).toList();
+            if (steps.size() > 1) {
+                return ways + "; how fast depends on the step: " + solver + " " + growth(steps.get(0)) + ", "
+                        + growth(steps.get(steps.size() - 1));
+            }
+        }
+        return ways;
+    }
+
+    private static Optional<String> way(List<Result> results, String way, Predicate<Result> goes) {
+        List<String> solvers = solvers(results, goes);
+        return solvers.isEmpty() ? Optional.empty()
+                : Optional.of(String.join(" and ", solvers) + (solvers.size() == 1 ? " spirals " : " spiral ") + way);
+    }
+
+    private static List<String> solvers(List<Result> results, Predicate<Result> which) {
+        return results.stream().filter(which).map(result -> result.figure().solver()).distinct().toList();
+    }
+
+    private static String growth(Result result) {
+        double deltaT = result.figure().deltaT();
+        return "\u00d7\u00a0" + few(result.amplitude()) + " in " + few(result.figure().steps() * deltaT)
+                + " s with " + few(deltaT) + " s";
+    }
+
+    private static String few(double number) {
+        return new BigDecimal(number).round(new MathContext(3)).stripTrailingZeros().toPlainString();
+    }
+
+    /**
+     * @param results runs
+     * @return measured beside what theory says
+     */
+    public static DataTable table(List<Result> results) {
+        List<List<Object>> rows = new ArrayList<>();
+        for (Result result : results) {
+            double amplitude = result.theory().map(Theory::amplitude).orElse(Double.NaN);
+            double phase = result.theory().map(Theory::phaseError).orElse(Double.NaN);
+            rows.add(List.of(result.figure().solver(), result.figure().deltaT(), result.figure().steps(),
+                    result.evaluations(),
+                    result.amplitude(), amplitude, result.amplitude() * result.amplitude(), amplitude * amplitude,
+                    result.phaseError(), phase));
+        }
+        List<DataTable.Column> columns = List.of(DataTable.column("solver"), new DataTable.Column("deltaT (s)", 6),
+                DataTable.column("steps"), DataTable.column("evaluations"), new DataTable.Column("amplitude", 7),
+                new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8), new DataTable.Column("|R|^2N", 8),
+                new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
+        return new DataTable("figures", "Amplitude, energy and phase after the last step: measured, and from R(ih)",
+                columns,
+                rows);
+    }
+}

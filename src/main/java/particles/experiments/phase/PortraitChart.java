@@ -1,0 +1,91 @@
+package particles.experiments.phase;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/** One solver's path over the reference: the ends of both, and where the path leaves the picture. */
+final class PortraitChart {
+    /**
+     * What goes farther out than so many times the curve leaves the picture, and would make everything else in it a
+     * dot.
+     */
+    private static final double PICTURE = 3.2;
+    /** A path this far from the curve has left it. */
+    static final double LEFT = 0.05;
+
+    private final String solver;
+    private final Series path;
+    private final Series exact;
+    private final boolean whole;
+    private final boolean rests;
+    private final int shown;
+    private final double off;
+
+    PortraitChart(String solver, Series path, Series exact, CurveDistance curve, boolean whole) {
+        this.solver = solver;
+        this.path = path;
+        this.exact = exact;
+        this.whole = whole;
+        rests = curve.isAtRest();
+        int n = 0;
+        while (n < path.x().length && !(curve.outwards(path.x()[n], path.y()[n]) > PICTURE)) {
+            n++;
+        }
+        shown = n;
+        off = curve.largest(path.x(), path.y());
+    }
+
+    double off() {
+        return off;
+    }
+
+    /**
+     * @param whose of which particle it is, if there are several charts of this solver
+     * @param axis  along which
+     */
+    ChartData data(String whose, Axis axis) {
+        List<Series> series = new ArrayList<>();
+        series.add(new Series(exact.name(), exact.mark() == Mark.LINE ? Mark.BAND : exact.mark(), exact.x(),
+                exact.y()));
+        series.add(new Series(solver, path.mark(), Arrays.copyOf(path.x(), shown), Arrays.copyOf(path.y(), shown)));
+        int last = exact.x().length - 1;
+        series.add(new Series("ends: of the reference hollow, of the path filled", Mark.OPEN_POINTS,
+                new double[] {exact.x()[last]}, new double[] {exact.y()[last]}));
+        int end = shown - 1;
+        if (end >= 0 && whole && shown == path.x().length) {
+            series.add(new Series(solver, Mark.POINTS, new double[] {path.x()[end]}, new double[] {path.y()[end]}));
+        } else if (end >= 0) {
+            series.add(new Series("stopped, or out of the picture", Mark.FAILURES, new double[] {path.x()[end]},
+                    new double[] {path.y()[end]}));
+        }
+        return new ChartData(whose + title(axis), "position " + axis.symbol() + " (m)",
+                "velocity v" + axis.symbol() + " (m/s)",
+                false, false, series);
+    }
+
+    private String title(Axis axis) {
+        if (!whole) {
+            return solver + ": blows up";
+        }
+        if (Double.isNaN(off)) {
+            return rests ? solver + ": at rest along " + axis.symbol() : solver;
+        }
+        return solver + (off > LEFT ? ": " + percent(off) + " off the curve"
+                : ": on the curve to " + percent(off));
+    }
+
+    /** @return a share with one or two digits, such as 3.2 %, 0.08 % and 2e-5 % */
+    static String percent(double share) {
+        double percent = 100 * share;
+        return percent > 1000 ? "over 1000 %" : percent >= 10 ? String.format(Locale.ROOT, "%.0f %%", percent)
+                : percent >= 0.1 ? String.format(Locale.ROOT, "%.1f %%", percent)
+                : percent >= 0.0095 ? String.format(Locale.ROOT, "%.2f %%", percent)
+                : percent >= 0.00095 ? String.format(Locale.ROOT, "%.3f %%", percent)
+                : percent == 0 ? "0 %" : String.format(Locale.ROOT, "%.0e %%", percent).replace("e-0", "e-");
+    }
+}

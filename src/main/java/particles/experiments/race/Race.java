@@ -1,0 +1,223 @@
+package particles.experiments.race;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.SimulationException;
+import particles.experiments.energy.EnergyDrift;
+import particles.experiments.energy.EnergyDrift.Drift;
+import particles.experiments.energy.EnergyHistory;
+import particles.experiments.runs.EqualTime;
+import particles.experiments.runs.EqualWork;
+import particles.experiments.runs.EqualWork.Match;
+import particles.experiments.runs.EqualWork.Shares;
+import particles.experiments.runs.Extent;
+import particles.experiments.runs.FrameStates;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SceneRun.Outcome;
+import particles.experiments.runs.SceneRun.Setting;
+import particles.experiments.runs.SolverChoice;
+import particles.law.Particles;
+import particles.law.Vector3;
+import particles.scene.Scene;
+import particles.scene.format.SceneDescription;
+
+/**
+ * A race of solvers on one scene: all do the same work, evaluations of the derivative or, where implicit ones take part
+ * whose work is more than that, time; who stays near a run that is as good as exact?
+ */
+public final class Race {
+    private static final double REFERENCE_TOLERANCE = 1e-11;
+    /** What the reference is, in words. */
+    public static final String REFERENCE = "dormand-prince with a tolerance of 1e-11";
+    private static final long MOST_EVALUATIONS = 20_000_000;
+    /** Who is farther than this, of the scene's extent, from where the reference goes has left the race. */
+    private static final double BEYOND = 0.25;
+
+    /** Who looks on, such as one who makes pictures of it. */
+    public interface Audience {
+        /**
+         * A run begins; the first one is the reference's.
+         *
+         * @param scene  about to run
+         * @param solver who runs; nobody for the reference
+         * @param extent where the reference goes
+         * @return who looks on
+         */
+        List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent);
+    }
+
+    /**
+     * One solver's run.
+     *
+     * @param match    its step or tolerance, and what that costs
+     * @param drift    how it keeps the energy, as far as it came
+     * @param states   at the frames' times, as far as it came: (x1, v1, x2, v2, ...)
+     * @param distance from the reference at these times, root mean square over the particles (m); NaN where there are
+     *                 not as many particles, or between the steps of an adaptive solver
+     * @param left     when it left the race (s): it failed, or went where the reference never comes near
+     */
+    public record Lane(Match match, Drift drift, List<double[]> states, double[] distance, OptionalDouble left) {
+    }
+
+    /**
+     * The race.
+     *
+     * @param scene     the scene's title
+     * @param duration  of the race (s)
+     * @param times     of the frames (s)
+     * @param equalTime whether all take the same time, and not the same number of evaluations
+     * @param shares    what each was to take, and who cannot do with less
+     * @param scale     what energy errors are divided by (J)
+     * @param reference its states at the frames' times
+     * @param lanes     one a solver
+     */
+    public record Result(String scene, double duration, double[] times, boolean equalTime, Shares shares, double scale,
+                         List<double[]> reference, List<Lane> lanes) {
+    }
+
+    private final SceneDescription scene;
+    private final List<SolverChoice> solvers;
+    private final int frames;
+    private final ToDoubleFunction<Outcome> clock;
+
+    /**
+     * @param scene   with the duration that is wanted; rk4 at its step sets how much work all get
+     * @param solvers who takes part; who cannot do with so little sets the work of all
+     * @param frames  into how many parts the duration is divided, 1 or more
+     */
+    public Race(SceneDescription scene, List<SolverChoice> solvers, int frames) {
+        this(scene, solvers, frames, Outcome::busy);
+    }
+
+    Race(SceneDescription scene, List<SolverChoice> solvers, int frames, ToDoubleFunction<Outcome> clock) {
+        this.scene = scene;
+        this.solvers = List.copyOf(solvers);
+        this.frames = frames;
+        this.clock = clock;
+    }
+
+    /**
+     * @param audience who looks on
+     * @param progress hears how far it is
+     * @return what happened
+     * @throws SimulationException if the reference cannot be computed
+     */
+    public Result run(Audience audience, ProgressListener progress) {
+        progress.reached(0, "the reference");
+        double rate = frames / scene.duration();
+        FrameStates reference = new FrameStates(rate);
+        Extent extent = new Extent();
+        double scale = runReference(reference, extent);
+        long evaluations = 4 * Math.max(1, Math.round(scene.duration() / scene.deltaT()));
+        boolean equalTime = solvers.stream().anyMatch(SolverChoice::implicit);
+        ProgressListener half = (part, what) -> progress.reached(0.5 * part, what);
+        Shares shares = equalTime ? new EqualTime(scene, evaluations, frames, clock).share(solvers, half)
+                : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, half);
+        progress.reached(0.5, "the race: the reference");
+        Scene again = SceneRun.build(scene, tight(), scene.duration());
+        SceneRun.run(again, MOST_EVALUATIONS, audience.of(again, Optional.empty(), extent));
+        List<Lane> lanes = new ArrayList<>();
+        for (Match match : shares.matches()) {
+            progress.reached(0.5 + 0.5 * (lanes.size() + 1) / (solvers.size() + 1), "the race: "
+                    + match.setting().solver().label());
+            lanes.add(lane(match, rate, scale, reference.states(), extent, audience));
+        }
+        double[] times = new double[reference.states().size()];
+        for (int k = 0; k < times.length; k++) {
+            times[k] = k / rate;
+        }
+        return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.states(), lanes);
+    }
+
+    /** Its steps end at the frames, about as long as the scene's: nothing that is compared is interpolated. */
+    private Setting tight() {
+        double frame = scene.duration() / frames;
+        return new Setting(SolverChoice.of("dormand-prince"), frame / Math.ceil(frame / scene.deltaT()),
+                Optional.of(REFERENCE_TOLERANCE));
+    }
+
+    /** @return the energy scale */
+    private double runReference(FrameStates states, Extent extent) {
+        EnergyHistory energy = new EnergyHistory();
+        Scene built = SceneRun.build(scene, tight(), scene.duration());
+        Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, List.of(energy, states, extent));
+        if (outcome.failure().isPresent()) {
+            throw new SimulationException(outcome.endTime(), -1, "no race without a reference (" + REFERENCE + "): "
+                    + outcome.failure().get(), null);
+        }
+        return energy.getScale() > 0 ? energy.getScale() : built.energyScale();
+    }
+
+    private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent,
+            Audience audience) {
+        Scene built = SceneRun.build(scene, match.setting(), scene.duration());
+        FrameStates states = new FrameStates(rate);
+        List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
+        observers.addAll(audience.of(built, Optional.of(match.setting().solver()), extent));
+        Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
+        double[] distance = new double[states.states().size()];
+        Arrays.fill(distance, Double.NaN);
+        for (int k = 0; k < distance.length; k += framesAStep(match.setting())) {
+            distance[k] = distance(states.states().get(k), reference.get(k));
+        }
+        OptionalDouble left = drift.outcome().failure().isPresent() ? OptionalDouble.of(drift.outcome().endTime())
+                : OptionalDouble.empty();
+        return new Lane(match, drift, states.states(), distance, left);
+    }
+
+    /**
+     * What an adaptive solver does within its steps is not seen: what is interpolated there has errors that are not its
+     * own.
+     */
+    private int framesAStep(Setting setting) {
+        double a = setting.deltaT() * frames / scene.duration();
+        return setting.solver().adaptive() ? Math.max(1, (int) Math.round(a)) : 1;
+    }
+
+    private static double distance(double[] state, double[] exact) {
+        if (state.length != exact.length) {
+            return Double.NaN;
+        }
+        double sum = 0;
+        for (int x = 0; x < state.length; x += Particles.STRIDE) {
+            for (int c = x; c < x + 3; c++) {
+                sum += (state[c] - exact[c]) * (state[c] - exact[c]);
+            }
+        }
+        return Math.sqrt(sum / (state.length / Particles.STRIDE));
+    }
+
+    /** Ends the run of who leaves. */
+    private static final class Fence implements Observer {
+        private final Vector3 low;
+        private final Vector3 high;
+
+        Fence(Extent extent) {
+            Vector3 size = extent.high().minus(extent.low());
+            double beyond = BEYOND * Math.max(size.x(), Math.max(size.y(), size.z()));
+            low = extent.low().minus(new Vector3(beyond, beyond, beyond));
+            high = extent.high().plus(new Vector3(beyond, beyond, beyond));
+        }
+
+        @Override
+        public void moved(Motion motion) {
+            ParticleSystem system = motion.getSystem();
+            double[] state = motion.getEndState();
+            for (int i = 0, x = 0; x < state.length; i++, x += Particles.STRIDE) {
+                if (state[x] < low.x() || state[x] > high.x() || state[x + 1] < low.y() || state[x + 1] > high.y()
+                        || state[x + 2] < low.z() || state[x + 2] > high.z()) {
+                    throw new SimulationException(motion.getEndTime(), i, "particle '" + system.getParticles().id(i)
+                            + "' went where the reference never comes near", null);
+                }
+            }
+        }
+    }
+}

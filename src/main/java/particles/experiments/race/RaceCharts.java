@@ -1,0 +1,170 @@
+package particles.experiments.race;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+import particles.experiments.energy.DriftCharts;
+import particles.experiments.energy.EnergyDrift.Comparison;
+import particles.experiments.race.Race.Lane;
+import particles.experiments.race.Race.Result;
+import particles.experiments.runs.EqualTime;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
+
+/** A race as charts, as tables and in words. */
+public final class RaceCharts {
+    private static final double SMALLEST = 1e-17;
+    /**
+     * Times of the same run differ by some percent; who takes this many times the work has not been given equal work.
+     */
+    private static final double TOO_MUCH = 1.2;
+    /**
+     * Who is farther off than the nearest by no more than this shares the first place: which of them it is, is chance.
+     */
+    private static final double AS_NEAR = 1.1;
+
+    private RaceCharts() {
+    }
+
+    /**
+     * @param race what happened
+     * @return the energy error of each solver over time, a line each, and crosses where one left the race
+     */
+    public static ChartData energy(Result race) {
+        Comparison comparison = new Comparison(race.scene(), race.duration(), race.scale(), !race.equalTime(),
+                race.lanes().stream().map(Lane::drift).toList());
+        ChartData chart = DriftCharts.charts(comparison).get(0);
+        return new ChartData("", chart.xLabel(), chart.yLabel(), false, true, chart.series());
+    }
+
+    /**
+     * @param race what happened
+     * @return how far each solver is from the reference, over time
+     */
+    public static ChartData distance(Result race) {
+        List<Series> series = new ArrayList<>();
+        List<double[]> left = new ArrayList<>();
+        for (Lane lane : race.lanes()) {
+            int[] known = IntStream.range(1, lane.distance().length).filter(k -> lane.distance()[k] >= SMALLEST)
+                    .toArray();
+            double[] time = Arrays.stream(known).mapToDouble(k -> race.times()[k]).toArray();
+            double[] distance = Arrays.stream(known).mapToDouble(k -> lane.distance()[k]).toArray();
+            series.add(new Series(label(lane), Mark.LINE, time, distance));
+            if (lane.left().isPresent() && known.length > 0) {
+                left.add(new double[] {time[known.length - 1], distance[known.length - 1]});
+            }
+        }
+        if (!left.isEmpty()) {
+            series.add(new Series(DriftCharts.STOPPED, Mark.FAILURES,
+                    left.stream().mapToDouble(end -> end[0]).toArray(),
+                    left.stream().mapToDouble(end -> end[1]).toArray()));
+        }
+        return new ChartData(title(race), "time (s)", "distance from the reference (m)", false, true, series);
+    }
+
+    private static String label(Lane lane) {
+        return lane.match().setting().solver().label();
+    }
+
+    /**
+     * @param race what happened
+     * @return what each got, such as {@code equal work, 1000 evaluations each}, and how nearly
+     */
+    public static String work(Result race) {
+        double work = race.shares().work();
+        if (!race.equalTime()) {
+            return String.format(Locale.ROOT, "equal work, %d evaluations each", Math.round(work));
+        }
+        double spread = EqualTime.spread(race.shares());
+        return spread > TOO_MUCH - 1 ? String.format(Locale.ROOT, "no equal time, up to %.3g times as long", 1 + spread)
+                : String.format(Locale.ROOT, "equal time, %.3g ms each to within %.0f %%", 1000 * work,
+                        Math.ceil(100 * spread));
+    }
+
+    /**
+     * @param race what happened
+     * @return the scene, what is equal, who won and who left
+     */
+    public static String title(Result race) {
+        String finding = finding(race);
+        return race.scene() + ", " + work(race) + (finding.isEmpty() ? "" : ": " + finding);
+    }
+
+    /**
+     * @param race what happened
+     * @return who won and who left; empty where there is nothing to say
+     */
+    public static String finding(Result race) {
+        List<String> parts = new ArrayList<>();
+        List<String> nearest = nearest(race);
+        if (!nearest.isEmpty()) {
+            parts.add(together(nearest) + (nearest.size() == 1 ? " stays" : " stay") + " nearest to the reference");
+        }
+        List<Lane> left = race.lanes().stream().filter(lane -> lane.left().isPresent()).toList();
+        if (left.size() > 3) {
+            parts.add(left.size() + " solvers leave");
+        } else if (!left.isEmpty()) {
+            parts.add(String.join(", ", left.stream().map(lane -> label(lane)
+                    + String.format(Locale.ROOT, " leaves at t = %.3g s", lane.left().getAsDouble())).toList()));
+        }
+        for (Lane lane : race.lanes()) {
+            double cost = share(race, lane);
+            if (cost > TOO_MUCH) {
+                parts.add(label(lane) + String.format(Locale.ROOT, " cannot do with less than %.3g times the %s", cost,
+                        race.equalTime() ? "time" : "work"));
+            }
+        }
+        return String.join("; ", parts);
+    }
+
+    /** Who stays nearest, on average, and who is as good as that; whoever needed more than its share wins nothing. */
+    private static List<String> nearest(Result race) {
+        List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
+                && share(race, lane) <= TOO_MUCH).sorted(Comparator.comparingDouble(RaceCharts::mean)).toList();
+        return compared.stream().filter(lane -> mean(lane) <= AS_NEAR * mean(compared.get(0)))
+                .map(RaceCharts::label).toList();
+    }
+
+    private static String together(List<String> names) {
+        int last = names.size() - 1;
+        return last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
+    }
+
+    /** What a lane took, over what each was to have. */
+    private static double share(Result race, Lane lane) {
+        return (race.equalTime() ? lane.match().seconds().orElse(Double.NaN) : lane.match().evaluations())
+                / race.shares().work();
+    }
+
+    /** Root mean square over the frames (m); NaN where there is nothing to compare. */
+    private static double mean(Lane lane) {
+        return Math.sqrt(Arrays.stream(lane.distance()).filter(d -> d >= 0).map(d -> d * d).average()
+                .orElse(Double.NaN));
+    }
+
+    /**
+     * @param race what happened
+     * @return a row a solver
+     */
+    public static DataTable table(Result race) {
+        List<List<Object>> rows = new ArrayList<>();
+        for (Lane lane : race.lanes()) {
+            double[] distance = lane.distance();
+            rows.add(List.of(label(lane), lane.match().setting().deltaT(),
+                    lane.match().setting().tolerance().orElse(Double.NaN),
+                    lane.drift().outcome().evaluations(), 1000 * lane.match().seconds().orElse(Double.NaN), mean(lane),
+                    lane.left().isPresent() ? Double.NaN : distance[distance.length - 1], lane.drift().largest(),
+                    lane.left().orElse(Double.NaN), lane.drift().outcome().failure().orElse("")));
+        }
+        return new DataTable("race", race.scene() + ", " + work(race), List.of(DataTable.column("solver"),
+                DataTable.column("deltaT (s)"), new DataTable.Column("tolerance", 2), DataTable.column("evaluations"),
+                new DataTable.Column("time (ms)", 3), new DataTable.Column("distance, mean (m)", 3),
+                new DataTable.Column("at the end (m)", 3), new DataTable.Column("largest energy error / scale", 3),
+                new DataTable.Column("left at (s)", 3), DataTable.column("why")), rows);
+    }
+}

@@ -1,0 +1,259 @@
+package particles.experiments.runs;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.LongStream;
+import particles.experiments.runs.SceneRun.Outcome;
+import particles.experiments.runs.SceneRun.Setting;
+import particles.scene.format.SceneDescription;
+
+/**
+ * Finds the step, or for adaptive solvers the tolerance, with which a run of a scene costs as many evaluations of the
+ * derivative as another one.
+ */
+public final class EqualWork {
+    /** What costs so many times the work that was asked for raises nobody else's. */
+    static final double MOST_RAISE = 30;
+    private static final int TRIALS = 14;
+    private static final long FEW = 1000;
+    /** The loosest tolerance that makes sense. */
+    static final double LOOSEST = 0.1;
+    /** A solver that fails with a loose tolerance, or is slow with it, may do with a tighter one down to this. */
+    static final double LEAST_LOOSE = 1e-4;
+    private static final double TIGHTEST = 1e-13;
+    /** An adaptive solver is given so many steps at most, and for each this many evaluations; sub-steps do the rest. */
+    private static final int ADAPTIVE_STEPS = 200;
+    private static final int EVALUATIONS_A_STEP = 14;
+    /** Other numbers of steps are no farther from that than by this factor, and no more than so many. */
+    private static final long FAR = 4;
+    private static final int CANDIDATES = 6;
+    private static final double SHORTER = 1.5;
+
+    /**
+     * @param setting     how to solve
+     * @param evaluations what that costs
+     * @param seconds     what it takes, if times were compared: the median of several runs (s)
+     * @param aStep       evaluations in one of its steps, on average
+     * @param whole       whether the run came to its end; if not, its cost is that of the whole duration by proportion
+     */
+    public record Match(Setting setting, long evaluations, OptionalDouble seconds, double aStep, boolean whole) {
+    }
+
+    /**
+     * What each of several solvers gets.
+     *
+     * @param matches one a solver
+     * @param work    evaluations, or seconds, that each was to cost
+     * @param slowest who cannot do with less, if that is more than was asked for
+     */
+    public record Shares(List<Match> matches, double work, Optional<SolverChoice> slowest) {
+    }
+
+    private final SceneDescription scene;
+    private final double duration;
+    private final long target;
+    /** How many steps an adaptive solver is given, the best number first. */
+    private final List<Long> adaptiveSteps;
+
+    /**
+     * @param scene    what is to run
+     * @param duration how long (s)
+     * @param target   evaluations of the derivative, 1 or more
+     */
+    public EqualWork(SceneDescription scene, double duration, long target) {
+        this(scene, duration, target, List.of(adaptiveSteps(target)));
+    }
+
+    private EqualWork(SceneDescription scene, double duration, long target, List<Long> adaptiveSteps) {
+        this.scene = scene;
+        this.duration = duration;
+        this.target = target;
+        this.adaptiveSteps = adaptiveSteps;
+    }
+
+    /**
+     * For runs that are looked at at regular times: the ends of an adaptive solver's steps are among these times.
+     *
+     * @param scene  what is to run, for its duration
+     * @param target evaluations of the derivative, 1 or more
+     * @param frames into how many parts the duration is divided, 1 or more
+     * @return the search
+     */
+    public static EqualWork ofFrames(SceneDescription scene, long target, int frames) {
+        long best = adaptiveSteps(target);
+        List<Long> divisors = LongStream.rangeClosed(1, frames)
+                .filter(d -> frames % d == 0 && FAR * d >= best && d <= FAR * best).boxed()
+                .sorted(Comparator.comparingDouble(d -> Math.abs(StrictMath.log((double) d / best)))).limit(CANDIDATES)
+                .toList();
+        return new EqualWork(scene, scene.duration(), target, divisors.isEmpty() ? List.of((long) frames) : divisors);
+    }
+
+    private static long adaptiveSteps(long target) {
+        return Math.max(1, Math.min(ADAPTIVE_STEPS, target / EVALUATIONS_A_STEP));
+    }
+
+    /**
+     * A step of an adaptive solver is one sub-step at least: where that alone costs too much, the steps are made
+     * longer.
+     *
+     * @param solver which one
+     * @return the setting that comes nearest
+     */
+    public Match find(SolverChoice solver) {
+        if (!solver.adaptive()) {
+            return byStep(solver, target);
+        }
+        long steps = adaptiveSteps.get(0);
+        Match best = byTolerance(solver, steps, LOOSEST, target);
+        while (steps > 1 && best.evaluations() - target > best.aStep()) {
+            steps /= 2;
+            best = better(Optional.of(best), byTolerance(solver, steps, LOOSEST, target), target);
+        }
+        return best;
+    }
+
+    /**
+     * An adaptive solver's steps keep their length, so that what is seen at their ends is as dense at any tolerance;
+     * other lengths are tried where its cost jumps over what is wanted from one tolerance to the next.
+     *
+     * @param solver  which one
+     * @param loosest no looser tolerance is tried
+     * @param wanted  evaluations, 1 or more
+     * @return the setting that comes nearest to them; of an implicit solver one that comes to the end, if there is one
+     */
+    Match find(SolverChoice solver, double loosest, long wanted) {
+        if (!solver.adaptive()) {
+            Match match = byStep(solver, wanted);
+            return match.whole() || !solver.implicit() ? match : shortened(match);
+        }
+        Match best = byTolerance(solver, adaptiveSteps.get(0), loosest, wanted);
+        boolean least = best.evaluations() > wanted && best.setting().tolerance().equals(Optional.of(loosest));
+        for (int k = 1; k < adaptiveSteps.size() && !least && off(best, wanted) >= best.aStep(); k++) {
+            best = better(Optional.of(best), byTolerance(solver, adaptiveSteps.get(k), loosest, wanted), wanted);
+        }
+        return best;
+    }
+
+    /** The cheapest run to the end, about: steps too long for Newton's iteration are shortened until it converges. */
+    private Match shortened(Match match) {
+        long steps = Math.round(duration / match.setting().deltaT());
+        long most = Math.round(MOST_RAISE * target) + FEW;
+        for (int trial = 0; trial < TRIALS; trial++) {
+            steps = Math.max(steps + 1, Math.round(SHORTER * steps));
+            Match next = measure(new Setting(match.setting().solver(), duration / steps, Optional.empty()), steps,
+                    most);
+            if (next.whole()) {
+                return next;
+            }
+        }
+        return match;
+    }
+
+    /**
+     * Who cannot do with the work that was asked for sets the work of all: the others make smaller steps.
+     *
+     * @param solvers  who takes part
+     * @param progress hears how far it is
+     * @return their shares
+     */
+    public Shares share(List<SolverChoice> solvers, ProgressListener progress) {
+        long work = target;
+        Optional<SolverChoice> slowest = Optional.empty();
+        for (int round = 1; ; round++) {
+            List<Match> matches = new ArrayList<>();
+            for (SolverChoice solver : solvers) {
+                progress.reached((double) matches.size() / solvers.size(), "equal work for " + solver.label());
+                matches.add(find(solver, LOOSEST, work));
+            }
+            double most = MOST_RAISE * target;
+            long least = work;
+            Optional<Match> over = matches.stream().filter(match -> match.whole() && match.evaluations() <= most
+                    && match.evaluations() - least >= match.aStep()).max(Comparator.comparingLong(Match::evaluations));
+            if (over.isEmpty() || round == TRIALS) {
+                return new Shares(matches, work, slowest);
+            }
+            work = over.get().evaluations();
+            slowest = Optional.of(over.get().setting().solver());
+        }
+    }
+
+    /** Whole numbers of steps: the cost of a step changes little with their number, so that proportion finds it. */
+    private Match byStep(SolverChoice solver, long wanted) {
+        long steps = Math.max(1, Math.round(wanted / 4.0));
+        Optional<Match> best = Optional.empty();
+        for (int trial = 0; trial < TRIALS; trial++) {
+            Match match = measure(new Setting(solver, duration / steps, Optional.empty()), steps,
+                    Math.round(MOST_RAISE * wanted) + FEW);
+            best = Optional.of(better(best, match, wanted));
+            long next = Math.max(1, Math.round(wanted / match.aStep()));
+            if (next == steps || off(match, wanted) < match.aStep() / 2) {
+                break;
+            }
+            steps = next;
+        }
+        return best.orElseThrow();
+    }
+
+    /**
+     * The cost falls with the tolerance, in steps: bisection of its exponent, if the loosest one does not cost too
+     * much.
+     */
+    private Match byTolerance(SolverChoice solver, long steps, double loosest, long wanted) {
+        long most = Math.round(MOST_RAISE * wanted) + FEW;
+        double first = loosest;
+        Match best = measure(setting(solver, steps, first), 0, most);
+        while (!best.whole() && first > 2 * LEAST_LOOSE) {
+            first /= 10;
+            best = measure(setting(solver, steps, first), 0, most);
+        }
+        double loose = StrictMath.log10(first);
+        double tight = StrictMath.log10(TIGHTEST);
+        boolean cheap = best.evaluations() < wanted;
+        for (int trial = 1; trial < TRIALS && cheap && off(best, wanted) > best.aStep() / 4; trial++) {
+            double middle = (loose + tight) / 2;
+            // that a run costs more than twice as much is enough to know
+            Match match = measure(setting(solver, steps, StrictMath.pow(10, middle)), 0, 2 * wanted + FEW);
+            best = better(Optional.of(best), match, wanted);
+            if (match.evaluations() < wanted) {
+                loose = middle;
+            } else {
+                tight = middle;
+            }
+        }
+        return best;
+    }
+
+    /**
+     * @param solver    an adaptive one
+     * @param tolerance its tolerance
+     * @return how it is solved then, with the first choice of steps
+     */
+    Setting setting(SolverChoice solver, double tolerance) {
+        return setting(solver, adaptiveSteps.get(0), tolerance);
+    }
+
+    private Setting setting(SolverChoice solver, long steps, double tolerance) {
+        return new Setting(solver, duration / steps, Optional.of(tolerance));
+    }
+
+    private static double off(Match match, long wanted) {
+        return Math.abs(match.evaluations() - wanted);
+    }
+
+    private static Match better(Optional<Match> best, Match match, long wanted) {
+        return best.isEmpty() || off(match, wanted) < off(best.get(), wanted) ? match : best.get();
+    }
+
+    /** @param most evaluations, beyond which the run is given up */
+    private Match measure(Setting setting, long steps, long most) {
+        Outcome outcome = SceneRun.run(SceneRun.build(scene, setting, duration), most, List.of());
+        boolean whole = outcome.failure().isEmpty();
+        double part = whole ? 1 : Math.max(outcome.endTime() / duration, 1e-9);
+        double made = Math.max(1, whole && steps > 0 ? steps : outcome.steps());
+        return new Match(setting, Math.round(outcome.evaluations() / part), OptionalDouble.empty(),
+                Math.max(1, outcome.evaluations() / made), whole);
+    }
+}

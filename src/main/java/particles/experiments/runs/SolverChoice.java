@@ -1,0 +1,77 @@
+package particles.experiments.runs;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+
+/**
+ * A solver that an experiment compares.
+ *
+ * @param name its name in the catalogue, or the class of one's own
+ * @param info what the catalogue says of it; nothing for a class of one's own
+ */
+public record SolverChoice(String name, Optional<SolverInfo> info) {
+
+    /**
+     * @param name a catalogue name, or a fully-qualified class name
+     * @return the choice
+     * @throws NoSuchElementException   if there is no such solver
+     * @throws IllegalArgumentException if it cannot be made
+     */
+    public static SolverChoice of(String name) {
+        SolverCatalog.create(name);
+        return new SolverChoice(name, SolverCatalog.names().contains(name) ? Optional.of(SolverCatalog.info(name))
+                : Optional.empty());
+    }
+
+    /**
+     * @param names separated by commas; {@code all} is the whole catalogue
+     * @return the choices, each once
+     * @throws NoSuchElementException   if there is no solver of one of these names
+     * @throws IllegalArgumentException if one cannot be made, or there is none
+     */
+    public static List<SolverChoice> list(String names) {
+        if (names.strip().equals("all")) {
+            return SolverCatalog.names().stream().map(SolverChoice::of).toList();
+        }
+        List<SolverChoice> choices = new LinkedHashSet<>(Arrays.stream(names.split(",")).map(String::strip)
+                .filter(name -> !name.isEmpty()).toList()).stream().map(SolverChoice::of).toList();
+        if (choices.isEmpty()) {
+            throw new IllegalArgumentException("no solver is named");
+        }
+        return choices;
+    }
+
+    /** @return whether it chooses its own sub-steps and takes tolerances */
+    public boolean adaptive() {
+        return info.isPresent() && info.get().adaptive();
+    }
+
+    /** @return whether it solves equations in each step, so that an evaluation is not all that it does */
+    public boolean implicit() {
+        return info.isPresent() && info.get().family().equals("implicit");
+    }
+
+    /** @return its order; NaN where it is not known */
+    public double order() {
+        return info.map(known -> (double) known.order()).orElse(Double.NaN);
+    }
+
+    /** @return what charts call it: the name, of a class without its package */
+    public String label() {
+        return info.isPresent() ? name : name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    /**
+     * @param tolerance relative and absolute, for an adaptive one; others do not look at it
+     * @return a solver
+     */
+    public DESolver create(double tolerance) {
+        return adaptive() ? SolverCatalog.create(name, tolerance, tolerance) : SolverCatalog.create(name);
+    }
+}

@@ -1,0 +1,126 @@
+package particles.experiments.stability;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import deSolvers.problems.LinearPair;
+import deSolvers.problems.StepMatrix;
+import java.util.function.Supplier;
+
+/**
+ * By how much one step of a solver's real code multiplies the solution of the test equation y' = lambda y. What is
+ * measured:
+ * <ul>
+ * <li>of a method that steps by deltaT, its step, as the larger eigenvalue's modulus of the step's 2 x 2 matrix;</li>
+ * <li>of a multistep method, what is left of the growth over many steps;</li>
+ * <li>of an adaptive method of the catalogue, one sub-step as long as deltaT, which a tolerance that allows everything
+ * makes
+ *     it take. {@code bulirsch-stoer} then uses as many lines of its table as its usual tolerance demands at
+ *     first;</li>
+ * <li>of a method that steps positions and velocities apart, a damped spring whose two eigenvalues are lambda and its
+ *     conjugate: on the negative real axis the critically damped one.</li>
+ * </ul>
+ * A step that the solver refuses counts as infinite growth.
+ */
+public final class Amplification {
+    /** What rounding and Newton's tolerance leave of "does not grow". */
+    static final double ROUNDING = 1e-8;
+    /** Steps of a multistep method before its growth is measured, and as many again while it is. */
+    private static final int STEPS = 300;
+    private static final double RELATIVE = 1e-6;
+    private static final double EVERYTHING = 1e30;
+    private static final double OVERFLOW = 1e100;
+
+    private final Supplier<DESolver> maker;
+    private final boolean ofSprings;
+    private final boolean manySteps;
+    private long evaluations;
+
+    /**
+     * @param maker     makes solvers that remember nothing
+     * @param ofSprings whether the method needs positions and velocities, and is tried on springs
+     * @param manySteps whether it uses earlier steps
+     */
+    public Amplification(Supplier<DESolver> maker, boolean ofSprings, boolean manySteps) {
+        this.maker = maker;
+        this.ofSprings = ofSprings;
+        this.manySteps = manySteps;
+    }
+
+    /**
+     * @param info a solver of the catalogue
+     * @return its amplification
+     */
+    public static Amplification of(SolverInfo info) {
+        DESolver solver = info.adaptive() ? SolverCatalog.create(info.name(), RELATIVE, EVERYTHING)
+                : SolverCatalog.create(info.name());
+        return new Amplification(() -> {
+            solver.reset();
+            return solver;
+        }, info.secondOrder(), info.family().equals("multistep"));
+    }
+
+    /** @return whether it is tried on springs, and not on the test equation */
+    public boolean isOfSprings() {
+        return ofSprings;
+    }
+
+    /** @return whether it is what is left of the growth over many steps, and not that of one */
+    public boolean isOfManySteps() {
+        return manySteps;
+    }
+
+    /** @return how often the derivative was asked for until now */
+    public long getEvaluations() {
+        return evaluations;
+    }
+
+    /**
+     * @param re real part of deltaT lambda
+     * @param im its imaginary part
+     * @return |R|; infinite if there is no such step
+     */
+    public double at(double re, double im) {
+        return of(ofSprings ? LinearPair.spring(re * re + im * im, -2 * re) : LinearPair.testEquation(re, im));
+    }
+
+    /**
+     * For second-order systems whose two eigenvalues are no conjugates.
+     *
+     * @param stiffness deltaT&sup2; omega&sup2;
+     * @param damping   deltaT c
+     * @return the larger eigenvalue's modulus of a step on x'' = -omega&sup2; x - c x'
+     */
+    public double ofSpring(double stiffness, double damping) {
+        return of(LinearPair.spring(stiffness, damping));
+    }
+
+    private double of(LinearPair source) {
+        try {
+            double growth = manySteps ? rate(source) : StepMatrix.of(maker.get(), source, 1, 1, 1).radius();
+            return Double.isNaN(growth) ? Double.POSITIVE_INFINITY : growth;
+        } catch (DESolverException | IllegalStateException | ArithmeticException e) {
+            return Double.POSITIVE_INFINITY;            // refused, or overflown: no step that anyone could take
+        } finally {
+            evaluations += source.evaluations();
+        }
+    }
+
+    private double rate(LinearPair source) {
+        DESolver solver = maker.get();
+        source.start(1);
+        StepMatrix middle = null;
+        for (int i = 0; i < 2 * STEPS; i++) {
+            if (i == STEPS) {
+                middle = StepMatrix.of(source);
+            }
+            solver.stepState(source, 1);
+            double size = source.size();
+            if (!(size <= OVERFLOW && size >= 1 / OVERFLOW)) {
+                return StrictMath.pow(size, 1.0 / (i + 1));
+            }
+        }
+        return StrictMath.pow(StepMatrix.of(source).over(middle).radius(), 1.0 / STEPS);
+    }
+}

@@ -1,0 +1,202 @@
+package particles.experiments.stability;
+
+import deSolvers.DESolverException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.SimulationException;
+import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SceneRun.Setting;
+import particles.experiments.spectrum.Mode;
+import particles.law.Particles;
+import particles.scene.Scene;
+import particles.scene.format.SceneDescription;
+
+/**
+ * Two runs of a scene that begin next to each other: if their distance grows from step to step, so does every error.
+ * The distance is that of a spring with the mode's frequency, (the sum of m (dv&sup2; + |lambda|&sup2;
+ * dx&sup2;))<sup>1/2</sup>, which the motion itself keeps or damps.
+ */
+final class PerturbationGrowth {
+    /** Steps of a run; its growth is that from the second quarter to the last. */
+    static final int STEPS = 512;
+    private static final int EVERY = 16;
+    /** The first distance as a part of the scene's size, far above rounding and far below anything nonlinear. */
+    private static final double NEAR = 1e-7;
+    /** And all other modes as a part of that, so that whichever grows is seen. */
+    private static final double OTHERS = 1e-3;
+    /**
+     * A distance this many times that of the motion itself has left it. Just below the limit of verlet a distance
+     * swings up to 1/(2 d)<sup>1/2</sup> times, where d is what is missing to the limit: 20 times at a thousandth. Just
+     * above it, 512 steps multiply by 20 what grows by 0.6 % a step, which rk4 does at 0.08 % beyond its limit,
+     * and euler with damping at 3 %.
+     */
+    private static final double GROWN = 20;
+    private static final double NO_LONGER_SMALL = 1e4;
+    private static final long SEED = 715;
+
+    private final SceneDescription scene;
+
+    PerturbationGrowth(SceneDescription scene) {
+        this.scene = scene;
+    }
+
+    /**
+     * A pair of runs.
+     *
+     * @param deltaT    their step (s)
+     * @param steps     after how many steps
+     * @param distances which distance
+     * @param failure   why a run ended early, if one did
+     */
+    record Twins(double deltaT, List<Integer> steps, double[] distances, Optional<String> failure) {
+
+        /** @return how long both ran (s) */
+        double duration() {
+            return distances.length == 0 ? 0 : steps.get(distances.length - 1) * deltaT;
+        }
+
+        /**
+         * @param fine a pair that shows what the motion itself does to the distance, at least as long
+         * @return whether the distance became much larger than it had been there until then
+         */
+        boolean leaves(Twins fine) {
+            for (int k = 1; k < distances.length; k++) {
+                if (!(distances[k] / distances[0] <= GROWN * fine.largest(0,
+                        steps.get(k) * deltaT) / fine.distances[0])) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /**
+         * @return by how much one step multiplies the distance, from the second quarter to the last;
+         *         infinite if there is none
+         */
+        double factor() {
+            if (distances.length < 2) {
+                return Double.POSITIVE_INFINITY;
+            }
+            for (int k = 1; k < distances.length; k++) {
+                if (distances[k] > NO_LONGER_SMALL * distances[0]) {
+                    return StrictMath.pow(distances[k] / distances[0], 1.0 / steps.get(k));
+                }
+            }
+            double end = duration();
+            double growth = largest(3 * end / 4, end) / largest(end / 4, end / 2);
+            return StrictMath.pow(growth, 2.0 / steps.get(distances.length - 1));
+        }
+
+        private double largest(double from, double to) {
+            double largest = 0;
+            for (int k = 0; k < distances.length; k++) {
+                double time = steps.get(k) * deltaT;
+                largest = time >= from && time <= to ? Math.max(largest, distances[k]) : largest;
+            }
+            return largest;
+        }
+    }
+
+    /**
+     * @param setting solver and step
+     * @param mode    along which the runs differ at the beginning
+     * @param steps   how many
+     * @return the pair
+     */
+    Twins run(Setting setting, Mode mode, int steps) {
+        Recorder first = run(setting, steps, Optional.empty());
+        Recorder second = run(setting, steps, Optional.of(mode));
+        double[] distances = new double[Math.min(first.states.size(), second.states.size())];
+        for (int k = 0; k < distances.length; k++) {
+            distances[k] = distance(first, second, k, mode.size());
+        }
+        return new Twins(setting.deltaT(), first.steps, distances, first.failure.isPresent() ? first.failure
+                : second.failure);
+    }
+
+    private Recorder run(Setting setting, int steps, Optional<Mode> mode) {
+        Scene built = SceneRun.build(scene, setting, steps * setting.deltaT());
+        mode.ifPresent(along -> displace(built.system(), along));
+        Recorder recorder = new Recorder();
+        built.simulation().addObserver(recorder);
+        try {
+            built.simulation().run();
+        } catch (SimulationException | DESolverException e) {
+            recorder.failure = Optional.of(e.getMessage());
+        }
+        return recorder;
+    }
+
+    private static void displace(ParticleSystem system, Mode mode) {
+        Particles particles = system.getParticles();
+        double[] state = system.getOwnState();
+        double[] shape = mode.shape();
+        double largest = 0;
+        double size = 0;
+        for (int x = 0; x < shape.length; x += Particles.STRIDE) {
+            for (int c = x; c < x + 3; c++) {
+                largest = Math.max(largest, Math.max(Math.abs(shape[c]), Math.abs(shape[c + 3]) / mode.size()));
+                size = Math.max(size, Math.abs(state[c] - state[c - x]));
+            }
+        }
+        double step = NEAR * (size > 0 ? size : 1);
+        SplittableRandom random = new SplittableRandom(SEED);
+        for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
+            for (int c = x; c < x + 3 && !particles.isFixed(i); c++) {
+                state[c] += step * (shape[c] / largest + OTHERS * (random.nextDouble() - 0.5));
+                state[c + 3] += step * shape[c + 3] / largest;
+            }
+        }
+    }
+
+    private static double distance(Recorder first, Recorder second, int at, double omega) {
+        double[] a = first.states.get(at);
+        double[] b = second.states.get(at);
+        double sum = 0;
+        for (int i = 0, x = 0; x < a.length; i++, x += Particles.STRIDE) {
+            for (int c = x; c < x + 3; c++) {
+                double dx = omega * (b[c] - a[c]);
+                double dv = b[c + 3] - a[c + 3];
+                sum += first.masses[i] * (dx * dx + dv * dv);
+            }
+        }
+        return Math.sqrt(sum);
+    }
+
+    /** Keeps the first states and then every 16th, as long as there are as many particles as at the beginning. */
+    private static final class Recorder implements Observer {
+        private final List<double[]> states = new ArrayList<>();
+        private final List<Integer> steps = new ArrayList<>();
+        private double[] masses = {};
+        private Optional<String> failure = Optional.empty();
+        private int step;
+        private boolean comparable = true;
+
+        @Override
+        public void started(ParticleSystem system) {
+            masses = system.getParticles().masses().clone();
+            add(system, system.getOwnState());
+        }
+
+        @Override
+        public void moved(Motion motion) {
+            step++;
+            comparable &= motion.getSystem().getStateSize() == states.get(0).length;
+            if (comparable && (step < EVERY || step % EVERY == 0)) {
+                add(motion.getSystem(), motion.getEndState());
+            }
+        }
+
+        private void add(ParticleSystem system, double[] state) {
+            double[] copy = new double[system.getStateSize()];
+            System.arraycopy(state, 0, copy, 0, copy.length);
+            states.add(copy);
+            steps.add(step);
+        }
+    }
+}

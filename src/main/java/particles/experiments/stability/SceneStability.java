@@ -1,0 +1,227 @@
+package particles.experiments.stability;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import particles.experiments.runs.ProgressListener;
+import particles.experiments.runs.SceneRun;
+import particles.experiments.runs.SceneRun.Outcome;
+import particles.experiments.runs.SceneRun.Setting;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.spectrum.Mode;
+import particles.experiments.spectrum.Spectrum;
+import particles.experiments.stability.PerturbationGrowth.Twins;
+import particles.scene.format.SceneDescription;
+import particles.view.DataTable;
+
+/**
+ * The largest safe deltaT of each solver for a scene: predicted from the spectrum of its linearised start and the
+ * solver's amplification, and found by bisection on pairs of runs of the whole scene.
+ */
+public final class SceneStability {
+    private static final double BRACKET = 1.25;
+    private static final int MOST_BRACKETS = 60;
+    private static final double ACCURACY = 2e-3;
+    /** Where nothing predicts a limit, a few steps of so many times 2/|lambda| are tried. */
+    private static final double FAR = 900;
+    private static final int FAR_STEPS = 4;
+    private static final double FAR_FACTOR = 30;
+    private static final long MOST_EVALUATIONS = 100_000;
+    /** An adaptive solver divides what is too long: a few times the scene's own deltaT is enough to see that. */
+    private static final double ADAPTIVE_TIMES = 10;
+    /** Part of the rk4 limit at which twins show what the motion itself does to a distance. */
+    private static final double FINE = 0.5;
+    private static final double RK4 = 2.8284;
+
+    private final SceneDescription scene;
+    private final Spectrum spectrum;
+    private final PerturbationGrowth twins;
+    private final Map<Mode, Twins> fine = new HashMap<>();
+
+    /**
+     * What is known of one solver.
+     *
+     * @param solver    which
+     * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an
+     *                  adaptive solver its longest sub-step; NaN for a solver that is not in the catalogue
+     * @param measured  the longest safe step by running (s): 0 if the scene's deltaT and shorter ones grow,
+     *                  infinite if no step grew
+     * @param predictedGrowth what a step of the scene's deltaT adds by theory, as a part of the distance
+     * @param measuredGrowth  what it added
+     * @param note      why longer steps are not safe, or how far was tried
+     */
+    public record Limit(SolverChoice solver, double predicted, double measured, double predictedGrowth,
+            double measuredGrowth,
+                        String note) {
+    }
+
+    private SceneStability(SceneDescription scene, Spectrum spectrum) {
+        this.scene = scene;
+        this.spectrum = spectrum;
+        twins = new PerturbationGrowth(scene);
+    }
+
+    /**
+     * @param scene    a scene
+     * @param spectrum of its start, with at least one mode that does not grow by itself
+     * @param solvers  whose limits are asked for
+     * @param progress hears how far it is
+     * @return a limit for each solver
+     */
+    public static List<Limit> measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers,
+            ProgressListener progress) {
+        SceneStability stability = new SceneStability(scene, spectrum);
+        AtomicInteger done = new AtomicInteger();
+        // each run is a system of its own, so that solvers share nothing but the fine runs, which do not depend on who
+        // asks first
+        return solvers.parallelStream().map(solver -> {
+            Limit limit = stability.limit(solver);
+            synchronized (done) {
+                progress.reached((double) done.incrementAndGet() / solvers.size(),
+                        "the largest safe step of " + solver.label());
+            }
+            return limit;
+        }).toList();
+    }
+
+    /** @return the spectrum of the scene's start */
+    public static Spectrum spectrum(SceneDescription scene) {
+        Setting setting = new Setting(SolverChoice.of("rk4"), scene.deltaT(), Optional.empty());
+        return Spectrum.of(SceneRun.build(scene, setting, scene.deltaT()).system());
+    }
+
+    private Limit limit(SolverChoice solver) {
+        Mode fastest = spectrum.modes().stream().filter(mode -> mode.re() <= 0).findFirst().orElseThrow();
+        if (solver.info().isEmpty()) {
+            return bisected(solver, Double.NaN, 2 / fastest.size(), fastest);
+        }
+        SpectrumLimit theory = new SpectrumLimit(Amplification.of(solver.info().get()),
+                solver.info().get().secondOrder(),
+                spectrum);
+        double predicted = theory.deltaT();
+        Mode most = theory.growingMost(scene.deltaT());
+        if (solver.adaptive() || predicted == Double.POSITIVE_INFINITY) {
+            return farOut(solver, predicted, theory.factor(most, scene.deltaT()) - 1, fastest);
+        }
+        if (predicted > 0) {
+            return bisected(solver, predicted, predicted, theory.deciding());
+        }
+        Twins pair = twins.run(setting(solver, scene.deltaT()), most, PerturbationGrowth.STEPS);
+        return new Limit(solver, 0, 0, theory.factor(most, scene.deltaT()) - 1, pair.factor() - 1,
+                String.format(Locale.ROOT, "the mode of |lambda| = %.4g /s grows most at deltaT = %s s", most.size(),
+                        scene.deltaT()));
+    }
+
+    private Limit bisected(SolverChoice solver, double predicted, double start, Mode mode) {
+        double safe = start / BRACKET;
+        double unsafe = start * BRACKET;
+        for (int n = 0; !isSafe(solver, safe, mode); n++) {
+            unsafe = safe;
+            safe /= BRACKET;
+            if (n == MOST_BRACKETS) {
+                return new Limit(solver, predicted, 0, Double.NaN, Double.NaN,
+                        String.format(Locale.ROOT, "grows even at %.3g s", unsafe));
+            }
+        }
+        for (int n = 0; isSafe(solver, unsafe, mode); n++) {
+            safe = unsafe;
+            unsafe *= BRACKET;
+            if (n == MOST_BRACKETS) {
+                return new Limit(solver, predicted, Double.POSITIVE_INFINITY, Double.NaN, Double.NaN,
+                        String.format(Locale.ROOT, "run at %.3g s", safe));
+            }
+        }
+        while (unsafe > safe * (1 + ACCURACY)) {
+            double middle = Math.sqrt(safe * unsafe);
+            if (isSafe(solver, middle, mode)) {
+                safe = middle;
+            } else {
+                unsafe = middle;
+            }
+        }
+        return new Limit(solver, predicted, Math.sqrt(safe * unsafe), Double.NaN, Double.NaN, String.format(Locale.ROOT,
+                "set by |lambda| = %.6g /s", mode.size()));
+    }
+
+    private boolean isSafe(SolverChoice solver, double deltaT, Mode mode) {
+        Twins pair = twins.run(setting(solver, deltaT), mode, PerturbationGrowth.STEPS);
+        return pair.failure().isEmpty() && !pair.leaves(fine(mode, PerturbationGrowth.STEPS * deltaT));
+    }
+
+    /**
+     * Twins that show what the motion itself, the folds of a cloth or a double pendulum's chaos, does to a distance.
+     */
+    private synchronized Twins fine(Mode mode, double duration) {
+        Twins known = fine.get(mode);
+        if (known == null || known.duration() < duration) {
+            double deltaT = FINE * RK4 / spectrum.modes().get(0).size();
+            known = twins.run(setting(SolverChoice.of("rk4"), deltaT), mode,
+                    (int) Math.ceil(BRACKET * duration / deltaT));
+            fine.put(mode, known);
+        }
+        return known;
+    }
+
+    /**
+     * Steps far beyond what any explicit method takes; nothing but a run that fails ends them,
+     * as long steps may well be wrong.
+     */
+    private Limit farOut(SolverChoice solver, double predicted, double predictedGrowth, Mode fastest) {
+        double unit = 2 / fastest.size();
+        double longest = solver.adaptive() ? ADAPTIVE_TIMES * scene.deltaT() : FAR * unit;
+        double done = 0;
+        for (double deltaT = solver.adaptive() ? longest : unit; deltaT <= longest * (1 + ACCURACY);
+                deltaT *= FAR_FACTOR) {
+            Outcome outcome = SceneRun.run(SceneRun.build(scene, setting(solver, deltaT), FAR_STEPS * deltaT),
+                    MOST_EVALUATIONS, List.of());
+            if (outcome.failure().isPresent()) {
+                return new Limit(solver, predicted, done, predictedGrowth, Double.NaN,
+                        String.format(Locale.ROOT, "at %.3g s: %s", deltaT, outcome.failure().get()));
+            }
+            done = deltaT;
+        }
+        return new Limit(solver, predicted, Double.POSITIVE_INFINITY, predictedGrowth, Double.NaN,
+                String.format(Locale.ROOT, "run at %.3g s, %.3g times 2/|lambda|", done, done / unit));
+    }
+
+    private static Setting setting(SolverChoice solver, double deltaT) {
+        return new Setting(solver, deltaT, Optional.empty());
+    }
+
+    /** @return the table: a row for each solver */
+    public static DataTable table(List<Limit> limits) {
+        List<List<Object>> rows = new ArrayList<>();
+        for (Limit limit : limits) {
+            boolean sub = limit.solver().adaptive() && limit.predicted() > 0
+                    && limit.predicted() < Double.POSITIVE_INFINITY;
+            rows.add(List.of(limit.solver().label(),
+                    sub ? String.format(Locale.ROOT, "sub-steps of %.6g", limit.predicted())
+                            : text(limit.predicted(), limit.predictedGrowth()),
+                    text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
+        }
+        return new DataTable("largest-safe-step", "The largest safe deltaT (s); growth is that at the scene's deltaT",
+                List.of(
+                DataTable.column("solver"), DataTable.column("by the spectrum"), DataTable.column("by running"),
+                DataTable.column("running/spectrum"), DataTable.column("remark")), rows);
+    }
+
+    private static Object ratio(Limit limit) {
+        boolean both = limit.predicted() > 0 && limit.predicted() < Double.POSITIVE_INFINITY && limit.measured() > 0
+                && limit.measured() < Double.POSITIVE_INFINITY && !limit.solver().adaptive();
+        return both ? limit.measured() / limit.predicted() : "-";
+    }
+
+    private static String text(double value, double growth) {
+        if (value == 0 && !Double.isNaN(growth)) {
+            return growth > 0 ? StabilityLimit.text(0, growth)
+                    : String.format(Locale.ROOT, "changes by %.2e a step: no growth to be seen in %d steps", growth,
+                    PerturbationGrowth.STEPS);
+        }
+        return value > 0 && value < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.6g", value)
+                : StabilityLimit.text(value, growth);
+    }
+}

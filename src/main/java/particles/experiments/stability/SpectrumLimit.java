@@ -1,0 +1,108 @@
+package particles.experiments.stability;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import particles.experiments.spectrum.Mode;
+import particles.experiments.spectrum.Spectrum;
+
+/**
+ * The longest step at which no mode of a spectrum grows that does not grow by itself: of all modes the smallest limit,
+ * each measured on the solver's real code in its mode's direction of the complex plane. Modes count as springs of their
+ * own, which is exact for Runge-Kutta and implicit methods, and for the symplectic ones where the
+ * damping matrix shares the stiffness's modes.
+ */
+final class SpectrumLimit {
+    /** Growth is judged beyond this: what rounding and Newton's tolerance leave of 1. */
+    private static final double DECAY = 1e-12;
+    /**
+     * The shortest step at which a decay is looked for: 1e-4 of |lambda| is the least damping that is told from none.
+     */
+    private static final double SHORTEST = 1e-5;
+    /** Modes whose directions in the plane agree to this share a limit. */
+    private static final double SAME_DIRECTION = 1e-7;
+
+    private final Amplification amplification;
+    private final boolean secondOrder;
+    private final List<Mode> modes;
+    private final Map<List<Long>, Double> known = new HashMap<>();
+
+    /**
+     * @param amplification of the solver
+     * @param secondOrder   whether it takes positions and velocities apart
+     * @param spectrum      of the system
+     */
+    SpectrumLimit(Amplification amplification, boolean secondOrder, Spectrum spectrum) {
+        this.amplification = amplification;
+        this.secondOrder = secondOrder;
+        modes = spectrum.modes().stream().filter(mode -> mode.re() <= 0).toList();
+    }
+
+    /** @return the longest step (s); 0 if some mode grows at any, infinite if none does */
+    double deltaT() {
+        double least = Double.POSITIVE_INFINITY;
+        for (Mode mode : modes) {
+            least = Math.min(least, limit(mode) / mode.size());
+        }
+        return least;
+    }
+
+    /** @return the mode that sets {@link #deltaT}, or the fastest, if none does */
+    Mode deciding() {
+        Mode deciding = modes.get(0);
+        for (Mode mode : modes) {
+            deciding = limit(mode) / mode.size() < limit(deciding) / deciding.size() ? mode : deciding;
+        }
+        return deciding;
+    }
+
+    /** @return the mode that a step of this length multiplies by most */
+    Mode growingMost(double deltaT) {
+        Mode most = modes.get(0);
+        for (Mode mode : modes) {
+            most = factor(mode, deltaT) > factor(most, deltaT) ? mode : most;
+        }
+        return most;
+    }
+
+    /** @return by how much a step of this length multiplies a mode */
+    double factor(Mode mode, double deltaT) {
+        // else its partner grows by itself
+        boolean overdamped = secondOrder && mode.im() == 0 && mode.stiffness() > 0;
+        return overdamped ? amplification.ofSpring(deltaT * deltaT * mode.stiffness(), deltaT * mode.damping())
+                : amplification.at(deltaT * mode.re(), deltaT * mode.im());
+    }
+
+    /** The limit of h |lambda| in this mode's direction. */
+    private double limit(Mode mode) {
+        List<Long> direction = List.of(Math.round(mode.re() / mode.size() / SAME_DIRECTION),
+                mode.im() == 0 && secondOrder ? Math.round(mode.damping() / mode.size() / SAME_DIRECTION) : -1);
+        return known.computeIfAbsent(direction, unknown -> measure(mode));
+    }
+
+    private double measure(Mode mode) {
+        double unit = 1 / mode.size();
+        StabilityLimit limit = StabilityLimit.measure(h -> factor(mode, h * unit));
+        if (limit.value() > 0) {
+            return limit.value();
+        }
+        double unstable = StabilityLimit.SMALL;
+        double stable = unstable / 2;
+        while (factor(mode, stable * unit) > 1 - DECAY) {
+            unstable = stable;
+            stable /= 2;
+            if (stable < SHORTEST) {
+                return 0;
+            }
+        }
+        while (unstable - stable > 1e-6 * stable) {
+            double middle = (stable + unstable) / 2;
+            if (factor(mode, middle * unit) <= 1) {
+                stable = middle;
+            } else {
+                unstable = middle;
+            }
+        }
+        return stable;
+    }
+}

@@ -1,0 +1,180 @@
+package particles.experiments.stability;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.DoubleBinaryOperator;
+import particles.experiments.stability.StabilityRegion.Window;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/**
+ * Where in a part of the plane a step does not grow, on a grid: the outline of these places, and stripes that fill
+ * them.
+ */
+public final class StabilityMap {
+    /** A place on the outline is known to this many halvings of the grid's squares. */
+    private static final int HALVINGS = 8;
+
+    private final DoubleBinaryOperator modulus;
+    private final Window window;
+    private final boolean mirrored;
+    private final boolean[][] grows;
+
+    /**
+     * @param modulus  the growth of a step at a place in the plane
+     * @param window   the part of the plane, from y = 0 up
+     * @param mirrored whether below y = 0 all is as above, as R of the conjugate is the conjugate of R;
+     *                 else nothing is there
+     */
+    public StabilityMap(DoubleBinaryOperator modulus, Window window, boolean mirrored) {
+        this.modulus = modulus;
+        this.window = window;
+        this.mirrored = mirrored;
+        int columns = (int) Math.round((window.right() - window.left()) / window.cell());
+        int rows = (int) Math.round(window.top() / window.cell());
+        grows = new boolean[rows + 1][columns + 1];
+        for (int r = 0; r <= rows; r++) {
+            for (int c = 0; c <= columns; c++) {
+                grows[r][c] = growsAt(c, r);
+            }
+        }
+    }
+
+    private boolean growsAt(double column, double row) {
+        return modulus.applyAsDouble(x(column), Math.abs(y(row))) > 1 + Amplification.ROUNDING;
+    }
+
+    /** Half a cell off both axes, so that |R| = 1 on an axis is a line between points and not on them. */
+    private double x(double column) {
+        return window.left() + (column + 0.5) * window.cell();
+    }
+
+    private double y(double row) {
+        return (row - 0.5) * window.cell();
+    }
+
+    /**
+     * @param name what the legend says
+     * @return the outline |R| = 1, broken where it is in pieces
+     */
+    public Series outline(String name) {
+        List<double[]> pieces = new ArrayList<>();
+        for (int r = 0; r + 1 < grows.length; r++) {
+            for (int c = 0; c + 1 < grows[r].length; c++) {
+                cross(r, c, pieces);
+            }
+        }
+        List<double[]> line = new ArrayList<>();
+        while (!pieces.isEmpty()) {
+            draw(chain(pieces), line);
+        }
+        return series(name, Mark.LINE, line);
+    }
+
+    /**
+     * @param name  what the legend says
+     * @param every how many rows of the grid are from one stripe to the next
+     * @return level stripes over all places where a step does not grow
+     */
+    public Series stripes(String name, int every) {
+        List<double[]> line = new ArrayList<>();
+        for (int r = 1 + every / 2; r < grows.length; r += every) {
+            for (int c = 0; c < grows[r].length; c++) {
+                int from = c;
+                while (c < grows[r].length && !grows[r][c]) {
+                    c++;
+                }
+                if (c > from) {
+                    double[] begin = from == 0 ? new double[] {x(0), y(r)} : border(from, r, from - 1, r);
+                    double[] end = c == grows[r].length ? new double[] {x(c - 1), y(r)} : border(c - 1, r, c, r);
+                    draw(List.of(begin, end), line);
+                }
+            }
+        }
+        return series(name, Mark.BAND, line);
+    }
+
+    /** Where growth begins between a point of the grid where there is none and a neighbour where there is. */
+    private double[] border(int c, int r, int growingC, int growingR) {
+        double still = 0;
+        double growing = 1;
+        for (int halving = 0; halving < HALVINGS; halving++) {
+            double middle = (still + growing) / 2;
+            if (growsAt(c + middle * (growingC - c), r + middle * (growingR - r))) {
+                growing = middle;
+            } else {
+                still = middle;
+            }
+        }
+        return new double[] {x(c + still * (growingC - c)), y(r + still * (growingR - r))};
+    }
+
+    private void draw(List<double[]> chain, List<double[]> line) {
+        double[] gap = {Double.NaN, Double.NaN};
+        chain.forEach(point -> line.add(new double[] {point[0], mirrored ? point[1] : Math.max(0, point[1])}));
+        line.add(gap);
+        if (mirrored) {
+            chain.forEach(point -> line.add(new double[] {point[0], -point[1]}));
+            line.add(gap);
+        }
+    }
+
+    private static Series series(String name, Mark mark, List<double[]> line) {
+        return new Series(name, mark, line.stream().mapToDouble(p -> p[0]).toArray(),
+                line.stream().mapToDouble(p -> p[1]).toArray());
+    }
+
+    /**
+     * The straight piece of the outline in one square, from edge to edge (W. E. Lorensen, H. E. Cline 1987, in the
+     * plane).
+     */
+    private void cross(int r, int c, List<double[]> pieces) {
+        int[][] corners = {{c, r}, {c + 1, r}, {c + 1, r + 1}, {c, r + 1}};
+        List<double[]> cuts = new ArrayList<>();
+        for (int k = 0; k < 4; k++) {
+            int[] p = corners[k];
+            int[] q = corners[(k + 1) % 4];
+            if (grows[p[1]][p[0]] != grows[q[1]][q[0]]) {
+                cuts.add(grows[q[1]][q[0]] ? border(p[0], p[1], q[0], q[1]) : border(q[0], q[1], p[0], p[1]));
+            }
+        }
+        for (int k = 0; k + 1 < cuts.size(); k += 2) {
+            pieces.add(new double[] {cuts.get(k)[0], cuts.get(k)[1], cuts.get(k + 1)[0], cuts.get(k + 1)[1]});
+        }
+    }
+
+    /** Pieces strung together where they meet, so that dashes run on. */
+    private static List<double[]> chain(List<double[]> left) {
+        List<double[]> chain = new ArrayList<>();
+        double[] first = left.remove(left.size() - 1);
+        chain.add(new double[] {first[0], first[1]});
+        chain.add(new double[] {first[2], first[3]});
+        boolean grown = true;
+        while (grown) {
+            grown = false;
+            for (int k = 0; k < left.size() && !grown; k++) {
+                double[] p = left.get(k);
+                grown = attach(chain, p[0], p[1], p[2], p[3]) || attach(chain, p[2], p[3], p[0], p[1]);
+                if (grown) {
+                    left.remove(k);
+                }
+            }
+        }
+        return chain;
+    }
+
+    private static boolean attach(List<double[]> chain, double x, double y, double otherX, double otherY) {
+        if (same(chain.get(chain.size() - 1), x, y)) {
+            return chain.add(new double[] {otherX, otherY});
+        }
+        if (same(chain.get(0), x, y)) {
+            chain.add(0, new double[] {otherX, otherY});
+            return true;
+        }
+        return false;
+    }
+
+    private static boolean same(double[] point, double x, double y) {
+        return Math.abs(point[0] - x) + Math.abs(point[1] - y) < 1e-9;
+    }
+}

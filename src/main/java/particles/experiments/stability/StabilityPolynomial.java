@@ -1,0 +1,40 @@
+package particles.experiments.stability;
+
+import java.util.Optional;
+
+/**
+ * What one step of a method does to the slides' oscillator x'' = -x: as z = x - i v obeys z' = i z, it multiplies z by
+ * R(ih). N steps multiply the amplitude by |R|<sup>N</sup>, and the phase runs ahead of the exact one by N (arg R - h).
+ *
+ * @param re the real part of R(ih)
+ * @param im the imaginary part
+ */
+public record StabilityPolynomial(double re, double im) {
+
+    /**
+     * @param solver a solver's name
+     * @param h      the time step
+     * @return R(ih), if it is one of those written here
+     */
+    public static Optional<StabilityPolynomial> of(String solver, double h) {
+        return switch (solver) {
+            case "euler" -> Optional.of(new StabilityPolynomial(1, h));
+            case "midpoint" -> Optional.of(new StabilityPolynomial(1 - h * h / 2, h));
+            case "rk4" -> Optional.of(new StabilityPolynomial(1 - h * h / 2 + h * h * h * h / 24, h - h * h * h / 6));
+            case "backward-euler", "linearised-euler" -> Optional.of(new StabilityPolynomial(1 / (1 + h * h), h / (1 + h * h)));
+            case "implicit-midpoint" -> {
+                double norm = 1 + h * h / 4;
+                yield Optional.of(new StabilityPolynomial((1 - h * h / 4) / norm, h / norm));
+            }
+            default -> Optional.empty();
+        };
+    }
+
+    public double amplitude(int steps) {
+        return StrictMath.pow(Math.sqrt(re * re + im * im), steps);
+    }
+
+    public double phaseError(int steps, double h) {
+        return steps * (StrictMath.atan2(im, re) - h);
+    }
+}

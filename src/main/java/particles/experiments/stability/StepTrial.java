@@ -1,0 +1,112 @@
+package particles.experiments.stability;
+
+import deSolvers.DESolver;
+import deSolvers.problems.LinearPair;
+import deSolvers.problems.StepMatrix;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+
+/**
+ * Finds out by trying how the growth of a solver's steps can be measured: on the test equation or, if it needs
+ * positions and velocities or treats them differently, on springs.
+ *
+ * @param amplification the measurement, if there can be one
+ * @param noise         how far steps are from multiplying by a matrix that depends on deltaT lambda alone: rounding, or
+ *                      what an iteration leaves
+ * @param objection     why there can be none; else empty
+ */
+public record StepTrial(Optional<Amplification> amplification, double noise, String objection) {
+    /** Real and imaginary part of deltaT lambda, short enough for any iteration to converge. */
+    private static final double[][] PLACES = {{-0.1, 0.4}, {0.05, 0.5}, {-0.2, 0.1}};
+    /** Two revolutions, nearly. */
+    private static final double[] FAR = {-0.4, 12};
+    private static final double CLOSE = 0.05;
+    /** No power of 2, so that a method which compares sizes shows. */
+    private static final double SIZE = 7;
+    private static final int STEPS = 12;
+    /** More than any iteration may leave, and less than an adaptive choice of sub-steps. */
+    private static final double MOST_NOISE = 1e-7;
+    private static final String ENDS = "a step on a linear system ends in ";
+    private static final String NEEDED = "SecondOrderStateSource";
+
+    /**
+     * @param maker     makes solvers
+     * @param remembers whether the method uses earlier steps
+     * @return how it can be measured
+     */
+    public static StepTrial of(Supplier<DESolver> maker, boolean remembers) {
+        int steps = remembers ? STEPS : 1;
+        try {
+            StepMatrix first = StepMatrix.of(maker.get(), testEquation(PLACES[0], 1), steps, 1, 1);
+            return first.distinction() <= MOST_NOISE ? on(maker, false, steps) : on(maker, true, steps);
+        } catch (IllegalArgumentException | ClassCastException e) {
+            if (String.valueOf(e.getMessage()).contains(NEEDED)) {
+                return on(maker, true, steps);
+            }
+            return refused(ENDS + e);
+        } catch (RuntimeException e) {                  // whatever the solver throws
+            return refused(ENDS + e);
+        }
+    }
+
+    private static StepTrial refused(String objection) {
+        return new StepTrial(Optional.empty(), Double.NaN, objection);
+    }
+
+    private static LinearPair testEquation(double[] place, double factor) {
+        return LinearPair.testEquation(factor * place[0], factor * place[1]);
+    }
+
+    private static LinearPair spring(double[] place, double factor) {
+        return LinearPair.spring(factor * factor * (place[0] * place[0] + place[1] * place[1]),
+                -2 * factor * Math.min(0, place[0]));
+    }
+
+    private static StepTrial on(Supplier<DESolver> maker, boolean springs, int steps) {
+        double noise = 0;
+        boolean still = true;
+        for (double[] place : PLACES) {
+            Function<Double, LinearPair> source = factor -> springs ? spring(place, factor) : testEquation(place,
+                    factor);
+            StepMatrix one = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, 1);
+            StepMatrix again = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, 1);
+            if (one.difference(again) > 0) {
+                return refused("two steps from the same place are not the same");
+            }
+            StepMatrix large = StepMatrix.of(maker.get(), source.apply(1.0), steps, 1, SIZE);
+            double bent = Math.max(one.nonlinearity(), one.difference(large));
+            if (!(bent <= MOST_NOISE)) {
+                return refused("a step on a linear system does not multiply the state by a matrix, as the length of"
+                        + " sub-steps or an iteration depends on the state");
+            }
+            StepMatrix half = StepMatrix.of(maker.get(), source.apply(2.0), steps, 0.5, 1);
+            double apart = springs ? Math.abs(one.radius() - half.radius()) : one.difference(half);
+            if (!(apart <= MOST_NOISE)) {
+                return refused("a step with half the deltaT and twice the lambda is another one: it does not follow"
+                        + " deltaT");
+            }
+            noise = Math.max(noise, Math.max(bent, apart));
+            still &= one.isIdentity();
+        }
+        if (still) {
+            return refused("a step leaves the state as it was");
+        }
+        return steps == 1 && isExact(maker, springs)
+                ? refused("it takes sub-steps as short as the system needs: any deltaT is stable, and costs"
+                + " what they cost") : new StepTrial(Optional.of(new Amplification(maker, springs, steps > 1)), noise,
+                "");
+    }
+
+    /** Whether one step follows two revolutions, as no single step of a method can. */
+    private static boolean isExact(Supplier<DESolver> maker, boolean springs) {
+        StepMatrix step;
+        try {
+            step = StepMatrix.of(maker.get(), springs ? spring(FAR, 1) : testEquation(FAR, 1), 1, 1, 1);
+        } catch (RuntimeException e) {                  // whatever the solver throws at such a step
+            return false;
+        }
+        return Math.abs(step.determinant() - StrictMath.exp(2 * FAR[0])) < CLOSE
+                && Math.abs(step.xx() + step.vv() - 2 * StrictMath.exp(FAR[0]) * StrictMath.cos(FAR[1])) < CLOSE;
+    }
+}

@@ -1,0 +1,140 @@
+package particles.experiments.work;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
+import particles.experiments.work.StiffGallery.Cost;
+import particles.experiments.work.StiffGallery.Sweep;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
+
+/** The stiff gallery as charts and as a table. */
+public final class StiffCharts {
+    private static final String STIFFNESS = "stiffness of the spring between the masses (N/m)";
+    /** Less than this is drawn as this: it is gone. */
+    private static final double GONE = 1e-16;
+
+    private StiffCharts() {
+    }
+
+    /**
+     * @param sweeps one a solver
+     * @return over the stiffness: evaluations for 1 %, with exponents in the legend; evaluations to be stable; what is
+     *         left
+     * of
+     *         the vibration, for those that are stable; and, if there are any, who is never stable and where nobody has
+     *         1 %
+     */
+    public static List<ChartData> charts(List<Sweep> sweeps) {
+        List<Series> precise = new ArrayList<>();
+        List<Series> stable = new ArrayList<>();
+        List<Series> left = new ArrayList<>();
+        for (Sweep sweep : sweeps) {
+            precise.add(series(sweep, Cost::toOnePercent));
+            if (!sweep.neverStable() && !sweep.solver().adaptive()) {
+                stable.add(series(sweep, Cost::toBeStable));
+            }
+            if (!sweep.neverStable() && (!sweep.solver().adaptive() || sweep.solver().implicit())) {
+                left.add(series(sweep, cost -> Math.max(GONE, cost.vibrationLeft())));
+            }
+        }
+        List<ChartData> charts = new ArrayList<>();
+        charts.add(new ChartData(finding(sweeps), STIFFNESS, "evaluations for 1 %", true, true, precise));
+        if (!stable.isEmpty()) {
+            charts.add(new ChartData("", STIFFNESS, "... to be stable", true, true, stable));
+        }
+        if (!left.isEmpty()) {
+            charts.add(new ChartData("", STIFFNESS, "energy left / start", true, true, left));
+        }
+        List<String> rows = sweeps.stream().filter(sweep -> sweep.neverStable()
+                || sweep.costs().stream().anyMatch(cost ->
+                        Double.isNaN(cost.toOnePercent()))).map(StiffCharts::name).toList();
+        if (!rows.isEmpty()) {
+            charts.add(new ChartData("", STIFFNESS, "never", true, false, rows, failures(sweeps, rows)));
+        }
+        return charts;
+    }
+
+    private static Series series(Sweep sweep, ToDoubleFunction<Cost> what) {
+        return new Series(name(sweep), Mark.LINE_AND_POINTS,
+                sweep.costs().stream().mapToDouble(Cost::stiffness).toArray(),
+                sweep.costs().stream().mapToDouble(what).toArray());
+    }
+
+    private static String name(Sweep sweep) {
+        return sweep.solver().label();
+    }
+
+    private static List<Series> failures(List<Sweep> sweeps, List<String> rows) {
+        List<Series> series = new ArrayList<>();
+        add(series, "never stable, however short the step", Mark.FAILURES, sweeps, rows, sweep -> cost ->
+                sweep.neverStable());
+        add(series, "no 1 % with a million steps", Mark.GIVEN_UP, sweeps, rows, sweep -> cost ->
+                Double.isNaN(cost.toOnePercent()));
+        return series;
+    }
+
+    private interface Which {
+        Predicate<Cost> of(Sweep sweep);
+    }
+
+    private static void add(List<Series> series, String name, Mark mark, List<Sweep> sweeps, List<String> rows,
+            Which which) {
+        List<double[]> points = new ArrayList<>();
+        sweeps.forEach(sweep -> sweep.costs().stream().filter(which.of(sweep))
+                .forEach(cost -> points.add(new double[] {cost.stiffness(), rows.indexOf(name(sweep))})));
+        if (!points.isEmpty()) {
+            series.add(new Series(name, mark, points.stream().mapToDouble(point -> point[0]).toArray(),
+                    points.stream().mapToDouble(point -> point[1]).toArray()));
+        }
+    }
+
+    /**
+     * @param sweeps one a solver
+     * @return how the cost of being stable grows with the stiffness, in a sentence
+     */
+    public static String finding(List<Sweep> sweeps) {
+        List<String> parts = new ArrayList<>();
+        most(sweeps, sweep -> !sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (explicit)"));
+        most(sweeps, sweep -> sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (implicit)"));
+        List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
+        String finding = parts.isEmpty() ? "What a stiff spring costs" : "Stability costs " + String.join(" or ",
+                parts);
+        return never.isEmpty() ? finding
+                : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " never has it" : " never have it");
+    }
+
+    /** The largest exponent of these, as a power of k. */
+    private static Optional<String> most(List<Sweep> sweeps, Predicate<Sweep> which) {
+        return sweeps.stream().filter(which).map(Sweep::stableExponent).filter(exponent -> !exponent.isNaN())
+                .max(Comparator.naturalOrder()).map(exponent -> String.format(Locale.ROOT, "k^%.2f", exponent));
+    }
+
+    /**
+     * @param sweeps one a solver
+     * @return exponents, and what the stiffest spring costs
+     */
+    public static DataTable table(List<Sweep> sweeps) {
+        List<List<Object>> rows = new ArrayList<>();
+        for (Sweep sweep : sweeps) {
+            Cost soft = sweep.costs().get(0);
+            Cost stiff = sweep.costs().get(sweep.costs().size() - 1);
+            rows.add(List.of(name(sweep), sweep.neverStable() ? "never: grows at any step"
+                    : sweep.solver().adaptive() ? "by its tolerance" : "from some step on", sweep.stableExponent(),
+                    sweep.preciseExponent(), soft.toOnePercent(), stiff.toOnePercent(), stiff.vibrationLeft()));
+        }
+        return new DataTable("stiffness",
+                "Cost as a power of the stiffness, and evaluations for 1 % with the softest and the stiffest spring",
+                List.of(DataTable.column("solver"), DataTable.column("stable"), new DataTable.Column("exponent, stable",
+                3),
+                        new DataTable.Column("exponent, 1 %", 3), DataTable.column("softest"),
+                        DataTable.column("stiffest"),
+                        new DataTable.Column("vibration left", 2)), rows);
+    }
+}

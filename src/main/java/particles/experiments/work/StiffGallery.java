@@ -1,0 +1,182 @@
+package particles.experiments.work;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.problems.StiffSpringPair;
+import java.util.ArrayList;
+import java.util.List;
+import particles.experiments.runs.PowerLaw;
+import particles.experiments.runs.SolverChoice;
+
+/**
+ * What stiffness costs: two masses whose slow swing does not depend on the spring between them, while that spring gets
+ * stiffer and stiffer. How many evaluations does a solver need to stay stable, how many to find the swing to 1 %?
+ */
+public final class StiffGallery {
+    private static final double DURATION = 10;
+    private static final double PRECISION = 0.01;
+    /** The seed may grow by this in energy before the run counts as unstable: far above what a stable run borrows. */
+    private static final double UNSTABLE = 1e4;
+    /**
+     * Few steps are too few to grow so much in: a short run goes on until it has made so many. What grows by 0.5 % a
+     * step is found out; rk4 does so when its step is 0.03 % too long.
+     */
+    private static final int STEPS_TO_GROW = 2000;
+    private static final int MOST_STEPS = 1 << 20;
+    private static final double NEAR = 1.01;
+    /**
+     * A long run of short steps shows who grows at any step: the slowest of them, adams, by 5e-3; means of waves differ
+     * by 5e-5.
+     */
+    private static final double SHORT_STEP = 0.1;
+    private static final int LONG_RUN = 20_000;
+    private static final double GROWTH = 1 + 5e-4;
+    private static final double FIT_FROM = 1e3;
+
+    /**
+     * One solver at one stiffness; NaN where no number of steps is enough.
+     *
+     * @param stiffness of the spring between the masses (N/m)
+     * @param toBeStable evaluations of the cheapest stable run
+     * @param toOnePercent evaluations of the cheapest run whose swing is right to 1 %
+     * @param vibrationLeft energy of the stiff vibration over that at its start, the largest in the last tenth of that
+     *                      run: close to its limit a symplectic solver borrows and gives back
+     */
+    public record Cost(double stiffness, double toBeStable, double toOnePercent, double vibrationLeft) {
+    }
+
+    /**
+     * One solver over all stiffnesses.
+     *
+     * @param solver       which
+     * @param neverStable  whether the undamped vibration grows however short the step
+     * @param costs        from soft to stiff
+     * @param stableExponent of the stiffness in the cost of being stable; NaN where there is none
+     * @param preciseExponent of the stiffness in the cost of 1 %
+     */
+    public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs, double stableExponent,
+            double preciseExponent) {
+    }
+
+    /** A run: its centre's error, the vibration that is left, whether that does not grow, its evaluations. */
+    private record Run(double error, double vibration, boolean stable, long evaluations) {
+        boolean precise() {
+            return stable && error <= PRECISION;
+        }
+    }
+
+    private StiffGallery() {
+    }
+
+    /**
+     * @param solver  which
+     * @param decades how many decades of stiffness, from 1 N/m
+     * @return its costs
+     */
+    public static Sweep sweep(SolverChoice solver, int decades) {
+        List<Cost> costs = new ArrayList<>();
+        boolean never = grows(solver);
+        for (int d = 0; d <= decades; d++) {
+            costs.add(cost(solver, StrictMath.pow(10, d), never));
+        }
+        return new Sweep(solver, never, costs, exponent(costs, true), exponent(costs, false));
+    }
+
+    private static Cost cost(SolverChoice solver, double k, boolean never) {
+        if (solver.adaptive()) {
+            Run run = run(solver, k, 1, PRECISION, 0);
+            for (double t = PRECISION; !run.precise() && t > 1e-9; t /= 3) {
+                run = run(solver, k, 1, t, 0);
+            }
+            return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN, run.vibration());
+        }
+        int toGrow = never ? 0 : STEPS_TO_GROW;         // who grows at any step is in a race with the end
+        int stable = never ? 0 : fewest(solver, k, false, toGrow);
+        int precise = fewest(solver, k, true, toGrow);
+        Run best = run(solver, k, Math.max(1, precise), 0, 0);
+        return new Cost(k, stable == 0 ? Double.NaN : run(solver, k, stable, 0, 0).evaluations(),
+                precise == 0 ? Double.NaN : best.evaluations(), precise == 0 ? Double.NaN : best.vibration());
+    }
+
+    /** The fewest steps, to 1 %; 0 where even the most are not enough. */
+    private static int fewest(SolverChoice solver, double k, boolean precise, int toGrow) {
+        int few = 1;
+        int enough = 2;
+        while (!holds(run(solver, k, enough, 0, toGrow), precise)) {
+            few = enough;
+            enough *= 2;
+            if (enough > MOST_STEPS / (solver.implicit() ? 16 : 1)) {
+                return 0;
+            }
+        }
+        while (enough > NEAR * few + 1) {
+            int middle = (few + enough) / 2;
+            if (holds(run(solver, k, middle, 0, toGrow), precise)) {
+                enough = middle;
+            } else {
+                few = middle;
+            }
+        }
+        return enough;
+    }
+
+    private static boolean holds(Run run, boolean precise) {
+        return precise ? run.precise() : run.stable;
+    }
+
+    private static Run run(SolverChoice choice, double k, int steps, double tolerance, int toGrow) {
+        StiffSpringPair pair = new StiffSpringPair(k);
+        DESolver solver = choice.create(tolerance);
+        double left = 0;
+        try {
+            for (int n = 0; n < steps && left < UNSTABLE; n++) {
+                solver.stepState(pair, DURATION / steps);
+                double vibration = pair.vibration();
+                if (n >= 0.9 * (steps - 1) || !(vibration < UNSTABLE)) {
+                    left = Math.max(left, vibration);
+                }
+            }
+        } catch (DESolverException e) {
+            return new Run(Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, false, pair.evaluations());
+        }
+        double error = Math.abs(pair.centre() - StrictMath.cos(DURATION));
+        long evaluations = pair.evaluations();
+        boolean stable = left < UNSTABLE && staysBounded(solver, pair, DURATION / steps, toGrow - steps);
+        return new Run(error, left, stable, evaluations);
+    }
+
+    private static boolean staysBounded(DESolver solver, StiffSpringPair pair, double deltaT, int steps) {
+        try {
+            for (int n = 0; n < steps; n++) {
+                solver.stepState(pair, deltaT);
+                if (!(pair.vibration() < UNSTABLE)) {
+                    return false;
+                }
+            }
+            return true;
+        } catch (DESolverException e) {
+            return false;                               // it overflows
+        }
+    }
+
+    private static boolean grows(SolverChoice choice) {
+        if (choice.adaptive()) {
+            return false;
+        }
+        StiffSpringPair pair = new StiffSpringPair(1);
+        DESolver solver = choice.create(0);
+        double[] quarters = new double[4];
+        for (int n = 0; n < LONG_RUN; n++) {
+            solver.stepState(pair, SHORT_STEP / pair.omega());
+            quarters[4 * n / LONG_RUN] += pair.vibration();
+        }
+        return quarters[3] > GROWTH * quarters[0];
+    }
+
+    private static double exponent(List<Cost> costs, boolean stable) {
+        List<Cost> fit = costs.stream().filter(c -> c.stiffness() >= FIT_FROM
+                && !Double.isNaN(stable ? c.toBeStable() : c.toOnePercent())).toList();
+        return PowerLaw.exponent(fit.stream().mapToDouble(Cost::stiffness).toArray(),
+                fit.stream().mapToDouble(c -> stable ? c.toBeStable() : c.toOnePercent()).toArray());
+    }
+}

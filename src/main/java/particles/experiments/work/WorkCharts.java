@@ -1,0 +1,176 @@
+package particles.experiments.work;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import particles.experiments.work.WorkPrecision.Curve;
+import particles.experiments.work.WorkPrecision.Failure;
+import particles.experiments.work.WorkPrecision.Point;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/** Work-precision diagrams: the errors above, the runs without a result below, each solver in a row of its own. */
+public final class WorkCharts {
+    private static final double ROUGH = 1e-2;
+    private static final double FINE = 1e-6;
+
+    private WorkCharts() {
+    }
+
+    /**
+     * @param problem what was solved
+     * @param curves  by whom
+     * @return error against evaluations, with fitted slopes in the legend; below, if there are any, the failures
+     */
+    public static List<ChartData> byEvaluations(WorkProblem problem, List<Curve> curves) {
+        List<Series> series = new ArrayList<>();
+        for (Curve curve : curves) {
+            String name = curve.solver().label() + slope(curve);
+            List<Point> open = new ArrayList<>();
+            List<Point> fitted = new ArrayList<>();
+            for (int k = 0; k < curve.points().size(); k++) {
+                if (isResult(curve.points().get(k))) {
+                    open.add(curve.points().get(k));
+                    if (curve.fit().contains(k)) {
+                        fitted.add(curve.points().get(k));
+                    }
+                }
+            }
+            series.add(series(name, Mark.LINE_AND_OPEN_POINTS, open, Point::evaluations));
+            series.add(series(name, Mark.POINTS, fitted, Point::evaluations));
+            unreduced(curve, fitted).ifPresent(series::add);
+        }
+        series.add(new Series("filled: fitted; in brackets: theory", Mark.POINTS, new double[0], new double[0]));
+        String title = problem.title() + ": " + reduction(curves).orElseGet(() -> cheapest(curves, Point::evaluations,
+                "is cheapest for", "for"));
+        return charts(new ChartData(title, "evaluations of the derivative", problem.errorLabel(), true, true, series),
+                curves,
+                Point::evaluations);
+    }
+
+    /**
+     * @param problem what was solved
+     * @param curves  by whom
+     * @return error against measured time, with bars from the fastest to the slowest run; below, if there are any, the
+     * failures
+     */
+    public static List<ChartData> byTime(WorkProblem problem, List<Curve> curves) {
+        List<Series> series = new ArrayList<>();
+        for (Curve curve : curves) {
+            List<Point> good = curve.points().stream().filter(WorkCharts::isResult).toList();
+            series.add(series(curve.solver().label(), Mark.LINE_AND_POINTS, good, Point::seconds));
+            double[] x = new double[3 * good.size()];
+            double[] y = new double[3 * good.size()];
+            for (int k = 0; k < good.size(); k++) {             // a gap after each bar
+                x[3 * k] = good.get(k).least();
+                x[3 * k + 1] = good.get(k).most();
+                x[3 * k + 2] = Double.NaN;
+                y[3 * k] = y[3 * k + 1] = good.get(k).error();
+                y[3 * k + 2] = Double.NaN;
+            }
+            series.add(new Series(curve.solver().label(), Mark.BARS, x, y));
+        }
+        String title = problem.title() + ", by the clock: " + cheapest(curves, Point::seconds, "is first to", "to");
+        return charts(new ChartData(title, "time of a busy processor, median (s)", problem.errorLabel(), true, true,
+                series),
+                curves,
+                Point::seconds);
+    }
+
+    private static boolean isResult(Point point) {
+        return point.failure().isEmpty() && point.error() > 0;
+    }
+
+    private static Series series(String name, Mark mark, List<Point> points, ToDoubleFunction<Point> work) {
+        return new Series(name, mark, points.stream().mapToDouble(work).toArray(),
+                points.stream().mapToDouble(Point::error).toArray());
+    }
+
+    /** Below the errors, over the same work: a row for each solver of which a run failed. */
+    private static List<ChartData> charts(ChartData errors, List<Curve> curves, ToDoubleFunction<Point> work) {
+        List<String> rows = new ArrayList<>();
+        List<List<double[]>> failures = List.of(new ArrayList<>(), new ArrayList<>());
+        for (Curve curve : curves) {
+            for (Point point : curve.points()) {
+                point.failure().ifPresent(kind -> {
+                    if (!rows.contains(curve.solver().label())) {
+                        rows.add(curve.solver().label());
+                    }
+                    failures.get(kind.ordinal()).add(new double[] {work.applyAsDouble(point), rows.size() - 1});
+                });
+            }
+        }
+        if (rows.isEmpty()) {
+            return List.of(errors);
+        }
+        List<Series> series = new ArrayList<>();
+        for (Failure kind : Failure.values()) {
+            List<double[]> of = failures.get(kind.ordinal());
+            if (!of.isEmpty()) {
+                boolean unstable = kind == Failure.UNSTABLE;
+                series.add(new Series(unstable ? "unstable" : "did not converge",
+                        unstable ? Mark.FAILURES : Mark.GIVEN_UP,
+                        of.stream().mapToDouble(f -> f[0]).toArray(), of.stream().mapToDouble(f -> f[1]).toArray()));
+            }
+        }
+        return List.of(errors, new ChartData("", errors.xLabel(), "no result", true, false, rows, series));
+    }
+
+    /** @return the fitted slope beside that of theory, as the legend says it */
+    static String slope(Curve curve) {
+        double order = curve.solver().order();
+        boolean reduced = curve.expected() < order;
+        String theory = reduced ? String.format(Locale.ROOT, " (theory %.0f, order %.0f)", curve.expected(), order)
+                : Double.isNaN(curve.expected()) ? "" : String.format(Locale.ROOT, " (%.0f)", curve.expected());
+        return Double.isNaN(curve.fit().slope()) ? ", no slope" : String.format(Locale.ROOT, ", %.2f",
+                curve.fit().slope())
+                + theory;
+    }
+
+    /** Where an order is reduced: what the errors would be with the whole order, from the first fitted one on. */
+    private static Optional<Series> unreduced(Curve curve, List<Point> fitted) {
+        if (!(curve.expected() < curve.solver().order()) || fitted.isEmpty()) {
+            return Optional.empty();
+        }
+        double first = fitted.get(0).error();
+        double[] y = fitted.stream().mapToDouble(p -> first * Math.pow(p.deltaT() / fitted.get(0).deltaT(),
+                curve.solver().order()))
+                .toArray();
+        return Optional.of(new Series(String.format(Locale.ROOT, "order %.0f, for comparison", curve.solver().order()),
+                Mark.LINE,
+                fitted.stream().mapToDouble(Point::evaluations).toArray(), y));
+    }
+
+    /** What theory foretells of the solvers whose order is reduced, if one of them has a slope. */
+    private static Optional<String> reduction(List<Curve> curves) {
+        return curves.stream().filter(curve -> curve.expected() < curve.solver().order()
+                && !Double.isNaN(curve.fit().slope()))
+                .findFirst().map(curve -> String.format(Locale.ROOT, "%s falls from order %.0f to %.2f (theory: %.0f)",
+                        curve.solver().label(), curve.solver().order(), curve.fit().slope(), curve.expected()));
+    }
+
+    /** Who needs least for a rough and for a fine result. */
+    private static String cheapest(List<Curve> curves, ToDoubleFunction<Point> work, String verb, String preposition) {
+        Optional<String> rough = cheapest(curves, work, ROUGH);
+        Optional<String> fine = cheapest(curves, work, FINE);
+        if (rough.isEmpty()) {
+            return "none has an error of 10\u207b\u00b2";
+        }
+        String result = rough.get() + " " + verb + " 10\u207b\u00b2";
+        return fine.isEmpty() ? result + ", none has 10\u207b\u2076" : rough.equals(fine)
+                ? result + " and 10\u207b\u2076"
+                : result + ", " + fine.get() + " " + preposition + " 10\u207b\u2076";
+    }
+
+    private static Optional<String> cheapest(List<Curve> curves, ToDoubleFunction<Point> work, double error) {
+        record Way(String solver, double work) {
+        }
+        return curves.stream().flatMap(curve -> curve.points().stream().filter(point -> point.error() <= error)
+                        .map(point -> new Way(curve.solver().label(), work.applyAsDouble(point))))
+                .min(Comparator.comparingDouble(Way::work)).map(Way::solver);
+    }
+}

@@ -1,0 +1,186 @@
+package particles.experiments.work;
+
+import deSolvers.DESolver;
+import deSolvers.DESolverException;
+import deSolvers.DEStateSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import particles.experiments.runs.CpuClock;
+import particles.experiments.runs.SolverChoice;
+
+/**
+ * What precision costs: a problem solved with ever shorter steps, or tighter tolerances, and the error set against the
+ * evaluations of the derivative and against time.
+ */
+public final class WorkPrecision {
+    /** An error of so much is no result. */
+    static final double USELESS = 10;
+    private static final int FEWEST_STEPS = 16;
+    private static final int FEWEST_WHOLE_STEPS = 4;
+    private static final int TIMED = 3;
+    /** Short runs are repeated more often: until all together took so long (s), but not more often than that. */
+    private static final double ENOUGH = 1e-3;
+    private static final int MOST_TIMED = 51;
+    /** Java makes code fast while it runs: so long, or for one run at least, before a time counts (s). */
+    private static final double WARM = 0.05;
+    private static final double WARM_TOLERANCE = 1e-4;
+    private static final int WARM_PART = 256;
+    private static final double LOOSEST = 1e-1;
+    private static final double TIGHTEST = 1e-11;
+    /** So loose that an adaptive solver takes each step whole. */
+    private static final double WHOLE_STEPS = 1;
+
+    /** In which way a run has no result. */
+    public enum Failure {
+        /** Its error grew beyond any use, or beyond all numbers. */
+        UNSTABLE,
+        /** An iteration within the step did not converge, or the sub-steps became too short. */
+        NOT_CONVERGED
+    }
+
+    /**
+     * One run.
+     *
+     * @param deltaT      the step (s); for tolerances the whole duration
+     * @param tolerance   relative and absolute; NaN for fixed steps
+     * @param evaluations of the derivative
+     * @param error       at the end; NaN where the run failed
+     * @param seconds     for which a processor was busy with it, the median of three or more runs that were warmed up
+     * @param least       the fastest of them (s)
+     * @param most        the slowest (s)
+     * @param failure     in which way it failed, if it did
+     * @param why         the failure in words; empty for a result
+     */
+    public record Point(double deltaT, double tolerance, long evaluations, double error, double seconds, double least,
+            double most,
+                        Optional<Failure> failure, String why) {
+    }
+
+    /**
+     * One solver's runs.
+     *
+     * @param solver   which
+     * @param byStep   whether the steps vary, from run to run by a factor of 2; else the tolerance, by 10
+     * @param points   from coarse to fine
+     * @param fit      of the error over the step, or over the evaluations with the sign changed
+     * @param expected what theory says of the slope; NaN where there is no one order
+     */
+    public record Curve(SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit, double expected) {
+    }
+
+    private WorkPrecision() {
+    }
+
+    /**
+     * @param problem to be solved
+     * @param solver  by whom
+     * @return its runs
+     */
+    public static Curve measure(WorkProblem problem, SolverChoice solver) {
+        return measure(problem, solver, TIMED);
+    }
+
+    /** @param timed how many runs are for the clock at least, an odd number; 0 for none, and times of NaN */
+    static Curve measure(WorkProblem problem, SolverChoice solver, int timed) {
+        boolean inStiff = solver.implicit() && problem.stiff().isPresent();
+        boolean byStep = !solver.adaptive() || inStiff;
+        if (timed > 0) {
+            warmUp(problem, solver, byStep);
+        }
+        List<Point> points = byStep ? overSteps(problem, solver, timed) : overTolerances(problem, solver, timed);
+        double expected = expected(problem, solver);
+        SlopeFit fit = byStep ? SlopeFit.byStep(points, problem, inStiff, expected)
+                : SlopeFit.byWork(points, problem, expected);
+        return new Curve(solver, byStep, points, fit, expected);
+    }
+
+    /** An extrapolation method chooses its order as it goes. */
+    private static double expected(WorkProblem problem, SolverChoice solver) {
+        double order = solver.info().filter(info -> info.family().equals("extrapolation")).isPresent() ? Double.NaN
+                : solver.order();
+        return problem.stiff().map(stiff -> stiff.reduced().getOrDefault(solver.name(), order)).orElse(order);
+    }
+
+    private static List<Point> overSteps(WorkProblem problem, SolverChoice solver, int timed) {
+        List<Point> points = new ArrayList<>();
+        double tolerance = solver.adaptive() ? WHOLE_STEPS : Double.NaN;
+        long budget = solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
+        int steps = solver.implicit() ? FEWEST_WHOLE_STEPS : FEWEST_STEPS;
+        for (long next = steps; next <= budget; steps *= 2) {
+            Point point = point(problem, solver, steps, tolerance, timed);
+            points.add(point);
+            // half the step doubles the work; a run that fails early says little about it
+            next = 2 * (point.failure().isPresent() ? Math.max(next, point.evaluations()) : point.evaluations());
+        }
+        return points;
+    }
+
+    private static List<Point> overTolerances(WorkProblem problem, SolverChoice solver, int timed) {
+        List<Point> points = new ArrayList<>();
+        double tightest = solver.implicit() ? problem.budget().tightestTolerance() : TIGHTEST;
+        for (double tolerance = LOOSEST; tolerance > 0.5 * tightest; tolerance /= 10) {
+            points.add(point(problem, solver, 1, tolerance, timed));
+        }
+        return points;
+    }
+
+    /** With a run that is neither so coarse that it fails at once nor long. */
+    private static void warmUp(WorkProblem problem, SolverChoice solver, boolean byStep) {
+        long budget = solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
+        int steps = byStep ? (int) Math.max(FEWEST_STEPS, budget / WARM_PART) : 1;
+        double tolerance = byStep ? WHOLE_STEPS
+                : Math.max(WARM_TOLERANCE, solver.implicit() ? problem.budget().tightestTolerance() : 0);
+        double begin = CpuClock.seconds();
+        while (CpuClock.seconds() - begin < WARM) {
+            solve(problem.start().get(), solver.create(tolerance), problem.duration() / steps, steps);
+        }
+    }
+
+    private static Point point(WorkProblem problem, SolverChoice solver, int steps, double tolerance, int timed) {
+        List<Double> seconds = new ArrayList<>();
+        DEStateSource source = problem.start().get();
+        double start = CpuClock.seconds();
+        Optional<DESolverException> thrown = solve(source, solver.create(tolerance), problem.duration() / steps, steps);
+        double all = CpuClock.seconds() - start;
+        seconds.add(all);
+        while (seconds.size() < timed || timed > 0 && all < ENOUGH && seconds.size() < MOST_TIMED) {
+            DEStateSource again = problem.start().get();
+            DESolver fresh = solver.create(tolerance);
+            double begin = CpuClock.seconds();
+            solve(again, fresh, problem.duration() / steps, steps);
+            seconds.add(CpuClock.seconds() - begin);
+            all += seconds.get(seconds.size() - 1);
+        }
+        double[] sorted = timed == 0 ? new double[] {Double.NaN}
+                : seconds.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+        double error = problem.error(source);
+        Optional<Failure> failure = thrown.map(e -> kind(e, solver)).or(() -> error < USELESS ? Optional.empty()
+                : Optional.of(Failure.UNSTABLE));
+        String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error
+                : "");
+        return new Point(problem.duration() / steps, tolerance, problem.evaluations().applyAsLong(source),
+                failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[0],
+                sorted[sorted.length - 1],
+                failure, why);
+    }
+
+    /**
+     * What overflows has an entry that did; an iteration that ends nowhere has none, and sub-steps end by getting
+     * short.
+     */
+    private static Failure kind(DESolverException thrown, SolverChoice solver) {
+        return thrown.getEntry() < 0 || solver.adaptive() ? Failure.NOT_CONVERGED : Failure.UNSTABLE;
+    }
+
+    private static Optional<DESolverException> solve(DEStateSource source, DESolver solver, double deltaT, int steps) {
+        try {
+            for (int n = 0; n < steps; n++) {
+                solver.stepState(source, deltaT);
+            }
+            return Optional.empty();
+        } catch (DESolverException e) {
+            return Optional.of(e);
+        }
+    }
+}

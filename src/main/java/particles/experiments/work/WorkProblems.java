@@ -1,0 +1,149 @@
+package particles.experiments.work;
+
+import deSolvers.DEStateSource;
+import deSolvers.catalog.DidYouMean;
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.problems.Kepler;
+import deSolvers.problems.Oscillator;
+import deSolvers.problems.Pendulum;
+import deSolvers.problems.ReferenceProblem;
+import deSolvers.problems.ShakenChain;
+import java.util.List;
+import java.util.Map;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import java.util.function.Supplier;
+import particles.ParticleSystem;
+import particles.effects.Gravity;
+import particles.effects.LinearDrag;
+import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.experiments.work.WorkProblem.Budget;
+import particles.experiments.work.WorkProblem.Stiff;
+import particles.law.Vector3;
+
+/**
+ * The problems of the work-precision diagrams. Their references are exact, or computed far more accurately than is
+ * asked.
+ */
+public final class WorkProblems {
+    /** Their names, the smooth ones first. */
+    public static final List<String> NAMES = List.of("oscillator", "pendulum", "kepler", "network", "stiff-chain",
+            "cloth");
+
+    private static final double SHAKEN_SECONDS = 2;
+    private static final double TIGHT = 1e-13;
+    private static final String REFERENCE = "bulirsch-stoer";
+    /** Rounding, and what references with tolerance 1e-13 differ from each other by, stays a tenth of this (a test). */
+    private static final double FLOOR = 5e-12;
+    private static final double TIGHTEST = 1e-11;
+
+    private static final Budget SMALL = new Budget(600_000, 600_000, TIGHTEST);
+    /** Backward Euler needs short steps over 100 s. */
+    private static final Budget LONG = new Budget(600_000, 1_100_000, TIGHTEST);
+
+    private WorkProblems() {
+    }
+
+    /**
+     * @param name one of {@link #NAMES}
+     * @return the problem, with its reference
+     * @throws NoSuchElementException if there is none of this name
+     */
+    public static WorkProblem of(String name) {
+        return switch (name) {
+            case "oscillator" -> exact(name, "The oscillator x'' = \u2212x", 100, Oscillator::new, LONG);
+            case "pendulum" -> exact(name, "A pendulum released at 1.5 rad", 10, () -> new Pendulum(1.5), SMALL);
+            case "kepler" -> exact(name, "A Kepler orbit, e = 0.6", 5, () -> new Kepler(0.6), SMALL);
+            case "network" -> computed(name, "A damped spring network", 2, WorkProblems::network,
+                    new Budget(70_000, 10_000, 1e-8));
+            case "stiff-chain" -> new WorkProblem(name, "A stiff chain, shaken", SHAKEN_SECONDS, ShakenChain::new,
+                    WorkProblems::evaluations, new ShakenChain().exactState(SHAKEN_SECONDS), "exact", true, 1e-14,
+                    new Budget(1_200_000, 80_000, TIGHTEST),
+                    Optional.of(new Stiff(ShakenChain.STIFF_DELTA_T, Map.of("radau", 3.0))));
+            case "cloth" -> computed(name, "A cloth of 36 particles that falls", 0.5, WorkProblems::cloth,
+                    new Budget(20_000, 3_000, 1e-3));
+            default -> throw new NoSuchElementException("no problem is called '" + name + "'"
+                    + DidYouMean.hint(name, NAMES, "'%s'"::formatted) + " known: " + String.join(", ", NAMES));
+        };
+    }
+
+    private static WorkProblem exact(String name, String title, double duration, Supplier<ReferenceProblem> start,
+                                     Budget budget) {
+        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations,
+                start.get().exactState(duration),
+                "exact", false, FLOOR, budget, Optional.empty());
+    }
+
+    private static WorkProblem computed(String name, String title, double duration,
+            Supplier<? extends DEStateSource> start,
+                                        Budget budget) {
+        DEStateSource source = start.get();
+        SolverCatalog.create(REFERENCE, TIGHT, TIGHT).stepState(source, duration);
+        double[] reference = new double[source.getStateSize()];
+        source.getState(reference);
+        return new WorkProblem(name, title, duration, start, WorkProblems::evaluations, reference,
+                REFERENCE + " with tolerance " + TIGHT, source instanceof ParticleSystem, FLOOR, budget,
+                Optional.empty());
+    }
+
+    private static long evaluations(DEStateSource source) {
+        return source instanceof ParticleSystem system ? system.getEvaluations()
+                : ((ReferenceProblem) source).evaluations();
+    }
+
+    /**
+     * Four by four particles, held at the upper corners; springs along both directions and one diagonal, a little
+     * damped.
+     */
+    private static ParticleSystem network() {
+        ParticleSystem system = new ParticleSystem();
+        SpringForce springs = new SpringForce(system.getParticles());
+        int n = 4;
+        for (int i = 0; i < n * n; i++) {
+            boolean fixed = i == 0 || i == n - 1;
+            system.addParticle("p" + i, 1, new Vector3(i % n, -(i / n), 0), fixed ? Vector3.ZERO : new Vector3(0.3,
+                    0.1 * (i % n), 0.2),
+                    fixed);
+        }
+        for (int i = 0; i < n * n; i++) {
+            if (i % n < n - 1) {
+                springs.addSpring(i, i + 1, 20, 1, 0.1);
+            }
+            if (i + n < n * n) {
+                springs.addSpring(i, i + n, 20, 1, 0.1);
+            }
+            if (i % n < n - 1 && i + n < n * n) {
+                springs.addSpring(i, i + n + 1, 10, Math.sqrt(2), 0.1);
+            }
+        }
+        system.addEffect(springs);
+        return system;
+    }
+
+    /** Level at first and held at two corners: structural, shear and bend springs, gravity and drag in still air. */
+    private static ParticleSystem cloth() {
+        ParticleSystem system = new ParticleSystem();
+        SpringForce springs = new SpringForce(system.getParticles());
+        int n = 6;
+        for (int i = 0; i < n * n; i++) {
+            system.addParticle("p" + i, 0.01, new Vector3(0.1 * (i % n), 0, 0.1 * (i / n)), Vector3.ZERO, i == 0
+                    || i == n - 1);
+        }
+        int[][] families = {{1, 0, 60}, {0, 1, 60}, {1, 1, 20}, {-1, 1, 20}, {2, 0, 5}, {0, 2, 5}};
+        for (int i = 0; i < n * n; i++) {
+            for (int[] family : families) {
+                int column = i % n + family[0];
+                int row = i / n + family[1];
+                if (column >= 0 && column < n && row < n) {
+                    springs.addSpring(i, row * n + column, family[2],
+                            0.1 * Math.sqrt(family[0] * family[0] + family[1] * family[1]), 0.02);
+                }
+            }
+        }
+        system.addEffect(springs);
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -9.81, 0)));
+        system.addEffect(new LinearDrag(system.getParticles(), 0.002, Wind.STILL));
+        return system;
+    }
+}

@@ -1,0 +1,13 @@
+package particles.law;
+
+/** The given motion of a point to which a particle is fixed: a shaken hand, a turning crank. */
+public interface AnchorMotion {
+
+    /**
+     * Where the point is and how it moves.
+     *
+     * @param time   t (s)
+     * @param values receives nine numbers: position (m), its first derivative (m/s) and its second (m/s&sup2;)
+     */
+    void at(double time, double[] values);
+}

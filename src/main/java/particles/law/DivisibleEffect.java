@@ -1,0 +1,38 @@
+package particles.law;
+
+/**
+ * An effect whose forces are split into parts that several threads can evaluate at once. The parts form a binary tree:
+ * the n leaves are blocks, which own disjoint ranges of particles; an inner node, a joint, has the forces between its
+ * two children and is evaluated after them. The tree does not depend on the number of threads, so that sums have the
+ * same bits for any number.
+ */
+public interface DivisibleEffect extends Effect {
+
+    /**
+     * Prepares an evaluation; called by one thread before {@link #addPart}.
+     *
+     * @return the number of blocks n, a power of two
+     */
+    int countBlocks();
+
+    /** @return the number of forces to be computed, by which to judge whether several threads pay */
+    int size();
+
+    /**
+     * @param block a block, or n
+     * @return the first particle of its range, which ends where the next one begins: 0 for the first block, and the
+     *         number of particles for n
+     */
+    int getFirstParticle(int block);
+
+    /**
+     * Adds the forces of one block or joint.
+     *
+     * @param part  0 to n - 1 for the blocks; n to n + n/2 - 1 for the joints of two blocks, in order; the next n/4
+     *              join these, and so on up to 2 n - 2, which joins all
+     * @param state the particles' state; read only
+     * @param time  t (s)
+     * @param force adds the forces (N) where the velocities stand in the state
+     */
+    void addPart(int part, double[] state, double time, double[] force);
+}

@@ -1,0 +1,69 @@
+package particles.law;
+
+/**
+ * The simplest way to write a force law: the force on one particle, from where it is and how it moves. A subclass
+ * writes {@link #getForce}, and if the force is conservative also {@link #getPotentialEnergy(Vector3, double, double)}.
+ */
+public abstract class ParticleForce implements Effect {
+    private final Particles particles;
+
+    /** @param particles the particles that the force acts on */
+    protected ParticleForce(Particles particles) {
+        this.particles = particles;
+    }
+
+    /**
+     * @param position x (m)
+     * @param velocity v (m/s)
+     * @param mass     m (kg)
+     * @param time     t (s)
+     * @return the force on the particle (N)
+     */
+    protected abstract Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time);
+
+    /**
+     * @param position x (m)
+     * @param mass     m (kg)
+     * @param time     t (s)
+     * @return the potential energy of one particle (J), 0 if there is none
+     */
+    protected double getPotentialEnergy(Vector3 position, double mass, double time) {
+        return 0;
+    }
+
+    /** {@inheritDoc} By default it is the name of the class. */
+    @Override
+    public String getName() {
+        return getClass().getSimpleName();
+    }
+
+    @Override
+    public final void addForces(double[] state, double time, double[] force) {
+        for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
+            Vector3 f = getForce(position(state, x), velocity(state, x), particles.mass(i), time);
+            force[x + 3] += f.x();
+            force[x + 4] += f.y();
+            force[x + 5] += f.z();
+        }
+    }
+
+    /** {@inheritDoc} The sum over all particles that are not fixed. */
+    @Override
+    public final double getPotentialEnergy(double[] state, double time) {
+        double energy = 0;
+        for (int i = 0; i < particles.count(); i++) {
+            if (!particles.isFixed(i)) {
+                energy += getPotentialEnergy(position(state, Particles.STRIDE * i), particles.mass(i), time);
+            }
+        }
+        return energy;
+    }
+
+    private static Vector3 position(double[] state, int x) {
+        return new Vector3(state[x], state[x + 1], state[x + 2]);
+    }
+
+    private static Vector3 velocity(double[] state, int x) {
+        return new Vector3(state[x + 3], state[x + 4], state[x + 5]);
+    }
+}

@@ -1,0 +1,136 @@
+package particles.law;
+
+import java.util.Arrays;
+
+/**
+ * What particles are, beside where they are: id, mass, whether they are fixed. Flat arrays, grown as particles are
+ * added; the index of a particle is its place in the state: its position begins at entry 6 i, its velocity at 6 i + 3.
+ */
+public final class Particles {
+    /** Doubles per particle in a state: three positions, three velocities. */
+    public static final int STRIDE = 6;
+
+    private int count;
+    private String[] ids = new String[8];
+    private double[] masses = new double[8];
+    private double[] inverseMasses = new double[8];
+    private double[] birthTimes = new double[8];
+    private double[] deathTimes = new double[8];
+
+    public Particles() {
+    }
+
+    /** Refuses places and velocities that cannot be. */
+    public static void requirePossible(String id, Vector3 position, Vector3 velocity, boolean fixed) {
+        if (!position.isFinite() || !velocity.isFinite()) {
+            throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity "
+                    + velocity
+                    + "; both have to be finite");
+        }
+        if (fixed && !velocity.isZero()) {
+            throw new IllegalArgumentException("particle '" + id + "' is fixed and has velocity " + velocity
+                    + "; a fixed particle's velocity is zero");
+        }
+    }
+
+    /** Refuses to let a free particle follow a given motion. */
+    public void requireFixed(int particle) {
+        if (!isFixed(particle)) {
+            throw new IllegalArgumentException("particle '" + id(particle)
+                    + "' is free; only a fixed particle can follow a given motion");
+        }
+    }
+
+    public int add(String id, double mass, boolean fixed, double birthTime) {
+        if (!(mass > 0) || !(mass <= Double.MAX_VALUE) || !(1 / mass <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("particle '" + id + "' has mass " + mass
+                    + "; it has to be positive and finite (a particle that stays where it is, is fixed)");
+        }
+        if (count == ids.length) {
+            int capacity = count + count / 2;
+            ids = Arrays.copyOf(ids, capacity);
+            masses = Arrays.copyOf(masses, capacity);
+            inverseMasses = Arrays.copyOf(inverseMasses, capacity);
+            birthTimes = Arrays.copyOf(birthTimes, capacity);
+            deathTimes = Arrays.copyOf(deathTimes, capacity);
+        }
+        ids[count] = id;
+        masses[count] = mass;
+        inverseMasses[count] = fixed ? 0 : 1 / mass;
+        birthTimes[count] = birthTime;
+        deathTimes[count] = Double.POSITIVE_INFINITY;
+        return count++;
+    }
+
+    /** Moves what is known of a particle to a smaller index. */
+    public void move(int from, int to) {
+        ids[to] = ids[from];
+        masses[to] = masses[from];
+        inverseMasses[to] = inverseMasses[from];
+        birthTimes[to] = birthTimes[from];
+        deathTimes[to] = deathTimes[from];
+    }
+
+    public void setLife(int i, double birthTime, double deathTime) {
+        birthTimes[i] = birthTime;
+        deathTimes[i] = deathTime;
+    }
+
+    public void shrinkTo(int count) {
+        Arrays.fill(ids, count, this.count, null);
+        this.count = count;
+    }
+
+    /** @return the number of particles */
+    public int count() {
+        return count;
+    }
+
+    /** @return the id of particle i, its own for the whole run and never another's */
+    public String id(int i) {
+        return ids[i];
+    }
+
+    /** @return the mass of particle i (kg), also if it is fixed */
+    public double mass(int i) {
+        return masses[i];
+    }
+
+    /** @return whether particle i stays where it is, whatever the forces */
+    public boolean isFixed(int i) {
+        return inverseMasses[i] == 0;
+    }
+
+    /** @return the simulated time at which particle i came into being (s) */
+    public double birthTime(int i) {
+        return birthTimes[i];
+    }
+
+    /** @return the simulated time at which particle i is to die of age (s); infinite if it is not */
+    public double deathTime(int i) {
+        return deathTimes[i];
+    }
+
+    /**
+     * @return the masses themselves (kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept
+     */
+    public double[] masses() {
+        return masses;
+    }
+
+    /** @return 1/m (1/kg), 0 for fixed particles, for inner loops, as with {@link #masses()} */
+    public double[] inverseMasses() {
+        return inverseMasses;
+    }
+
+    /** The sum of m v&sup2;/2 over all particles that are not fixed, in the order of their indices (J). */
+    public double kineticEnergy(double[] state) {
+        double twice = 0;
+        for (int i = 0, v = 3; i < count; i++, v += STRIDE) {
+            if (inverseMasses[i] != 0) {
+                twice += masses[i] * (state[v] * state[v] + state[v + 1] * state[v + 1] + state[v + 2] * state[v + 2]);
+            }
+        }
+        return twice / 2;
+    }
+}

@@ -1,0 +1,77 @@
+package particles.law;
+
+/**
+ * A sphere that bounds a solid: a ball that particles stay outside of, or a hollow that they stay inside of.
+ *
+ * @param centre where its middle is (m)
+ * @param radius R (m), positive
+ * @param hollow whether particles belong inside
+ */
+public record Sphere(Vector3 centre, double radius, boolean hollow) implements Obstacle {
+    private static final double[] CUBIC = {1, 3, 3, 1};
+    private static final double[] SEXTIC = {1, 6, 15, 20, 15, 6, 1};
+
+    /** @throws IllegalArgumentException if the centre is not finite or the radius not positive */
+    public Sphere {
+        if (!centre.isFinite()) {
+            throw new IllegalArgumentException("a sphere's centre has to be finite, not " + centre);
+        }
+        if (!(radius > 0) || !(radius <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a sphere's radius has to be positive and finite, not " + radius);
+        }
+    }
+
+    @Override
+    public double distance(double x, double y, double z) {
+        double outside = fromCentre(x, y, z).length() - radius;
+        return hollow ? -outside : outside;
+    }
+
+    private Vector3 fromCentre(double x, double y, double z) {
+        return new Vector3(x - centre.x(), y - centre.y(), z - centre.z());
+    }
+
+    /** {@inheritDoc} At the centre itself, where there is none, it points up. */
+    @Override
+    public Vector3 normal(double x, double y, double z) {
+        Vector3 r = fromCentre(x, y, z);
+        if (r.length() == 0) {
+            return new Vector3(0, 1, 0);
+        }
+        return r.times((hollow ? -1 : 1) / r.length());
+    }
+
+    @Override
+    public double curvature(double x, double y, double z) {
+        double length = fromCentre(x, y, z).length();
+        return (hollow ? -1 : 1) / (length > 0 ? length : radius);
+    }
+
+    @Override
+    public boolean isFlat() {
+        return false;
+    }
+
+    /**
+     * {@inheritDoc} |r|&sup2; - R&sup2; along a cubic is a polynomial of degree 6; for a hollow it is R&sup2; -
+     * |r|&sup2;.
+     */
+    @Override
+    public int separation(double[] points, double[] coefficients) {
+        for (int k = 0; k <= 6; k++) {
+            coefficients[k] = -radius * radius;
+        }
+        for (int a = 0; a < 4; a++) {
+            for (int b = 0; b < 4; b++) {
+                double product = (points[3 * a] - centre.x()) * (points[3 * b] - centre.x())
+                        + (points[3 * a + 1] - centre.y()) * (points[3 * b + 1] - centre.y())
+                        + (points[3 * a + 2] - centre.z()) * (points[3 * b + 2] - centre.z());
+                coefficients[a + b] += CUBIC[a] * CUBIC[b] / SEXTIC[a + b] * product;
+            }
+        }
+        for (int k = 0; hollow && k <= 6; k++) {
+            coefficients[k] = -coefficients[k];
+        }
+        return 7;
+    }
+}

@@ -1,0 +1,11 @@
+/**
+ * What a law of motion is made of: {@link particles.law.Effect} and {@link particles.law.ParticleForce} for forces
+ * that depend on state and time, {@link particles.law.Reaction} for forces that answer the total of the others, and
+ * the data they speak of: {@link particles.law.Particles}, {@link particles.law.Vector3}, planes and spheres.
+ *
+ * <p>This is all one needs to know to write a force law. The optional interfaces ({@link
+ * particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect}, {@link particles.law.DifferentiableEffect},
+ * {@link particles.law.IndexedEffect}) make a law faster, give implicit solvers exact derivatives, or follow particles
+ * that are removed; a law without them is right too.
+ */
+package particles.law;

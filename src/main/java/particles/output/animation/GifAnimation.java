@@ -1,0 +1,197 @@
+package particles.output.animation;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.IndexColorModel;
+import java.io.IOException;
+import java.util.Arrays;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFile;
+import particles.output.files.OutputFolder;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSink;
+
+/**
+ * The frames as one {@code animation.gif} that runs for ever in the time of the simulation. Written frame by frame: of
+ * each only the rectangle that changed, in which the pixels that did not are transparent. The palette is that of the
+ * first frame and of the colours that may come.
+ */
+public final class GifAnimation implements FrameSink {
+    /** The file's name. */
+    public static final String FILE = "animation.gif";
+    private static final int TRANSPARENT = 255;
+    /** Viewers show frames of less than two hundredths of a second for ten. */
+    private static final int SHORTEST = 2;
+    private static final int LONGEST = 65_535;
+
+    private final OutputFolder folder;
+    private final int[] importantColours;
+    private final double fps;
+    private final Shrinker shrinker;
+    private final int width;
+    private final int height;
+    private final int[] small;
+    private final int[] before;
+    private final byte[] shown;
+    private final byte[] current;
+    private Palette palette;
+    private IndexColorModel colours;
+    private OutputFile file;
+    private MemoryCacheImageOutputStream stream;
+    private ImageWriter writer;
+    private int first;
+    private int pending = -1;
+    private BufferedImage pendingImage;
+    private int pendingX;
+    private int pendingY;
+
+    /**
+     * @param folder   where the file goes
+     * @param renderer what draws the frames
+     * @param width    at most how wide the animation is (pixels); the frames are shrunk by a whole number
+     * @param fps      frames a second
+     */
+    public GifAnimation(OutputFolder folder, FrameRenderer renderer, int width, double fps) {
+        this(folder, renderer.getWidth(), renderer.getHeight(), renderer.importantColours(), width, fps);
+    }
+
+    /** @param importantColours colours that frames may have although the first one has not */
+    public GifAnimation(OutputFolder folder, int frameWidth, int frameHeight, int[] importantColours, int width,
+            double fps) {
+        if (width < 1 || !(fps > 0)) {
+            throw new IllegalArgumentException("an animation " + width + " pixels wide with " + fps
+                    + " frames a second");
+        }
+        this.folder = folder;
+        this.importantColours = importantColours.clone();
+        this.fps = fps;
+        shrinker = new Shrinker(frameWidth, frameHeight, (frameWidth + width - 1) / width);
+        this.width = shrinker.width;
+        this.height = shrinker.height;
+        small = new int[this.width * this.height];
+        before = new int[this.width * this.height];
+        shown = new byte[this.width * this.height];
+        current = new byte[this.width * this.height];
+    }
+
+    /** When frame i is due, in hundredths of a second: rounded each by itself, so that no error adds up. */
+    private long due(int index) {
+        return Math.round(100 * (index - first) / fps);
+    }
+
+    @Override
+    public void add(int index, int[] rgb) {
+        if (writer != null && due(index) - due(pending) < SHORTEST) {
+            return;         // too fast to be shown
+        }
+        try {
+            shrinker.shrink(rgb, small);
+            boolean first = writer == null;
+            if (first) {
+                begin(index);
+            } else {
+                writePending(due(index) - due(pending));
+            }
+            for (int y = 0, p = 0; y < height; y++) {
+                for (int x = 0; x < width; x++, p++) {
+                    if (first || small[p] != before[p]) {
+                        current[p] = (byte) palette.index(small[p], x, y);
+                    }
+                }
+            }
+            keepChanges(index);
+            System.arraycopy(small, 0, before, 0, small.length);
+        } catch (IOException e) {
+            throw new OutputException(folder.getPath().resolve(FILE), "write", e);
+        }
+    }
+
+    private void begin(int index) throws IOException {
+        first = index;
+        palette = Palette.of(small, importantColours, TRANSPARENT);
+        int[] table = Arrays.copyOf(palette.colours(), TRANSPARENT + 1);
+        byte[][] parts = new byte[3][table.length];
+        for (int k = 0; k < table.length; k++) {
+            parts[0][k] = (byte) (table[k] >> 16);
+            parts[1][k] = (byte) (table[k] >> 8);
+            parts[2][k] = (byte) table[k];
+        }
+        colours = new IndexColorModel(8, table.length, parts[0], parts[1], parts[2], TRANSPARENT);
+        file = folder.create(FILE);
+        stream = new MemoryCacheImageOutputStream(file);
+        writer = ImageIO.getImageWritersByFormatName("gif").next();
+        writer.setOutput(stream);
+        IIOMetadata screen = writer.getDefaultStreamMetadata(null);
+        GifMetadata.describeScreen(screen, width, height, table);
+        writer.prepareWriteSequence(screen);
+        Arrays.fill(shown, (byte) TRANSPARENT);
+    }
+
+    /** What differs from the picture before waits until it is known how long it stays. */
+    private void keepChanges(int index) {
+        int left = width;
+        int right = 0;
+        int top = height;
+        int bottom = 0;
+        for (int y = 0, p = 0; y < height; y++) {
+            for (int x = 0; x < width; x++, p++) {
+                if (current[p] != shown[p]) {
+                    left = Math.min(left, x);
+                    right = Math.max(right, x + 1);
+                    top = Math.min(top, y);
+                    bottom = y + 1;
+                }
+            }
+        }
+        if (left >= right) {
+            left = top = 0;
+            right = bottom = 1;         // nothing moved, and the format has no picture of nothing
+        }
+        pendingImage = new BufferedImage(right - left, bottom - top, BufferedImage.TYPE_BYTE_INDEXED, colours);
+        byte[] row = new byte[right - left];
+        for (int y = top; y < bottom; y++) {
+            for (int x = left; x < right; x++) {
+                int p = y * width + x;
+                row[x - left] = current[p] == shown[p] ? (byte) TRANSPARENT : current[p];
+                shown[p] = current[p];
+            }
+            pendingImage.getRaster().setDataElements(0, y - top, right - left, 1, row);
+        }
+        pending = index;
+        pendingX = left;
+        pendingY = top;
+    }
+
+    private void writePending(long hundredths) throws IOException {
+        IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(pendingImage), null);
+        GifMetadata.describeFrame(metadata, pendingX, pendingY, TRANSPARENT, (int) Math.min(LONGEST, hundredths),
+                pending == first);
+        writer.writeToSequence(new IIOImage(pendingImage, null, metadata), null);
+        stream.flushBefore(stream.getStreamPosition());     // so that it is not all in memory
+    }
+
+    /** Ends the file; the last frame stays as long as the others do. */
+    @Override
+    public void close() {
+        if (writer == null) {
+            return;
+        }
+        try (OutputFile whole = file) {
+            try (MemoryCacheImageOutputStream out = stream) {
+                writePending(Math.max(SHORTEST, due(pending + 1) - due(pending)));
+                writer.endWriteSequence();
+                out.flush();
+            } finally {
+                writer.dispose();
+            }
+            whole.commit();
+        } catch (IOException e) {
+            throw new OutputException(folder.getPath().resolve(FILE), "write", e);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package particles.output.animation;
+
+import javax.imageio.metadata.IIOInvalidTreeException;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+
+/** What a GIF says beside its pixels, in the words of ImageIO's "GIF Metadata Format Specification". */
+final class GifMetadata {
+    private static final String STREAM = "javax_imageio_gif_stream_1.0";
+    private static final String IMAGE = "javax_imageio_gif_image_1.0";
+    /** Netscape's extension: block 1, then the number of runs, 0 for ever. */
+    private static final byte[] FOR_EVER = {1, 0, 0};
+
+    private GifMetadata() {
+    }
+
+    /** The size of the animation and the palette of all its frames, which has 256 colours. */
+    static void describeScreen(IIOMetadata metadata, int width, int height, int[] palette)
+            throws IIOInvalidTreeException {
+        IIOMetadataNode root = new IIOMetadataNode(STREAM);
+        add(root, "Version", "value", "89a");
+        add(root, "LogicalScreenDescriptor", "logicalScreenWidth", width, "logicalScreenHeight", height,
+                "colorResolution", 8, "pixelAspectRatio", 0);
+        IIOMetadataNode table = add(root, "GlobalColorTable", "sizeOfGlobalColorTable", palette.length,
+                "backgroundColorIndex", 0, "sortFlag", "FALSE");
+        for (int k = 0; k < palette.length; k++) {
+            add(table, "ColorTableEntry", "index", k, "red", palette[k] >> 16 & 255, "green", palette[k] >> 8 & 255,
+                    "blue", palette[k] & 255);
+        }
+        metadata.setFromTree(STREAM, root);
+    }
+
+    /**
+     * A frame that stays under the next one.
+     *
+     * @param delay in hundredths of a second
+     */
+    static void describeFrame(IIOMetadata metadata, int x, int y, int transparent, int delay, boolean first)
+            throws IIOInvalidTreeException {
+        IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(IMAGE);
+        IIOMetadataNode place = child(root, "ImageDescriptor");
+        place.setAttribute("imageLeftPosition", Integer.toString(x));
+        place.setAttribute("imageTopPosition", Integer.toString(y));
+        IIOMetadataNode control = child(root, "GraphicControlExtension");
+        control.setAttribute("disposalMethod", "doNotDispose");
+        control.setAttribute("userInputFlag", "FALSE");
+        control.setAttribute("transparentColorFlag", "TRUE");
+        control.setAttribute("transparentColorIndex", Integer.toString(transparent));
+        control.setAttribute("delayTime", Integer.toString(delay));
+        if (first) {
+            IIOMetadataNode extensions = child(root, "ApplicationExtensions");
+            add(extensions, "ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0")
+                    .setUserObject(FOR_EVER.clone());
+        }
+        metadata.setFromTree(IMAGE, root);
+    }
+
+    private static IIOMetadataNode child(IIOMetadataNode parent, String name) {
+        for (int k = 0; k < parent.getLength(); k++) {
+            if (parent.item(k).getNodeName().equals(name)) {
+                return (IIOMetadataNode) parent.item(k);
+            }
+        }
+        return add(parent, name);
+    }
+
+    /** @param attributes names and values in turn */
+    private static IIOMetadataNode add(IIOMetadataNode parent, String name, Object... attributes) {
+        IIOMetadataNode node = new IIOMetadataNode(name);
+        for (int k = 0; k < attributes.length; k += 2) {
+            node.setAttribute((String) attributes[k], attributes[k + 1].toString());
+        }
+        parent.appendChild(node);
+        return node;
+    }
+}

@@ -1,0 +1,4 @@
+/**
+ * Frames as one animated GIF or one MP4 film.
+ */
+package particles.output.animation;

@@ -1,0 +1,70 @@
+package particles.output.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import org.jfree.chart.annotations.AbstractXYAnnotation;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.PlotRenderingInfo;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.ui.RectangleEdge;
+
+/** An arrow between two points of a chart; its head has its size on paper, whatever the axes say. */
+final class ArrowAnnotation extends AbstractXYAnnotation {
+    private static final long serialVersionUID = 1L;
+
+    private final double fromX;
+    private final double fromY;
+    private final double toX;
+    private final double toY;
+    private final double head;
+    private final boolean headOnly;
+    private final Color colour;
+
+    /**
+     * @param head     the length of the head (logical pixels); a shorter arrow has a smaller one
+     * @param headOnly whether only the head is drawn, in full size, its tip at the second point
+     */
+    ArrowAnnotation(double fromX, double fromY, double toX, double toY, double head, boolean headOnly, Color colour) {
+        this.fromX = fromX;
+        this.fromY = fromY;
+        this.toX = toX;
+        this.toY = toY;
+        this.head = head;
+        this.headOnly = headOnly;
+        this.colour = colour;
+    }
+
+    @Override
+    public void draw(Graphics2D g, XYPlot plot, Rectangle2D area, ValueAxis domain, ValueAxis range, int rendererIndex,
+                     PlotRenderingInfo info) {
+        RectangleEdge below = plot.getDomainAxisEdge();
+        RectangleEdge beside = plot.getRangeAxisEdge();
+        double x0 = domain.valueToJava2D(fromX, area, below);
+        double y0 = range.valueToJava2D(fromY, area, beside);
+        double x1 = domain.valueToJava2D(toX, area, below);
+        double y1 = range.valueToJava2D(toY, area, beside);
+        double length = Math.hypot(x1 - x0, y1 - y0);
+        if (!(length > 1e-3) || !(length <= 1e6)) {
+            return;
+        }
+        double ux = (x1 - x0) / length;
+        double uy = (y1 - y0) / length;
+        double size = headOnly ? head : Math.min(head, 0.6 * length);
+        double width = 0.42 * size;
+        g.setPaint(colour);
+        if (!headOnly) {
+            g.setStroke(new BasicStroke(1));
+            g.draw(new Line2D.Double(x0, y0, x1 - 0.8 * size * ux, y1 - 0.8 * size * uy));
+        }
+        Path2D tip = new Path2D.Double();
+        tip.moveTo(x1, y1);
+        tip.lineTo(x1 - size * ux + width * uy, y1 - size * uy - width * ux);
+        tip.lineTo(x1 - size * ux - width * uy, y1 - size * uy + width * ux);
+        tip.closePath();
+        g.fill(tip);
+    }
+}

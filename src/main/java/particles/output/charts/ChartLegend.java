@@ -1,0 +1,76 @@
+package particles.output.charts;
+
+import java.awt.Shape;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.LegendItem;
+import org.jfree.chart.LegendItemCollection;
+import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+
+/**
+ * The legend below a chart: one item a series, with its line and its points; none for a series that is alone,
+ * unless it is a solver's or of failures, which the axis does not name.
+ */
+public final class ChartLegend {
+    private ChartLegend() {
+    }
+
+    static void addTo(JFreeChart chart, XYPlot plot) {
+        List<XYPlot> plots = new ArrayList<>();
+        if (plot instanceof CombinedDomainXYPlot combined) {
+            plots.addAll(combined.getSubplots());
+        } else {
+            plots.add(plot);
+        }
+        chart.addLegend(of(plots, false));
+    }
+
+    /**
+     * @param plots    the charts that it explains
+     * @param oneLook  whether a name looks the same wherever it stands; else that is so of solvers and failures alone
+     * @return the legend; a name that looks the same is in it once
+     */
+    public static LegendTitle of(List<XYPlot> plots, boolean oneLook) {
+        LegendItemCollection items = new LegendItemCollection();
+        Set<String> named = new HashSet<>();
+        for (XYPlot part : plots) {
+            ChartDataset dataset = (ChartDataset) part.getDataset();
+            for (int k = 0; k < dataset.getSeriesCount(); k++) {
+                XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) part.getRenderer();
+                Shape shape = renderer.lookupSeriesShape(k);
+                boolean failure = shape == ChartStyle.FAILURE || shape == ChartStyle.GIVEN_UP;
+                boolean known = failure || SolverStyle.of(dataset.name(k)).isPresent();
+                boolean alone = dataset.getSeriesCount() == 1 && !known;
+                boolean nothing = dataset.getItemCount(k) == 0 && !renderer.getItemShapeVisible(k, 0);
+                boolean same = oneLook || known;
+                if (!alone && !nothing && (!same || named.add(dataset.name(k)))) {
+                    items.add(item(renderer, dataset.name(k), k));
+                }
+            }
+        }
+        LegendTitle legend = new LegendTitle(() -> items);
+        legend.setItemFont(ChartStyle.LABEL);
+        legend.setItemPaint(ChartStyle.TEXT);
+        legend.setPosition(RectangleEdge.BOTTOM);
+        legend.setItemLabelPadding(new RectangleInsets(2, 4, 2, 14));
+        return legend;
+    }
+
+    private static LegendItem item(XYLineAndShapeRenderer renderer, String name, int k) {
+        LegendItem item = new LegendItem(name, name, null, null, renderer.getItemShapeVisible(k, 0),
+                renderer.lookupSeriesShape(k), true, renderer.lookupSeriesFillPaint(k), true,
+                renderer.lookupSeriesOutlinePaint(k), renderer.lookupSeriesOutlineStroke(k),
+                renderer.getItemLineVisible(k, 0), ChartStyle.LEGEND_LINE, renderer.lookupSeriesStroke(k),
+                renderer.lookupSeriesPaint(k));
+        item.setSeriesIndex(k);
+        return item;
+    }
+}

@@ -1,0 +1,137 @@
+package particles.output.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Shape;
+import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Area;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import particles.output.text.FontCheck;
+
+/**
+ * The one look of all charts: on white, for print as well as for the screen; lines differ in colour and in their
+ * dashes, points in colour and shape. The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008),
+ * which people with any kind of colour vision tell apart; their yellow is left out, since it is too pale on white.
+ */
+public final class ChartStyle {
+    public static final Color TEXT = new Color(0x222222);
+    public static final Color AXIS = new Color(0x555555);
+    public static final Color GRID = new Color(0xdddddd);
+    static final Color FIELD = new Color(0x9aa7b8);
+
+    public static final Font TITLE = FontCheck.font(Font.BOLD, 15);
+    public static final Font LABEL = FontCheck.font(Font.PLAIN, 13);
+    static final Font TICKS = FontCheck.font(Font.PLAIN, 12);
+
+    /** For lines so dense that they fill an area. */
+    static final Stroke THIN = new BasicStroke(0.7f);
+
+    /** For the spread of a measurement, and around hollow points. */
+    static final Stroke BAR = new BasicStroke(1.2f);
+
+    /** For a line that others run along. */
+    static final Stroke BAND = new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+
+    /** A sample of a line in the legend, long enough to show its dashes. */
+    static final Shape LEGEND_LINE = new Line2D.Double(-17, 0, 17, 0);
+
+    private static final List<Color> COLOURS = List.of(new Color(0x000000), new Color(0x0072b2), new Color(0xd55e00),
+            new Color(0x009e73), new Color(0xcc79a7), new Color(0xe69f00), new Color(0x56b4e9));
+    private static final List<float[]> DASHES = List.of(new float[0], new float[] {7, 3}, new float[] {2, 2.5f},
+            new float[] {9, 3, 2, 3}, new float[] {14, 4}, new float[] {5, 2, 2, 2, 2, 2});
+    private static final List<Shape> SHAPES = List.of(disc(3.5), square(3.2), polygon(4.3, -1, 3), polygon(4.3, -1, 4),
+            polygon(4.3, 1, 3), plus(4.2));
+
+    /** What did not work: a cross that lies, larger than any mark of a result. */
+    public static final Shape FAILURE = failure(5.5);
+
+    /** What came to no end: a ring. */
+    static final Shape GIVEN_UP = ring(4.2, 2.2);
+
+    private ChartStyle() {
+    }
+
+    /** @return the colour of a chart's k-th series */
+    static Color colour(int k) {
+        return COLOURS.get(k % COLOURS.size());
+    }
+
+    /** @return the same colour, letting through what lies below */
+    static Color pale(Color colour) {
+        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 90);
+    }
+
+    /** @return the line of the k-th series; with seven colours and six dashes, 42 series differ */
+    static Stroke stroke(int k) {
+        float[] dashes = DASHES.get(k % DASHES.size());
+        float width = k == 0 ? 1.6f : 1.9f;
+        return dashes.length == 0 ? new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND)
+                : new BasicStroke(width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
+    }
+
+    /** @return the points of the k-th series */
+    static Shape shape(int k) {
+        return SHAPES.get(k % SHAPES.size());
+    }
+
+    static Shape disc(double radius) {
+        return new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius);
+    }
+
+    private static Shape square(double half) {
+        return new Rectangle2D.Double(-half, -half, 2 * half, 2 * half);
+    }
+
+    /** A regular polygon whose first corner is above (-1) or below (1) its middle. */
+    private static Shape polygon(double radius, int side, int corners) {
+        Path2D path = new Path2D.Double();
+        for (int c = 0; c < corners; c++) {
+            double angle = 2 * Math.PI * c / corners;
+            double x = radius * Math.sin(angle);
+            double y = side * radius * Math.cos(angle);
+            if (c == 0) {
+                path.moveTo(x, y);
+            } else {
+                path.lineTo(x, y);
+            }
+        }
+        path.closePath();
+        return path;
+    }
+
+    /** As one outline, so that it can be hollow. */
+    private static Shape plus(double half) {
+        double thin = half / 2.4;
+        Area plus = new Area(new Rectangle2D.Double(-half, -thin, 2 * half, 2 * thin));
+        plus.add(new Area(new Rectangle2D.Double(-thin, -half, 2 * thin, 2 * half)));
+        return plus;
+    }
+
+    private static Shape cross(double half) {
+        double thin = half / 3;
+        Path2D path = new Path2D.Double();
+        path.append(new Rectangle2D.Double(-half, -thin, 2 * half, 2 * thin), false);
+        path.append(new Rectangle2D.Double(-thin, -half, 2 * thin, 2 * half), false);
+        return path;
+    }
+
+    private static Shape failure(double half) {
+        Path2D path = new Path2D.Double();
+        path.append(cross(half), false);
+        path.transform(AffineTransform.getRotateInstance(Math.PI / 4));
+        return path;
+    }
+
+    private static Shape ring(double outer, double inner) {
+        Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
+        path.append(disc(outer), false);
+        path.append(disc(inner), false);
+        return path;
+    }
+}

@@ -1,0 +1,107 @@
+package particles.output.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
+import java.util.Arrays;
+import java.util.Optional;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.ui.Layer;
+import org.jfree.data.Range;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.VectorField;
+
+/**
+ * A path in state space: the first series of the chart data, in the colour of the solver that it is named after, with
+ * heads along it that show its direction, its start marked, and, where it is known, the vector field behind it. The
+ * arrows of the field are as long as the field is strong.
+ */
+public final class PhasePlot {
+    private static final double FIELD_HEAD = 5.5;
+    private static final double PATH_HEAD = 11;
+    private static final Stroke PATH = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    private static final AffineTransform LARGE = AffineTransform.getScaleInstance(1.6, 1.6);
+    /** Where along the path's states the heads stand: early ones show the first turn. */
+    private static final double[] HEADS = {0.03, 0.3, 0.6};
+
+    private PhasePlot() {
+    }
+
+    public static JFreeChart of(ChartData data, Optional<VectorField> field) {
+        JFreeChart chart = Charts.of(data);
+        XYPlot plot = chart.getXYPlot();
+        XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
+        boolean dense = Charts.isDense(data.series().get(0).x()) || Charts.isDense(data.series().get(0).y());
+        Color colour = SolverStyle.of(data.series().get(0).name()).map(SolverStyle::colour)
+                .orElse(ChartStyle.colour(1));
+        renderer.setSeriesPaint(0, dense ? ChartStyle.pale(colour) : colour);
+        renderer.setSeriesFillPaint(0, colour);
+        renderer.setSeriesStroke(0, dense ? ChartStyle.THIN : PATH);
+        renderer.setSeriesShape(0, ChartStyle.disc(2.2));
+        for (int k = 1; k < data.series().size(); k++) {
+            boolean open = data.series().get(k).mark() == Mark.OPEN_POINTS;
+            renderer.setSeriesPaint(k, ChartStyle.AXIS);            // colours are the solvers'
+            renderer.setSeriesFillPaint(k, open ? Color.WHITE : ChartStyle.AXIS);
+            renderer.setSeriesOutlinePaint(k, open ? ChartStyle.AXIS : Color.WHITE);
+            renderer.setSeriesShape(k, LARGE.createTransformedShape(ChartStyle.shape(k - 1)));
+        }
+        chart.removeLegend();
+        ChartLegend.addTo(chart, plot);
+        field.ifPresent(f -> addField(plot, renderer, f));
+        data.series().stream().filter(series -> series.x().length > 1).findFirst()
+                .ifPresent(path -> addHeads(renderer, path, path == data.series().get(0) ? colour : ChartStyle.AXIS));
+        return chart;
+    }
+
+    /** All arrows are ds/dt times one time, so chosen that none is longer than its cell of the grid. */
+    private static void addField(XYPlot plot, XYLineAndShapeRenderer renderer, VectorField field) {
+        double time = Double.POSITIVE_INFINITY;
+        double cellX = spacing(field.x());
+        double cellV = spacing(field.v());
+        for (int k = 0; k < field.x().length; k++) {
+            time = Math.min(time, Math.min(cellX / Math.abs(field.dx()[k]), cellV / Math.abs(field.dv()[k])));
+        }
+        for (int k = 0; k < field.x().length; k++) {
+            double x = field.x()[k];
+            double v = field.v()[k];
+            renderer.addAnnotation(new ArrowAnnotation(x, v, x + time * field.dx()[k], v + time * field.dv()[k],
+                    FIELD_HEAD,
+                    false, ChartStyle.FIELD), Layer.BACKGROUND);
+        }
+        show((NumberAxis) plot.getDomainAxis(), field.x(), cellX / 2);
+        show((NumberAxis) plot.getRangeAxis(), field.v(), cellV / 2);
+    }
+
+    /** The smallest distance between two different grid lines. */
+    private static double spacing(double[] values) {
+        double[] sorted = Arrays.stream(values).sorted().distinct().toArray();
+        double spacing = Double.POSITIVE_INFINITY;
+        for (int k = 1; k < sorted.length; k++) {
+            spacing = Math.min(spacing, sorted[k] - sorted[k - 1]);
+        }
+        return spacing;
+    }
+
+    private static void show(NumberAxis axis, double[] values, double margin) {
+        double low = Arrays.stream(values).min().orElse(0);
+        double high = Arrays.stream(values).max().orElse(0);
+        axis.setRange(new Range(low - margin, high + margin));
+    }
+
+    private static void addHeads(XYLineAndShapeRenderer renderer, Series path, Color colour) {
+        int last = path.x().length - 1;
+        for (double place : HEADS) {
+            int k = (int) (place * last);
+            if (k < last) {
+                renderer.addAnnotation(new ArrowAnnotation(path.x()[k], path.y()[k], path.x()[k + 1], path.y()[k + 1],
+                        PATH_HEAD, true, colour), Layer.FOREGROUND);
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+package particles.output.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/** A chart over time without a title or a legend, on which a mark moves. */
+public final class StripChart {
+    private static final BasicStroke NOW = new BasicStroke(1.2f);
+
+    private final ChartData data;
+    private final JFreeChart chart;
+
+    public StripChart(ChartData data) {
+        this.data = data;
+        chart = Charts.of(data);
+        chart.removeLegend();
+        chart.setTitle((String) null);
+        chart.setPadding(new RectangleInsets(4, 4, 4, 10));
+    }
+
+    /**
+     * Draws it.
+     *
+     * @param g     where
+     * @param area  into which rectangle
+     * @param times at which the mark stands (s)
+     */
+    public void draw(Graphics2D g, Rectangle2D area, double... times) {
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        chart.draw(g, area, info);
+        Rectangle2D inside = info.getPlotInfo().getDataArea();
+        XYPlot plot = chart.getXYPlot();
+        for (double time : times) {
+            double x = plot.getDomainAxis().valueToJava2D(time, inside, RectangleEdge.BOTTOM);
+            g.setColor(ChartStyle.AXIS);
+            g.setStroke(NOW);
+            g.draw(new Line2D.Double(x, inside.getMinY(), x, inside.getMaxY()));
+            for (Series series : data.series()) {
+                int k = at(series, time);
+                if (series.mark() != Mark.FAILURES && k >= 0 && series.y()[k] > 0) {
+                    double y = plot.getRangeAxis().valueToJava2D(series.y()[k], inside, RectangleEdge.LEFT);
+                    mark(g, SolverStyle.orGrey(series.name()), x, y);
+                }
+            }
+        }
+    }
+
+    private static void mark(Graphics2D g, SolverStyle look, double x, double y) {
+        Shape shape = AffineTransform.getTranslateInstance(x, y).createTransformedShape(
+                AffineTransform.getScaleInstance(1.5, 1.5).createTransformedShape(look.shape()));
+        g.setColor(look.colour());
+        g.fill(shape);
+        g.setColor(Color.WHITE);
+        g.setStroke(new BasicStroke(0.9f));
+        g.draw(shape);
+    }
+
+    /** @return the last point that is not later; -1 before the first and after the end of a line that ends early */
+    public static int at(Series series, double time) {
+        double[] t = series.x();
+        if (t.length == 0 || time > t[t.length - 1] * (1 + 1e-9)) {
+            return -1;
+        }
+        int k = -1;
+        while (k + 1 < t.length && t[k + 1] <= time * (1 + 1e-12)) {
+            k++;
+        }
+        return k;
+    }
+}

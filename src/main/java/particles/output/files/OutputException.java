@@ -1,0 +1,70 @@
+package particles.output.files;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/**
+ * A result that could not be written: which file, what was tried, why it failed. The message is one line for people.
+ */
+public class OutputException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Path file;
+
+    /**
+     * @param file  the file or folder
+     * @param what  what was to be done with it, such as {@code write}
+     * @param why   why that failed
+     * @param cause the exception that says so, or null where there is none
+     */
+    public OutputException(Path file, String what, String why, Throwable cause) {
+        super("cannot " + what + " " + file + ": " + why, cause);
+        this.file = file;
+    }
+
+    /**
+     * @param file  the file or folder
+     * @param what  what was to be done with it
+     * @param cause why it failed
+     */
+    public OutputException(Path file, String what, IOException cause) {
+        this(file, what, reason(cause), cause);
+    }
+
+    /** @return the file or folder */
+    public Path getFile() {
+        return file;
+    }
+
+    /** The class of a file system's exception often says more than its message, which is just the file's name. */
+    private static String reason(IOException e) {
+        if (e instanceof AccessDeniedException) {
+            return "permission denied";
+        }
+        if (e instanceof NoSuchFileException) {
+            return "its folder is not there";
+        }
+        if (e instanceof NotDirectoryException || e instanceof FileAlreadyExistsException) {
+            return "a file is where a folder should be";
+        }
+        if (e instanceof DirectoryNotEmptyException) {
+            return "a folder is where the file should be";
+        }
+        String message = e instanceof FileSystemException f && f.getReason() != null ? f.getReason() : e.getMessage();
+        if (message == null || message.isBlank()) {
+            return e.getClass().getSimpleName();
+        }
+        String line = message.lines().findFirst().orElse(message).strip();
+        if (line.toLowerCase(Locale.ROOT).contains("no space left")) {
+            return "the disk is full";
+        }
+        return line.equals("Not a directory") ? "a file is where a folder should be" : line;
+    }
+}

@@ -1,0 +1,136 @@
+package particles.output.files;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * The folder of a run's results. It remembers in a small hidden file which names it wrote, so that a new run removes
+ * what the old one made and nothing else; a file of the same name that no run made is never overwritten. Every file is
+ * written whole or not at all. Nothing outside the folder is touched.
+ */
+public final class OutputFolder implements AutoCloseable {
+    /** The folder of the frames, in the output folder. */
+    public static final String FRAMES = "frames";
+
+    private final Path path;
+    private final OutputFile.Opener opener;
+    private final OutputManifest made;
+    private final Set<OutputFile> unfinished = new LinkedHashSet<>();
+    private boolean closed;
+
+    private OutputFolder(Path path, OutputFile.Opener opener) {
+        this.path = path;
+        this.opener = opener;
+        this.made = new OutputManifest(path, opener);
+    }
+
+    /**
+     * Creates the folder, or removes from it what a previous run made.
+     *
+     * @param path  where
+     * @param names the files that are going to be written, to learn before a long run that they cannot be;
+     *              {@link #FRAMES} for frames. Others may follow.
+     * @return the folder, ready to be written to
+     * @throws OutputException if it cannot be created or written, or holds a file of these names that no run made
+     */
+    public static OutputFolder open(Path path, String... names) {
+        return open(path, OutputFile.ON_DISK, names);
+    }
+
+    public static OutputFolder open(Path path, OutputFile.Opener opener, String... names) {
+        createFolder(path);
+        OutputFolder folder = new OutputFolder(path, opener);
+        folder.made.removeOldRun();
+        for (String name : names) {
+            folder.made.claim(name);
+        }
+        folder.made.write();
+        if (folder.made.contains(FRAMES)) {
+            createFolder(path.resolve(FRAMES));
+        }
+        return folder;
+    }
+
+    private static void createFolder(Path path) {
+        try {
+            Files.createDirectories(path);
+        } catch (IOException e) {
+            throw new OutputException(path, "create the folder", e);
+        }
+    }
+
+    /** @return where the folder is */
+    public Path getPath() {
+        return path;
+    }
+
+    /**
+     * Begins a file of the folder.
+     *
+     * @param name its name: letters, digits, dots, dashes, underscores
+     * @return the file, to be written and committed
+     * @throws OutputException if it cannot be written, or one is there that no run made
+     */
+    public OutputFile create(String name) {
+        claim(name);
+        return begin(path.resolve(name));
+    }
+
+    /**
+     * Begins the file of a frame, {@code frames/frame-00000.png} for the first.
+     *
+     * @param index the number of the frame, from 0
+     * @return the file, to be written and committed
+     * @throws OutputException if it cannot be written
+     */
+    public OutputFile createFrame(int index) {
+        if (claim(FRAMES)) {
+            createFolder(path.resolve(FRAMES));
+        }
+        return begin(path.resolve(FRAMES).resolve(String.format(Locale.ROOT, "frame-%05d.png", index)));
+    }
+
+    /**
+     * Throws away what is unfinished and begins nothing any more; what is complete stays. For the end of a program,
+     * also from another thread when it is being stopped.
+     */
+    @Override
+    public void close() {
+        List<OutputFile> parts;
+        synchronized (this) {
+            closed = true;
+            parts = new ArrayList<>(unfinished);
+        }
+        parts.forEach(OutputFile::close);
+    }
+
+    /** The name is in the list before the file is in the folder. */
+    private synchronized boolean claim(String name) {
+        if (made.contains(name)) {
+            return false;
+        }
+        made.claim(name);
+        made.write();
+        return true;
+    }
+
+    private synchronized OutputFile begin(Path file) {
+        if (closed) {
+            throw new OutputException(file, "write", "the run is being stopped", null);
+        }
+        OutputFile[] self = new OutputFile[1];
+        self[0] = new OutputFile(file, opener, () -> done(self[0]));
+        unfinished.add(self[0]);
+        return self[0];
+    }
+
+    private synchronized void done(OutputFile file) {
+        unfinished.remove(file);
+    }
+}

@@ -1,0 +1,107 @@
+package particles.output.files;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/**
+ * Which names of a folder are ours, kept in a small hidden file of the folder. A name is written there before the file
+ * of that name is, so that what a killed run left behind is known as ours too.
+ */
+final class OutputManifest {
+    /** The list's own name. */
+    static final String NAME = ".desolver-made";
+    private static final String HEAD =
+            "# DESolver made these files and replaces them at its next run into this folder.";
+    private static final Pattern PLAIN_NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]*");
+    private static final Pattern FRAME = Pattern.compile("frame-\\d{5,10}\\.png|\\.frame-\\d{5,10}\\.png\\.part");
+
+    private final Path folder;
+    private final OutputFile.Opener opener;
+    private final Set<String> names = new LinkedHashSet<>();
+
+    OutputManifest(Path folder, OutputFile.Opener opener) {
+        this.folder = folder;
+        this.opener = opener;
+    }
+
+    boolean contains(String name) {
+        return names.contains(name);
+    }
+
+    /** From now on the name is ours, if nobody else's file has it. */
+    void claim(String name) {
+        if (!PLAIN_NAME.matcher(name).matches()) {
+            throw new IllegalArgumentException("'" + name + "' is no plain file name");
+        }
+        Path file = folder.resolve(name);
+        if (!names.contains(name) && Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+            throw new OutputException(file, "write", "it is there and no run made it; "
+                    + "move it away or choose another folder", null);
+        }
+        names.add(name);
+    }
+
+    void write() {
+        byte[] text = (HEAD + "\n" + String.join("\n", names) + "\n").getBytes(StandardCharsets.UTF_8);
+        OutputFile list = new OutputFile(folder.resolve(NAME), opener, () -> { });
+        list.write(text, 0, text.length);
+        list.commit();
+    }
+
+    /** Removes what the list names. The list itself stays until the new one replaces it. */
+    void removeOldRun() {
+        Path list = folder.resolve(NAME);
+        try {
+            Files.deleteIfExists(OutputFile.partOf(list));
+            if (!Files.isRegularFile(list, LinkOption.NOFOLLOW_LINKS)) {
+                return;
+            }
+            for (String name : Files.readAllLines(list, StandardCharsets.UTF_8)) {
+                if (name.equals(OutputFolder.FRAMES)) {
+                    removeFrames();
+                } else if (PLAIN_NAME.matcher(name).matches()) {
+                    remove(folder.resolve(name));
+                    remove(OutputFile.partOf(folder.resolve(name)));
+                }
+            }
+        } catch (IOException e) {
+            throw new OutputException(folder, "remove the previous run from", e);
+        }
+    }
+
+    /** Our files are plain files; what is a link or a folder now, somebody else put there. */
+    private static void remove(Path file) throws IOException {
+        if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+            Files.delete(file);
+        }
+    }
+
+    /** Only frames; a folder that holds something else besides stays, and is still ours to put frames into. */
+    private void removeFrames() throws IOException {
+        Path frames = folder.resolve(OutputFolder.FRAMES);
+        if (!Files.isDirectory(frames, LinkOption.NOFOLLOW_LINKS)) {
+            return;
+        }
+        boolean empty = true;
+        try (DirectoryStream<Path> entries = Files.newDirectoryStream(frames)) {
+            for (Path entry : entries) {
+                if (FRAME.matcher(entry.getFileName().toString()).matches()) {
+                    remove(entry);
+                }
+                empty &= !Files.exists(entry, LinkOption.NOFOLLOW_LINKS);
+            }
+        }
+        if (empty) {
+            Files.delete(frames);
+        } else {
+            names.add(OutputFolder.FRAMES);
+        }
+    }
+}

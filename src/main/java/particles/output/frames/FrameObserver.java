@@ -1,0 +1,114 @@
+package particles.output.frames;
+
+import java.util.List;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.law.Particles;
+import particles.output.files.OutputException;
+import particles.output.painters.FrameState;
+import particles.view.ParticleStyle;
+
+/**
+ * Has frames drawn at regular simulated times, frame i at i / fps, whatever the steps are: between two steps the motion
+ * is interpolated. The states are copied and drawn by another thread; closing waits for it.
+ */
+public final class FrameObserver implements Observer, AutoCloseable {
+    /** A clock this part of a frame's time early is rounding. */
+    private static final double ROUNDING = 1e-9;
+
+    private final double fps;
+    private final FrameWorker worker;
+    private final boolean withLives;
+    private final TrailRecorder trails;
+    private double[] between = {};
+    private int index;
+    private int structure;
+
+    /**
+     * @param renderer draws the frames; from now on used by another thread alone
+     * @param fps      frames a second of simulated time, positive
+     * @param sinks    where the frames go; closed after the last one
+     */
+    public FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks) {
+        if (!(fps > 0) || !(fps <= 1e6)) {
+            throw new IllegalArgumentException("frames a second have to be positive and at most 1e6, not " + fps);
+        }
+        this.fps = fps;
+        withLives = renderer.style().kind() == ParticleStyle.Kind.GLOW;
+        trails = new TrailRecorder(renderer.style().trail(), fps);
+        worker = new FrameWorker(renderer, List.copyOf(sinks));
+    }
+
+    @Override
+    public void started(ParticleSystem system) {
+        structure++;
+        index = (int) Math.max(0, Math.ceil(system.getTime() * fps - ROUNDING));
+        trails.take(system, system.getOwnState(), system.getParticles().count(), system.getTime(), structure);
+        drawIfDue(system);
+    }
+
+    @Override
+    public double getNextTime() {
+        return Math.min(index / fps, trails.nextTime());
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        int n = motion.getEndState().length;
+        if (between.length != n) {
+            between = new double[n];
+        }
+        for (double time = getNextTime(); time <= motion.getEndTime(); time = getNextTime()) {
+            motion.interpolate(time, between);
+            trails.take(motion.getSystem(), between, n / Particles.STRIDE, time, structure);
+            if (time == index / fps) {
+                draw(motion.getSystem(), between, n / Particles.STRIDE);
+                index++;
+            }
+        }
+    }
+
+    /** Springs may have torn, particles may have come or gone: from now on each copy takes them anew, once. */
+    @Override
+    public void changed(ParticleSystem system, Rule rule) {
+        structure++;
+    }
+
+    @Override
+    public void finished(ParticleSystem system) {
+        drawIfDue(system);
+        close();
+    }
+
+    /** The clock at the end of a run may be a rounding error short of the last frame's time. */
+    private void drawIfDue(ParticleSystem system) {
+        if (index <= system.getTime() * fps + ROUNDING) {
+            draw(system, system.getOwnState(), system.getParticles().count());
+            index++;
+        }
+    }
+
+    private void draw(ParticleSystem system, double[] state, int count) {
+        FrameState frame = worker.next();
+        frame.take(state, count, index / fps);
+        if (frame.structure != structure) {
+            frame.takeStructure(system, withLives);
+            frame.structure = structure;
+        }
+        frame.trail = trails.samples();
+        frame.trailIndex = trails.indicesNow(system, count, structure);
+        worker.draw(index, frame);
+    }
+
+    /**
+     * Waits until the frames so far are written, and completes what is made of them.
+     *
+     * @throws OutputException if something could not be written and no call said so before
+     */
+    @Override
+    public void close() {
+        worker.close();
+    }
+}

@@ -1,0 +1,220 @@
+package particles.output.frames;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import particles.law.Vector3;
+import particles.output.painters.BlobPainter;
+import particles.output.painters.DrawnSizes;
+import particles.output.painters.FrameState;
+import particles.output.painters.GlowPainter;
+import particles.output.painters.ParticlePainter;
+import particles.output.painters.ProjectedParticles;
+import particles.output.painters.ShadowPainter;
+import particles.output.painters.SpringPainter;
+import particles.output.painters.SurfacePainter;
+import particles.output.painters.TrailPainter;
+import particles.output.painters.VisibilityFilter;
+import particles.output.painters.WirePainter;
+import particles.output.raster.Backdrop;
+import particles.output.raster.CameraProjection;
+import particles.output.raster.Colours;
+import particles.output.raster.Lighting;
+import particles.output.raster.Raster;
+import particles.output.raster.RoundShapes;
+import particles.output.raster.Sky;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+
+/**
+ * Draws frames of a run, in software and without a screen: surfaces shaded on both sides, springs coloured by their
+ * strain, particles as the look says, on planes with a grid and soft shadows under a sky. For one thread at a time.
+ */
+public final class FrameRenderer {
+    private final FrameSetup stage;
+    private final BufferedImage image;
+    private final int[] pixels;
+    private final CameraProjection view;
+    private final Lighting lighting;
+    private final Raster raster;
+    private final ProjectedParticles projected;
+    private final VisibilityFilter shown;
+    private final RoundShapes shapes;
+    // painters of what the stage names, and of nothing else
+    private final Optional<SurfacePainter> surfaces;
+    private final Optional<BlobPainter> blobs;
+    private final Optional<GlowPainter> glow;
+    private final Optional<TrailPainter> trails;
+    private final Optional<FrameText> text;
+    // what the first frame decides
+    private DrawnSizes sizes;
+    private Optional<WirePainter> wires;
+    private ParticlePainter particles;
+    private Optional<ShadowPainter> shadows;
+    private Backdrop backdrop;
+    /** There from the first frame on that has springs to be drawn. */
+    private Optional<SpringPainter> springs = Optional.empty();
+    /** Once a spring was seen, the scale of strain stays in the picture. */
+    private boolean springsSeen;
+
+    /**
+     * @param stage    what is shown
+     * @param width    of the pictures (pixels)
+     * @param height   of the pictures (pixels)
+     * @param decimals of the time that is written into them
+     * @throws IllegalArgumentException if the size or the camera cannot be
+     */
+    public FrameRenderer(FrameSetup stage, int width, int height, int decimals) {
+        this(stage, width, height, Optional.of(new FrameText(stage, height, decimals)));
+    }
+
+    /** @param text the words in the pictures, if there are any */
+    public FrameRenderer(FrameSetup stage, int width, int height, Optional<FrameText> text) {
+        if (width < 16 || height < 16 || (long) width * height > 40_000_000) {
+            throw new IllegalArgumentException("pictures of " + width + " x " + height + " pixels; "
+                    + "from 16 x 16 to 40 million are possible");
+        }
+        this.stage = stage;
+        image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        pixels = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        view = new CameraProjection(stage.camera(), width, height);
+        lighting = new Lighting(view, stage.camera().up());
+        raster = new Raster(width, height);
+        projected = new ProjectedParticles(view);
+        shown = new VisibilityFilter(stage.look(), stage.scenery().surfaces());
+        surfaces = stage.scenery().surfaces().isEmpty() ? Optional.empty()
+                : Optional.of(new SurfacePainter(raster, view, lighting, stage.look()));
+        shapes = new RoundShapes(raster, view, lighting);
+        blobs = style().kind() == ParticleStyle.Kind.BLOBS ? Optional.of(new BlobPainter(raster, view, lighting))
+                : Optional.empty();
+        glow = style().kind() == ParticleStyle.Kind.GLOW ? Optional.of(new GlowPainter(style().ageColours(), width,
+                height))
+                : Optional.empty();
+        trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
+        this.text = text;
+    }
+
+    /** @return the width of the pictures (pixels) */
+    public int getWidth() {
+        return image.getWidth();
+    }
+
+    /** @return the height of the pictures (pixels) */
+    public int getHeight() {
+        return image.getHeight();
+    }
+
+    /**
+     * @return colours that frames may have although the first one has not: of the look and of strain, in light and
+     *         shade
+     */
+    public int[] importantColours() {
+        List<Integer> important = new ArrayList<>();
+        RenderOptions look = stage.look();
+        Sky sky = Sky.of(style().night());
+        for (int base : new int[] {look.particleColour(), look.fixedColour(), look.frontColour(), look.backColour(),
+            Colours.COMPRESSED, Colours.AT_REST, Colours.STRETCHED, sky.ground}) {
+            for (int shade = 0; shade < 8; shade++) {
+                important.add(Colours.lit(base, 0.46f + 0.09f * shade, 0));
+            }
+        }
+        for (int k = 0; k < 12; k++) {
+            double age = k / 12.0;
+            for (int layers = 1; glow.isPresent() && layers <= 8; layers *= 2) {
+                important.add(GlowPainter.over(sky.horizon, style().ageColours(), age, layers));
+            }
+            if (trails.isPresent()) {
+                important.add(Colours.mix(sky.horizon, look.particleColour(), (k + 1) / 12.0));
+            }
+        }
+        return important.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    /** @return as what particles are drawn */
+    ParticleStyle style() {
+        return stage.look().style();
+    }
+
+    /** @return the pixels, 0xRRGGBB row by row, valid until the next call */
+    public int[] render(FrameState state) {
+        if (backdrop == null) {
+            prepare(state);
+        }
+        projected.take(state);
+        raster.clear();
+        surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state,
+                projected)));
+        if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != RenderOptions.Shown.NEVER) {
+            springs = Optional.of(new SpringPainter(shapes, view, stage.look(), sizes));
+        }
+        springs.ifPresent(painter -> springsSeen |= painter.paint(state, projected, shown));
+        wires.ifPresent(WirePainter::paint);
+        particles.paint(state, projected);
+        shadows.ifPresent(painter -> backdrop.shadows.forEach(map -> painter.paint(map, state)));
+        compose();
+        trails.ifPresent(layer -> layer.paint(state, shown, stage.look().particleColour(), raster, backdrop, pixels));
+        glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), raster, backdrop, pixels));
+        if (text.isPresent()) {
+            Graphics2D g = image.createGraphics();
+            text.get().draw(g, getWidth(), getHeight(), state.time, springsSeen);
+            g.dispose();
+        }
+        return pixels;
+    }
+
+    /** @return what lies behind everything, without shadows; for a renderer that has drawn no frame yet */
+    public int[] renderBackdrop(FrameState state) {
+        prepare(state);
+        backdrop.paint(pixels);
+        return pixels;
+    }
+
+    private void prepare(FrameState state) {
+        sizes = DrawnSizes.of(state, stage.look(), view.viewHeight);
+        particles = new ParticlePainter(shapes, blobs, view, stage.look(), shown, sizes);
+        Vector3 target = stage.camera().target();
+        wires = stage.scenery().wires().isEmpty() ? Optional.empty()
+                : Optional.of(new WirePainter(shapes, view, stage.scenery().wires(), target, sizes.railing()));
+        backdrop = new Backdrop(view, lighting, stage.scenery(), Sky.of(style().night()), target,
+                particles.reach(state),
+                stage.camera().up().normalized());
+        shadows = backdrop.shadows.isEmpty() ? Optional.empty() : Optional.of(new ShadowPainter(shown, sizes,
+                stage.scenery(),
+                particles, blobs.map(BlobPainter::surface), wires));
+    }
+
+    /**
+     * Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies
+     * behind.
+     */
+    private void compose() {
+        backdrop.paint(pixels);
+        for (int y = raster.firstRow(); y < raster.endRow(); y++) {
+            for (int x = raster.firstColumn(); x < raster.endColumn(); x++) {
+                int p = y * getWidth() + x;
+                float behind = backdrop.near(p);
+                int at = Raster.SAMPLES * (y * raster.width + x);
+                int empty = 0;
+                int redBlue = 0;
+                int green = 0;
+                for (int k = 0; k < 4; k++) {
+                    int sample = k < 2 ? at + k : at + raster.width + k - 2;
+                    if (raster.near[sample] > behind) {
+                        redBlue += raster.colour[sample] & 0xff00ff;
+                        green += raster.colour[sample] & 0x00ff00;
+                    } else {
+                        empty++;
+                    }
+                }
+                if (empty < 4) {
+                    redBlue += empty * (pixels[p] & 0xff00ff);
+                    green += empty * (pixels[p] & 0x00ff00);
+                    pixels[p] = redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
+                }
+            }
+        }
+    }
+}

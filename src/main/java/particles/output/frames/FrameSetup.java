@@ -1,0 +1,17 @@
+package particles.output.frames;
+
+import particles.view.Camera;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+
+/**
+ * What a picture shows beside the moving particles and their springs.
+ *
+ * @param camera   from where
+ * @param look     what is drawn in which colours
+ * @param scenery  what there is beside particles and springs
+ * @param title    the scene's title, at the top; may be empty
+ * @param caption  what stands below the time, such as the solver and its deltaT; may be empty
+ */
+public record FrameSetup(Camera camera, RenderOptions look, Scenery scenery, String title, String caption) {
+}

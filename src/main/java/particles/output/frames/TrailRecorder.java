@@ -1,0 +1,99 @@
+package particles.output.frames;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.Map;
+import particles.ParticleSystem;
+import particles.law.Particles;
+import particles.output.painters.TrailSample;
+
+/** Remembers where particles were, at regular times and for as long as trails are to be seen. */
+public final class TrailRecorder {
+    private static final int[] SAME = {};
+    private static final TrailSample[] NONE = {};
+    /** Samples from one frame to the next, and the most of a trail: it is a smooth line then. */
+    private static final int PER_FRAME = 4;
+    private static final int MOST = 240;
+
+    private final double duration;
+    private final double interval;
+    private final Deque<TrailSample> samples = new ArrayDeque<>();
+    private String[] ids = {};
+    private int structure = -1;
+    private double next;
+
+    /**
+     * @param duration how long trails are (s); 0 if there are none
+     * @param fps      frames a second
+     */
+    public TrailRecorder(double duration, double fps) {
+        this.duration = duration;
+        interval = Math.max(1 / (PER_FRAME * fps), duration / MOST);
+        next = duration > 0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+    }
+
+    /** @return when the next sample is due (s); never, if there are no trails */
+    public double nextTime() {
+        return next;
+    }
+
+    /**
+     * Takes a sample if it is due.
+     *
+     * @param state     in the layout of the system's state
+     * @param count     how many particles it has
+     * @param structure another number whenever particles may have come or gone
+     */
+    public void take(ParticleSystem system, double[] state, int count, double time, int structure) {
+        if (time < next) {
+            return;
+        }
+        float[] places = new float[3 * count];
+        for (int i = 0, x = 0; i < places.length; i += 3, x += Particles.STRIDE) {
+            places[i] = (float) state[x];
+            places[i + 1] = (float) state[x + 1];
+            places[i + 2] = (float) state[x + 2];
+        }
+        samples.addLast(new TrailSample(time, places, this.structure == structure ? SAME : identify(system, count)));
+        this.structure = structure;
+        while (samples.peekFirst().time() < time - duration - interval) {
+            samples.removeFirst();
+        }
+        next = time + interval;
+    }
+
+    /** Who is who: ids stay when indices do not. */
+    private int[] identify(ParticleSystem system, int count) {
+        Map<String, Integer> old = new HashMap<>();
+        for (int i = 0; i < ids.length; i++) {
+            old.put(ids[i], i);
+        }
+        ids = new String[count];
+        int[] before = new int[count];
+        for (int i = 0; i < count; i++) {
+            ids[i] = system.getParticles().id(i);
+            before[i] = old.getOrDefault(ids[i], -1);
+        }
+        return before;
+    }
+
+    /** @return the samples so far, the oldest first */
+    public TrailSample[] samples() {
+        return samples.isEmpty() ? NONE : samples.toArray(NONE);
+    }
+
+    /**
+     * @param structure of a state that is about to be drawn
+     * @return for each of its particles the index in the newest sample; empty where all have the same
+     */
+    public int[] indicesNow(ParticleSystem system, int count, int structure) {
+        if (samples.isEmpty() || this.structure == structure) {
+            return SAME;
+        }
+        String[] kept = ids;
+        int[] now = identify(system, count);
+        ids = kept;
+        return now;
+    }
+}

@@ -1,0 +1,113 @@
+package particles.output.painters;
+
+import java.util.Arrays;
+import particles.output.raster.LongIndex;
+
+/**
+ * The field around soft balls, on the nodes of a cubic grid near them: the sum of (1 - d&sup2;/R&sup2;)&sup3; over all
+ * whose middle is nearer than R. Where the sum is {@link #LEVEL} is the surface: a lonely ball's is a sphere of radius
+ * R/2, and the surfaces of two flow together when they are less than 2.54 radii apart. (G. Wyvill, C. McPheeters, B.
+ * Wyvill, "Data structure for soft objects", 1986, with an exponent of 3 in place of their sextic.)
+ */
+public final class BlobField {
+    /** R over the radius of a lonely ball. */
+    private static final double REACH = 2;
+    /** The field on the surface. */
+    public static final double LEVEL = Math.pow(1 - 1 / (REACH * REACH), 3);
+    private static final int FARTHEST = 1 << 20;
+    /** Cells to the radius of a lonely ball, where that many can be afforded. */
+    private static final double FINEST = 3.5;
+    /** So many times a ball may be added to a node for one picture. */
+    private static final double MOST_VISITS = 1.2e7;
+
+    final LongIndex nodes = new LongIndex();
+    /** The field, and its gradient along x, y and z, by the nodes' numbers. */
+    float[] value = {};
+    float[] slopeX = {};
+    float[] slopeY = {};
+    float[] slopeZ = {};
+    private double reach;
+    private double cell;
+    /** How many nodes have values of this picture. */
+    private int begun;
+
+    /**
+     * Begins anew.
+     *
+     * @param radius of a lonely ball (m)
+     * @param balls  how many there are going to be
+     * @param finest no cell need be smaller (m)
+     */
+    public void clear(double radius, int balls, double finest) {
+        nodes.clear();
+        begun = 0;
+        reach = REACH * radius;
+        double across = Math.cbrt(MOST_VISITS / Math.max(1, balls));
+        cell = Math.max(radius / FINEST, Math.max(finest, 2 * reach / across));
+        cell = Math.min(cell, 0.7 * radius);            // coarser, and a ball could fall between the nodes
+    }
+
+    /** @return the distance from node to node (m) */
+    double cell() {
+        return cell;
+    }
+
+    /** @return what is between the keys of neighbours along axis 0, 1 or 2 */
+    static long step(int axis) {
+        return 1L << 42 - 21 * axis;
+    }
+
+    /** @return the coordinate (m) along axis 0, 1 or 2 of a node with this key */
+    double place(long key, int axis) {
+        return ((key >> 42 - 21 * axis & 0x1fffff) - FARTHEST) * cell;
+    }
+
+    public void add(double x, double y, double z) {
+        double far = (FARTHEST - 4) * cell - reach;
+        if (!(Math.abs(x) < far) || !(Math.abs(y) < far) || !(Math.abs(z) < far)) {
+            return;                                     // out of every picture
+        }
+        int z0 = (int) Math.ceil((z - reach) / cell);
+        int z1 = (int) Math.floor((z + reach) / cell);
+        int y0 = (int) Math.ceil((y - reach) / cell);
+        int y1 = (int) Math.floor((y + reach) / cell);
+        int x1 = (int) Math.floor((x + reach) / cell);
+        double square = reach * reach;
+        for (int ix = (int) Math.ceil((x - reach) / cell); ix <= x1; ix++) {
+            double dx = ix * cell - x;
+            for (int iy = y0; iy <= y1; iy++) {
+                double dy = iy * cell - y;
+                for (int iz = z0; iz <= z1; iz++) {
+                    double dz = iz * cell - z;
+                    double rest = 1 - (dx * dx + dy * dy + dz * dz) / square;
+                    if (rest > 0) {
+                        add((ix + FARTHEST) * step(0) + (iy + FARTHEST) * step(1) + iz + FARTHEST, rest, dx, dy, dz);
+                    }
+                }
+            }
+        }
+    }
+
+    private void add(long key, double rest, double dx, double dy, double dz) {
+        int node = nodes.put(key);
+        if (node >= value.length) {
+            int length = Math.max(1 << 12, 2 * value.length);
+            value = Arrays.copyOf(value, length);
+            slopeX = Arrays.copyOf(slopeX, length);
+            slopeY = Arrays.copyOf(slopeY, length);
+            slopeZ = Arrays.copyOf(slopeZ, length);
+        }
+        double slope = -6 * rest * rest / (reach * reach);
+        if (node == begun) {
+            value[node] = 0;
+            slopeX[node] = 0;
+            slopeY[node] = 0;
+            slopeZ[node] = 0;
+            begun++;
+        }
+        value[node] += (float) (rest * rest * rest);
+        slopeX[node] += (float) (slope * dx);
+        slopeY[node] += (float) (slope * dy);
+        slopeZ[node] += (float) (slope * dz);
+    }
+}

@@ -1,0 +1,162 @@
+package particles.output.painters;
+
+import java.util.Arrays;
+import particles.output.raster.LongIndex;
+
+/**
+ * The surface of a field as triangles: each cell of the grid that it passes has one vertex, the mean of the places
+ * where it crosses the cell's edges, moved onto the surface, and each edge that it crosses joins the four cells around
+ * it. (S. Gibson, "Constrained elastic surface nets", 1998.) Closed, but where it is cut off for being too far away.
+ */
+public final class BlobSurface {
+    private final LongIndex cells = new LongIndex();
+    /** The sum of crossings, and how many there are. */
+    private final double[] crossing = new double[4];
+    private final double[] offset = new double[3];
+    private BlobField field;
+    /** How many vertices there are. */
+    int vertices;
+    /** Three coordinates a vertex (m). */
+    public double[] places = {};
+    /** The unit normals, outwards. */
+    float[] normals = {};
+    /** How many entries of {@link #corners} are in use: three a triangle, counter-clockwise seen from outside. */
+    public int cornerCount;
+    public int[] corners = {};
+
+    public void build(BlobField built) {
+        field = built;
+        cells.clear();
+        vertices = 0;
+        cornerCount = 0;
+        for (int node = 0; node < field.nodes.size(); node++) {
+            if (field.value[node] >= BlobField.LEVEL) {
+                for (int axis = 0; axis < 3; axis++) {
+                    long key = field.nodes.key(node);
+                    long step = BlobField.step(axis);
+                    if (!isInside(key + step)) {
+                        join(key, axis, true);
+                    }
+                    if (!isInside(key - step)) {
+                        join(key - step, axis, false);
+                    }
+                }
+            }
+        }
+    }
+
+    private float value(long key) {
+        int node = field.nodes.find(key);
+        return node < 0 ? 0 : field.value[node];
+    }
+
+    private boolean isInside(long key) {
+        return value(key) >= BlobField.LEVEL;
+    }
+
+    /**
+     * The four cells around an edge, as two triangles: counter-clockwise seen from the edge's far end if that is
+     * outside.
+     */
+    private void join(long edge, int axis, boolean outwards) {
+        long b = BlobField.step((axis + 1) % 3);
+        long c = BlobField.step((axis + 2) % 3);
+        int first = vertex(edge);
+        int second = vertex(edge - b);
+        int third = vertex(edge - b - c);
+        int fourth = vertex(edge - c);
+        if (cornerCount + 6 > corners.length) {
+            corners = Arrays.copyOf(corners, Math.max(1 << 12, 2 * corners.length));
+        }
+        int[] quad = outwards ? new int[] {first, second, third, fourth} : new int[] {fourth, third, second, first};
+        for (int k : new int[] {0, 1, 2, 0, 2, 3}) {
+            corners[cornerCount++] = quad[k];
+        }
+    }
+
+    /** The vertex of the cell whose lowest corner has this key. */
+    private int vertex(long cell) {
+        int vertex = cells.put(cell);
+        if (vertex < vertices) {
+            return vertex;
+        }
+        vertices++;
+        if (3 * vertices > places.length) {
+            int length = Math.max(1 << 12, 2 * places.length);
+            places = Arrays.copyOf(places, length);
+            normals = Arrays.copyOf(normals, length);
+        }
+        Arrays.fill(crossing, 0);
+        for (int axis = 0; axis < 3; axis++) {
+            long b = BlobField.step((axis + 1) % 3);
+            long c = BlobField.step((axis + 2) % 3);
+            cross(cell, axis);
+            cross(cell + b, axis);
+            cross(cell + c, axis);
+            cross(cell + b + c, axis);
+        }
+        place(cell, vertex);
+        return vertex;
+    }
+
+    /**
+     * From the mean of the crossings, which lies inside of a round surface, one step of Newton's method along the
+     * gradient. The field there is the mean of two estimates from the cell's corners k with their weights w of linear
+     * interpolation, sum w f and sum w (f + grad f . d), d from the corner to the place: their errors of second order
+     * are opposite.
+     */
+    private void place(long cell, int vertex) {
+        double share = 1 / crossing[3];
+        double f = 0;
+        double gx = 0;
+        double gy = 0;
+        double gz = 0;
+        for (int corner = 0; corner < 8; corner++) {
+            double weight = 1;
+            long key = cell;
+            for (int axis = 0; axis < 3; axis++) {
+                double part = (crossing[axis] * share - field.place(cell, axis)) / field.cell();
+                boolean far = (corner >> axis & 1) == 1;
+                key += far ? BlobField.step(axis) : 0;
+                offset[axis] = (far ? part - 1 : part) * field.cell();
+                weight *= far ? part : 1 - part;
+            }
+            int node = field.nodes.find(key);
+            if (node >= 0) {
+                f += weight * (field.value[node] + (field.slopeX[node] * offset[0] + field.slopeY[node] * offset[1]
+                        + field.slopeZ[node] * offset[2]) / 2);
+                gx += weight * field.slopeX[node];
+                gy += weight * field.slopeY[node];
+                gz += weight * field.slopeZ[node];
+            }
+        }
+        double length = Math.sqrt(gx * gx + gy * gy + gz * gz);
+        double way = length > 0 ? (BlobField.LEVEL - f) / length : 0;
+        way = Math.max(-field.cell(), Math.min(field.cell(), way));
+        double scale = length > 0 ? 1 / length : 0;
+        offset[0] = gx * scale;
+        offset[1] = gy * scale;
+        offset[2] = gz * scale;
+        for (int k = 0; k < 3; k++) {
+            places[3 * vertex + k] = crossing[k] * share + way * offset[k];
+            normals[3 * vertex + k] = (float) -offset[k];           // the field falls outwards
+        }
+    }
+
+    /** Adds the place where the surface crosses an edge, and 1, if it does. */
+    private void cross(long key, int axis) {
+        long next = key + BlobField.step(axis);
+        int one = field.nodes.find(key);
+        int two = field.nodes.find(next);
+        double low = one < 0 ? 0 : field.value[one];
+        double high = two < 0 ? 0 : field.value[two];
+        if (low >= BlobField.LEVEL == high >= BlobField.LEVEL) {
+            return;
+        }
+        double part = (BlobField.LEVEL - low) / (high - low);
+        for (int k = 0; k < 3; k++) {
+            crossing[k] += field.place(key, k) + (k == axis ? part * field.cell() : 0);
+        }
+        crossing[3]++;
+    }
+}

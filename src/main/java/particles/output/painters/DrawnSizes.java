@@ -1,0 +1,64 @@
+package particles.output.painters;
+
+import particles.view.RenderOptions;
+
+/**
+ * How large balls and springs are drawn, decided once, when the first frame is: a scene that says nothing gets balls
+ * that can be told apart.
+ *
+ * @param ball    the radius of a ball (m)
+ * @param springs whether springs are drawn as coils, as few of them are
+ */
+public record DrawnSizes(double ball, boolean coils) {
+    private static final int MOST_COILS = 40;
+    private static final double PART_OF_PICTURE = 0.028;
+    private static final double PART_OF_SPRING = 0.26;
+    /** Of the distance between neighbours, were the particles spread evenly over a cube as high as the picture. */
+    private static final double PART_OF_DISTANCE = 0.3;
+
+    public static DrawnSizes of(FrameState state, RenderOptions look, double viewHeight) {
+        double mean = 0;
+        for (int s = 0; s < state.springs; s++) {
+            mean += state.restLength[s] / state.springs;
+        }
+        double ball = viewHeight * Math.min(PART_OF_PICTURE,
+                PART_OF_DISTANCE / Math.cbrt(Math.max(1, state.particles)));
+        if (mean > 0) {
+            ball = Math.min(ball, PART_OF_SPRING * mean);
+        }
+        return new DrawnSizes(look.particleRadius() > 0 ? look.particleRadius() : ball, state.springs <= MOST_COILS);
+    }
+
+    /**
+     * @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it
+     *         (m)
+     */
+    double core() {
+        return ball / 3;
+    }
+
+    /** @return the radius of a spring drawn as a straight tube (m) */
+    double tube() {
+        return 0.3 * ball;
+    }
+
+    /** @return the radius of the wire that a bead slides along (m) */
+    public double railing() {
+        return 0.2 * ball;
+    }
+
+    /** @return the radius of a rigid rod (m) */
+    double rod() {
+        return 0.34 * ball;
+    }
+
+    /** @return the radius of a coil (m) */
+    double coil() {
+        return 0.62 * ball;
+    }
+
+    /** @return the radius of its wire (m) */
+    double wire() {
+        return 0.13 * ball;
+    }
+}

@@ -1,0 +1,59 @@
+package particles.output.painters;
+
+import java.util.List;
+import particles.output.raster.Backdrop;
+import particles.output.raster.Colours;
+import particles.output.raster.LightLayer;
+import particles.output.raster.Raster;
+
+/** Draws particles as spots of light, whose colour and brightness fall with the part of their life that is over. */
+public final class GlowPainter {
+    private static final double BRIGHTNESS = 0.45;
+
+    private final List<Integer> colours;
+    private final LightLayer layer;
+
+    /** @param colours from birth to death, evenly spread */
+    public GlowPainter(List<Integer> colours, int width, int height) {
+        this.colours = colours;
+        layer = new LightLayer(width, height);
+    }
+
+    /** @return the part of a life that is over: 0 for who does not die of age */
+    static double age(double time, double birth, double death) {
+        double age = (time - birth) / (death - birth);
+        return age >= 0 ? Math.min(1, age) : 0;             // also where it is no number
+    }
+
+    static int colour(List<Integer> colours, double age) {
+        double at = age * (colours.size() - 1);
+        int k = Math.min(colours.size() - 1, (int) at);
+        return Colours.mix(colours.get(k), colours.get(Math.min(colours.size() - 1, k + 1)), at - k);
+    }
+
+    /** @return a colour behind so many spots of this age, in their middles */
+    public static int over(int behind, List<Integer> colours, double age, int spots) {
+        int rgb = colour(colours, age);
+        int mixed = 0;
+        for (int shift = 0; shift < 24; shift += 8) {
+            double light = spots * BRIGHTNESS * (1 - age) * (rgb >> shift & 255) / 255;
+            mixed |= (int) (255 - (255 - (behind >> shift & 255)) * Math.exp(-light)) << shift;
+        }
+        return mixed;
+    }
+
+    public void paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown, double radius,
+            Raster raster, Backdrop backdrop,
+            int[] pixels) {
+        layer.clear();
+        for (int i = 0; i < state.particles; i++) {
+            if (projected.visible[i] && !state.fixed[i] && shown.particle(i)) {
+                double age = age(state.time, state.birth[i], state.death[i]);
+                layer.spot(projected.x[i] / Raster.SAMPLES, projected.y[i] / Raster.SAMPLES,
+                        radius * projected.scale[i] / Raster.SAMPLES, projected.near[i], colour(colours, age),
+                        BRIGHTNESS * (1 - age), raster, backdrop);
+            }
+        }
+        layer.addTo(pixels);
+    }
+}

@@ -1,0 +1,54 @@
+package particles.output.painters;
+
+import particles.output.raster.LongIndex;
+import particles.view.Surface;
+
+/**
+ * Which triangles of a surface are whole: those of cloth that tears are gone when fewer than two of their edges are
+ * springs.
+ */
+public final class IntactTriangles {
+    private final Surface surface;
+    private final LongIndex springs = new LongIndex();
+    private final boolean[] whole;
+    private boolean known;
+    private int structure;
+
+    public IntactTriangles(Surface surface) {
+        this.surface = surface;
+        whole = new boolean[surface.triangles().length / 3];
+    }
+
+    /** @return for each triangle whether it is drawn; valid until springs change */
+    public boolean[] in(FrameState state) {
+        if (!known || structure != state.structure) {
+            find(state);
+            structure = state.structure;
+            known = true;
+        }
+        return whole;
+    }
+
+    private void find(FrameState state) {
+        springs.clear();
+        for (int s = 0; s < state.springs && surface.ofSprings(); s++) {
+            springs.put(pair(state.from[s], state.to[s]));
+        }
+        int[] corners = surface.triangles();
+        for (int t = 0; t < whole.length; t++) {
+            int a = corners[3 * t];
+            int b = corners[3 * t + 1];
+            int c = corners[3 * t + 2];
+            boolean there = Math.max(a, Math.max(b, c)) < state.particles;      // particles may have gone
+            whole[t] = there && (!surface.ofSprings() || edge(a, b) + edge(b, c) + edge(c, a) >= 2);
+        }
+    }
+
+    private int edge(int a, int b) {
+        return springs.find(pair(a, b)) >= 0 ? 1 : 0;
+    }
+
+    private static long pair(int a, int b) {
+        return (long) Math.min(a, b) << 32 | Math.max(a, b);
+    }
+}

@@ -1,0 +1,87 @@
+package particles.output.painters;
+
+import java.util.Optional;
+import particles.output.raster.CameraProjection;
+import particles.output.raster.Raster;
+import particles.output.raster.RoundShapes;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+
+/**
+ * Draws particles as what the look says, but for their glow and trails, which lie over all else; fixed ones as balls.
+ */
+public final class ParticlePainter {
+    /** The radius of a point, in parts of the picture's height. */
+    private static final double POINT = 0.0026;
+
+    private final RoundShapes shapes;
+    private final CameraProjection view;
+    private final RenderOptions look;
+    private final VisibilityFilter shown;
+    private final DrawnSizes sizes;
+    private final ParticleStyle.Kind kind;
+    private final Optional<BlobPainter> blobs;
+    private double[] inBlobs = {};
+
+    public ParticlePainter(RoundShapes shapes, Optional<BlobPainter> blobs, CameraProjection view, RenderOptions look,
+            VisibilityFilter shown, DrawnSizes sizes) {
+        this.shapes = shapes;
+        this.view = view;
+        this.look = look;
+        this.shown = shown;
+        this.sizes = sizes;
+        this.kind = look.style().kind();
+        this.blobs = blobs;
+    }
+
+    /** @return how far what rests on a plane reaches below its middle (m) */
+    public double reach(FrameState state) {
+        boolean large = false;
+        for (int i = 0; i < state.particles && !large; i++) {
+            large = shown.particle(i);
+        }
+        boolean thick = kind == ParticleStyle.Kind.BALLS || kind == ParticleStyle.Kind.BLOBS;
+        return large && thick ? sizes.ball() : 0.003 * view.viewHeight;
+    }
+
+    /** @return whether particle i is a ball */
+    boolean isBall(FrameState state, int i) {
+        return shown.particle(i) && (state.fixed[i] || kind == ParticleStyle.Kind.BALLS);
+    }
+
+    /** @return the radius of a ball (m) */
+    double ball() {
+        return kind == ParticleStyle.Kind.GLOW ? sizes.core() : sizes.ball();
+    }
+
+    /** @return whether particle i is a point */
+    boolean isPoint(FrameState state, int i) {
+        return shown.particle(i) && !state.fixed[i] && kind == ParticleStyle.Kind.POINTS;
+    }
+
+    /** @return the radius of a point (m), in the plane through the middle of the picture */
+    double point() {
+        return POINT * view.viewHeight;
+    }
+
+    public void paint(FrameState state, ProjectedParticles projected) {
+        int count = 0;
+        if (blobs.isPresent() && inBlobs.length < 3 * state.particles) {
+            inBlobs = new double[3 * state.particles];
+        }
+        for (int i = 0; i < state.particles; i++) {
+            if (isBall(state, i) && projected.visible[i]) {
+                shapes.ball(projected.x[i], projected.y[i], ball() * projected.scale[i], projected.depth[i],
+                        ball(), state.fixed[i] ? look.fixedColour() : look.particleColour());
+            } else if (isPoint(state, i) && projected.visible[i]) {
+                shapes.ball(projected.x[i], projected.y[i], Raster.SAMPLES * POINT * view.height, projected.depth[i], 0,
+                        look.particleColour());
+            } else if (blobs.isPresent() && !state.fixed[i] && shown.particle(i)) {
+                System.arraycopy(state.positions, 3 * i, inBlobs, 3 * count++, 3);
+            }
+        }
+        if (blobs.isPresent()) {
+            blobs.get().paint(inBlobs, count, sizes.ball(), look.particleColour());
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package particles.output.painters;
+
+import java.util.Arrays;
+import particles.output.raster.Backdrop;
+import particles.output.raster.CameraProjection;
+import particles.output.raster.Colours;
+import particles.output.raster.Raster;
+
+/** Draws where particles were as lines that fade, over the picture and behind what is nearer. */
+public final class TrailPainter {
+    /** How opaque a line is where the particle is now. */
+    private static final double STRONGEST = 0.85;
+    /** Half the line's width, in parts of the picture's height. */
+    private static final double HALF_WIDTH = 0.0018;
+
+    private final CameraProjection view;
+    private final double duration;
+    private final double half;
+    private final float[] cover;
+    private int top;
+    private int bottom;
+
+    public TrailPainter(CameraProjection view, double duration) {
+        this.view = view;
+        this.duration = duration;
+        half = Math.max(0.7, HALF_WIDTH * view.height);
+        cover = new float[view.width * view.height];
+    }
+
+    public void paint(FrameState state, VisibilityFilter shown, int rgb, Raster raster, Backdrop backdrop,
+            int[] pixels) {
+        if (top < bottom) {
+            Arrays.fill(cover, top * view.width, bottom * view.width, 0);
+        }
+        top = view.height;
+        bottom = 0;
+        for (int i = 0; i < state.particles; i++) {
+            if (!state.fixed[i] && shown.particle(i)) {
+                follow(state, i, raster, backdrop);
+            }
+        }
+        for (int p = top * view.width; p < bottom * view.width; p++) {
+            if (cover[p] > 0) {
+                pixels[p] = Colours.mix(pixels[p], rgb, cover[p]);
+            }
+        }
+    }
+
+    /** Back in time from where a particle is. */
+    private void follow(FrameState state, int i, Raster raster, Backdrop backdrop) {
+        double[] from = point(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
+        double fromShare = 1;
+        int index = state.trailIndex.length == 0 ? i : state.trailIndex[i];
+        for (int k = state.trail.length - 1; k >= 0 && index >= 0 && fromShare > 0; k--) {
+            TrailSample sample = state.trail[k];
+            float[] places = sample.places();
+            double[] to = point(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
+            double share = 1 - (state.time - sample.time()) / duration;
+            line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), raster, backdrop);
+            from = to;
+            fromShare = share;
+            index = sample.earlier(index);
+        }
+    }
+
+    /** @return the place in the picture (pixels) and the nearness there, or not a number where it cannot be drawn */
+    private double[] point(double x, double y, double z) {
+        double depth = view.depth(x, y, z);
+        double scale = view.scale(depth);
+        return new double[] {view.isInFront(depth) ? view.x(x, y, z, scale) : Double.NaN, view.y(x, y, z, scale),
+            view.nearness(depth)};
+    }
+
+    private void line(double[] a, double[] b, double opacityA, double opacityB, Raster raster, Backdrop backdrop) {
+        double dx = b[0] - a[0];
+        double dy = b[1] - a[1];
+        double square = dx * dx + dy * dy;
+        if (!(square < 1e10) || !(Math.abs(a[0]) < 1e6) || !(Math.abs(a[1]) < 1e6)) {
+            return;
+        }
+        double reach = half + 0.5;
+        int x0 = (int) Math.max(0, Math.floor(Math.min(a[0], b[0]) - reach));
+        int x1 = (int) Math.min(view.width - 1, Math.ceil(Math.max(a[0], b[0]) + reach));
+        int y0 = (int) Math.max(0, Math.floor(Math.min(a[1], b[1]) - reach));
+        int y1 = (int) Math.min(view.height - 1, Math.ceil(Math.max(a[1], b[1]) + reach));
+        for (int y = y0; y <= y1; y++) {
+            for (int x = x0; x <= x1; x++) {
+                double px = x + 0.5 - a[0];
+                double py = y + 0.5 - a[1];
+                double along = square > 1e-12 ? Math.max(0, Math.min(1, (px * dx + py * dy) / square)) : 0;
+                double ox = px - along * dx;
+                double oy = py - along * dy;
+                double offSquare = ox * ox + oy * oy;
+                if (offSquare >= reach * reach) {
+                    continue;
+                }
+                // of pixels: hypot guards against what cannot be, at ten times the cost
+                double off = Math.sqrt(offSquare);
+                float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
+                int p = y * view.width + x;
+                double near = a[2] + along * (b[2] - a[2]);
+                if (covered > cover[p] && near > backdrop.near(p) && near > raster.nearAt(x, y)) {
+                    cover[p] = covered;
+                    top = Math.min(top, y);
+                    bottom = Math.max(bottom, y + 1);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package particles.output.painters;
+
+import java.util.Arrays;
+import java.util.List;
+import particles.view.RenderOptions;
+import particles.view.Surface;
+
+/**
+ * Which particles and springs a look shows: those that belong to a surface may be left to it. A closed surface, such as
+ * a jelly's, hides what is inside; springs that begin on it are left to it too.
+ */
+public final class VisibilityFilter {
+    private final RenderOptions look;
+    private final boolean[] inSurface;
+    private final boolean[] onClosed;
+
+    public VisibilityFilter(RenderOptions look, List<Surface> surfaces) {
+        this.look = look;
+        int largest = -1;
+        for (Surface surface : surfaces) {
+            for (int corner : surface.triangles()) {
+                largest = Math.max(largest, corner);
+            }
+        }
+        inSurface = new boolean[largest + 1];
+        onClosed = new boolean[largest + 1];
+        for (Surface surface : surfaces) {
+            boolean closed = isClosed(surface);
+            for (int corner : surface.triangles()) {
+                inSurface[corner] = true;
+                onClosed[corner] |= closed;
+            }
+        }
+    }
+
+    /** Without a border: each edge that one triangle goes along, another one goes along the other way. */
+    private static boolean isClosed(Surface surface) {
+        int[] t = surface.triangles();
+        long[] edges = new long[t.length];
+        long[] reversed = new long[t.length];
+        for (int k = 0; k < t.length; k++) {
+            long a = t[k];
+            long b = t[k % 3 == 2 ? k - 2 : k + 1];
+            edges[k] = a << 32 | b;
+            reversed[k] = b << 32 | a;
+        }
+        Arrays.sort(edges);
+        Arrays.sort(reversed);
+        return Arrays.equals(edges, reversed);
+    }
+
+    private static boolean isIn(boolean[] set, int particle) {
+        return particle < set.length && set[particle];
+    }
+
+    public boolean particle(int i) {
+        return look.particles() == RenderOptions.Shown.ALWAYS
+                || look.particles() == RenderOptions.Shown.BESIDE_SURFACES && !isIn(inSurface, i);
+    }
+
+    public boolean spring(int from, int to) {
+        return look.springs() == RenderOptions.Shown.ALWAYS
+                || look.springs() == RenderOptions.Shown.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface,
+                to))
+                && !isIn(onClosed, from) && !isIn(onClosed, to);
+    }
+}

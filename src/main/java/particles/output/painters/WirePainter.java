@@ -1,0 +1,95 @@
+package particles.output.painters;
+
+import java.util.List;
+import particles.law.Vector3;
+import particles.output.raster.CameraProjection;
+import particles.output.raster.RoundShapes;
+import particles.view.CurveView;
+
+/** Draws curves in space as wires; those that go on for ever as far as the picture does. */
+public final class WirePainter {
+    static final int COLOUR = 0x75808d;
+    /** Pieces to the height of the picture. */
+    private static final int PIECES = 120;
+    private static final int FEWEST = 96;
+    private static final int MOST = 20_000;
+    /**
+     * How far along an endless curve the part is looked for that is nearest to the middle of the picture, in heights.
+     */
+    private static final int SEARCH = 60;
+
+    private final RoundShapes shapes;
+    private final double radius;
+    /** Each wire's points as the camera sees them. */
+    private final ProjectedParticles[] wires;
+    private final double[][] places;
+
+    /**
+     * @param target the middle of the picture (m)
+     * @param radius of the wires (m)
+     */
+    public WirePainter(RoundShapes shapes, CameraProjection view, List<CurveView> curves, Vector3 target,
+            double radius) {
+        this.shapes = shapes;
+        this.radius = radius;
+        places = curves.stream().map(curve -> points(curve, view, target)).toArray(double[][]::new);
+        wires = new ProjectedParticles[places.length];
+        for (int w = 0; w < wires.length; w++) {
+            wires[w] = new ProjectedParticles(view);
+            wires[w].reserve(places[w].length / 3);
+            for (int k = 0; k < places[w].length / 3; k++) {
+                wires[w].put(k, places[w][3 * k], places[w][3 * k + 1], places[w][3 * k + 2]);
+            }
+        }
+    }
+
+    private static double[] points(CurveView curve, CameraProjection view, Vector3 target) {
+        double from = 0;
+        double to = curve.length();
+        if (to == Double.POSITIVE_INFINITY) {
+            double nearest = 0;
+            double least = Double.POSITIVE_INFINITY;
+            for (int k = -2 * SEARCH; k <= 2 * SEARCH; k++) {
+                double u = k * view.viewHeight / 2;
+                double distance = curve.at(u).minus(target).length();
+                if (distance < least) {
+                    least = distance;
+                    nearest = u;
+                }
+            }
+            double reach = 2 * view.viewHeight * Math.max(1, (double) view.width / view.height);
+            from = nearest - reach;
+            to = nearest + reach;
+        }
+        int pieces = (int) Math.max(FEWEST, Math.min(MOST, Math.ceil(PIECES * (to - from) / view.viewHeight)));
+        double[] points = new double[3 * (pieces + 1)];
+        for (int k = 0; k <= pieces; k++) {
+            Vector3 place = curve.at(from + (to - from) * k / pieces);
+            points[3 * k] = place.x();
+            points[3 * k + 1] = place.y();
+            points[3 * k + 2] = place.z();
+        }
+        return points;
+    }
+
+    /** @return each wire's points, three coordinates each (m) */
+    List<double[]> places() {
+        return List.of(places);
+    }
+
+    /** @return the radius of the wires (m) */
+    double radius() {
+        return radius;
+    }
+
+    public void paint() {
+        for (ProjectedParticles wire : wires) {
+            for (int k = 0; k + 1 < wire.x.length; k++) {
+                if (wire.visible[k] && wire.visible[k + 1]) {
+                    shapes.tube(wire.x[k], wire.y[k], wire.near[k], wire.x[k + 1], wire.y[k + 1], wire.near[k + 1],
+                            radius * wire.scale[k], COLOUR);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package particles.output.race;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.zip.DataFormatException;
+import java.util.zip.Deflater;
+import java.util.zip.Inflater;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.output.frames.FrameObserver;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSetup;
+import particles.output.frames.FrameSink;
+import particles.output.painters.FrameState;
+
+/** The frames of one run, kept in memory, packed, to be put beside those of other runs when all are there. */
+final class PanelFilm implements Observer, AutoCloseable {
+    private final FrameSetup stage;
+    private final int width;
+    private final int height;
+    private final FrameRenderer renderer;
+    private final FrameObserver frames;
+    private final List<byte[]> packed = new ArrayList<>();
+    private int[] backdrop = {};
+
+    /**
+     * @param stage  what is shown
+     * @param width  of the frames (pixels)
+     * @param height of the frames (pixels)
+     * @param rate   frames for a second of simulated time (1/s)
+     */
+    PanelFilm(FrameSetup stage, int width, int height, double rate) {
+        this.stage = stage;
+        this.width = width;
+        this.height = height;
+        renderer = new FrameRenderer(stage, width, height, Optional.empty());
+        frames = new FrameObserver(renderer, rate, List.of(new Packer()));
+    }
+
+    @Override
+    public void started(ParticleSystem system) {
+        FrameState state = new FrameState();
+        state.take(system.getOwnState(), system.getParticles().count(), system.getTime());
+        state.takeStructure(system, true);
+        backdrop = new FrameRenderer(stage, width, height, Optional.empty()).renderBackdrop(state);
+        frames.started(system);
+    }
+
+    @Override
+    public double getNextTime() {
+        return frames.getNextTime();
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        frames.moved(motion);
+    }
+
+    @Override
+    public void changed(ParticleSystem system, Rule rule) {
+        frames.changed(system, rule);
+    }
+
+    @Override
+    public void finished(ParticleSystem system) {
+        frames.finished(system);
+    }
+
+    /** Waits until the frames of a run that ended early are drawn. */
+    @Override
+    public void close() {
+        frames.close();
+    }
+
+    /** @return how many frames there are */
+    int count() {
+        return packed.size();
+    }
+
+    /** @return the picture without anything that moves */
+    int[] backdrop() {
+        return backdrop;
+    }
+
+    /** @return colours that frames may have although the first one has not */
+    int[] importantColours() {
+        return renderer.importantColours();
+    }
+
+    /**
+     * @param index of a frame; after the last one, the last one
+     * @param rgb   receives its pixels
+     */
+    void get(int index, int[] rgb) {
+        Inflater inflater = new Inflater();
+        inflater.setInput(packed.get(Math.min(index, packed.size() - 1)));
+        byte[] bytes = new byte[Integer.BYTES * rgb.length];
+        try {
+            for (int n = 0; n < bytes.length;) {
+                n += inflater.inflate(bytes, n, bytes.length - n);
+            }
+        } catch (DataFormatException e) {
+            throw new IllegalStateException("a frame that was packed here cannot be unpacked", e);
+        } finally {
+            inflater.end();
+        }
+        ByteBuffer.wrap(bytes).asIntBuffer().get(rgb);
+    }
+
+    /** Takes frames from the drawing thread; they are read when that has ended. */
+    private final class Packer implements FrameSink {
+        private final Deflater deflater = new Deflater(Deflater.BEST_SPEED);
+        private final byte[] bytes = new byte[Integer.BYTES * width * height];
+        private byte[] out = new byte[bytes.length / 4];
+
+        @Override
+        public void add(int index, int[] rgb) {
+            ByteBuffer.wrap(bytes).asIntBuffer().put(rgb);
+            deflater.reset();
+            deflater.setInput(bytes);
+            deflater.finish();
+            int n = 0;
+            while (!deflater.finished()) {
+                if (n == out.length) {
+                    out = Arrays.copyOf(out, 2 * n);
+                }
+                n += deflater.deflate(out, n, out.length - n);
+            }
+            packed.add(Arrays.copyOf(out, n));
+        }
+
+        @Override
+        public void close() {
+            deflater.end();
+        }
+    }
+}

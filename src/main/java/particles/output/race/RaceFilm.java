@@ -1,0 +1,150 @@
+package particles.output.race;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import particles.Observer;
+import particles.output.animation.GifAnimation;
+import particles.output.charts.SolverStyle;
+import particles.output.charts.StripChart;
+import particles.output.files.OutputFolder;
+import particles.output.frames.FrameSetup;
+import particles.view.ChartData;
+
+/**
+ * Films of several runs of a scene beside each other, each over the translucent ghost of a reference, and a chart over
+ * the same time below. First the runs are watched, one after the other, then the film is written.
+ */
+public final class RaceFilm implements AutoCloseable {
+    /** The grey of the ghost. */
+    private static final int GREY = 0x6f747c;
+
+    private final RacePage page;
+    private final double rate;
+    private final double playback;
+    private final List<PanelFilm> films = new ArrayList<>();
+    private PanelFilm ghost;
+
+    /**
+     * What stands above all panels.
+     *
+     * @param title   the scene, and what is equal
+     * @param finding who won
+     * @param ghost   what the ghost is
+     */
+    public record Head(String title, String finding, String ghost) {
+    }
+
+    /**
+     * What is said of a run.
+     *
+     * @param name    the solver's, with which {@link #watch} was called
+     * @param step    its step or tolerance
+     * @param cost    what its run cost; left out where there is no room
+     * @param left    when the run ended early (s)
+     */
+    public record Words(String name, String step, String cost, OptionalDouble left) {
+    }
+
+    /**
+     * @param panels   how many runs there are beside the reference
+     * @param aspect   width over height of each panel
+     * @param rate     frames for a second of simulated time (1/s)
+     * @param playback frames shown in a second (1/s)
+     */
+    public RaceFilm(int panels, double aspect, double rate, double playback) {
+        page = new RacePage(panels, aspect);
+        this.rate = rate;
+        this.playback = playback;
+    }
+
+    /**
+     * @param stage what the reference's run shows, in the scene's own colours
+     * @return who is to watch it
+     */
+    public Observer watchReference(FrameSetup stage) {
+        ghost = film(stage, GREY);
+        return ghost;
+    }
+
+    /**
+     * @param name  of the solver
+     * @param stage what its run shows, in the scene's own colours
+     * @return who is to watch it
+     */
+    public Observer watch(String name, FrameSetup stage) {
+        PanelFilm film = film(stage, SolverStyle.orGrey(name).rgb());
+        films.add(film);
+        return film;
+    }
+
+    private PanelFilm film(FrameSetup stage, int colour) {
+        FrameSetup coloured = new FrameSetup(stage.camera(), stage.look().inOneColour(colour), stage.scenery(), "", "");
+        return new PanelFilm(coloured, page.panelWidth(), page.panelHeight(), rate);
+    }
+
+    /**
+     * Writes {@code animation.gif} and a sheet of moments for print.
+     *
+     * @param folder   where they go
+     * @param sheet    the name of the sheet, such as {@code race.png}
+     * @param head     at the top
+     * @param words    for each run, in the order of {@link #watch}
+     * @param strip    what the chart shows, with a line of each run's name
+     * @param progress hears which part is done
+     */
+    public void write(OutputFolder folder, String sheet, Head head, List<Words> words, ChartData strip,
+                      DoubleConsumer progress) {
+        close();
+        StripChart chart = new StripChart(strip);
+        BufferedImage image = new BufferedImage(page.width(), page.height(), BufferedImage.TYPE_INT_RGB);
+        int[] rgb = ((DataBufferInt) image.getRaster().getDataBuffer()).getData();
+        try (GifAnimation gif = new GifAnimation(folder, page.width(), page.height(), importantColours(), page.width(),
+                playback)) {
+            for (int index = 0; index < ghost.count(); index++) {
+                page.draw(image, head, index / rate, words, panels(index), chart);
+                gif.add(index, rgb);
+                progress.accept((index + 1.0) / ghost.count());
+            }
+        }
+        RaceSheet.write(folder, sheet, head, RaceSheet.moments(films.size(), ghost.count() - 1),
+                words, this::panels, chart, rate);
+    }
+
+    /** @return each run's picture, over the ghost */
+    private List<BufferedImage> panels(int index) {
+        int[] shape = new int[page.panelWidth() * page.panelHeight()];
+        ghost.get(index, shape);
+        List<BufferedImage> panels = new ArrayList<>();
+        for (PanelFilm film : films) {
+            BufferedImage panel = new BufferedImage(page.panelWidth(), page.panelHeight(), BufferedImage.TYPE_INT_RGB);
+            int[] rgb = ((DataBufferInt) panel.getRaster().getDataBuffer()).getData();
+            film.get(index, rgb);
+            GhostLayer.add(rgb, shape, ghost.backdrop());
+            panels.add(panel);
+        }
+        return panels;
+    }
+
+    private int[] importantColours() {
+        IntStream all = Arrays.stream(ghost.importantColours());
+        for (PanelFilm film : films) {
+            all = IntStream.concat(all, Arrays.stream(film.importantColours()));
+        }
+        return all.distinct().toArray();
+    }
+
+    /** Ends the drawing threads. */
+    @Override
+    public void close() {
+        if (ghost != null) {                            // before the reference's run there is nothing to end
+            ghost.close();
+        }
+        films.forEach(PanelFilm::close);
+    }
+}

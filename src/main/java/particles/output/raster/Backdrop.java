@@ -1,0 +1,157 @@
+package particles.output.raster;
+
+import java.util.List;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.output.text.DecimalTicks;
+import particles.view.Scenery;
+
+/**
+ * What lies behind the moving things: a sky, the planes of the scene with a grid and shadows, and its spheres. Computed
+ * once for a camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the
+ * size of what rests on it, so that a ball at rest, whose middle is on the plane, touches what is drawn.
+ */
+public final class Backdrop {
+    private static final float DARKEST_SHADOW = 0.56f;
+    /** Grid lines about this many to the height of the picture. */
+    private static final double LINES = 7;
+    /** Planes fade into the haze within this many heights of the picture. */
+    private static final double HAZE = 5;
+    private static final double SHADOWED = 4.5;
+
+    /** The planes that can be seen, each with the shadows on it. */
+    public final List<ShadowMap> shadows;
+    private final Sky sky;
+    private final int width;
+    private final int[] colour;
+    private final float[] near;
+    private final byte[] planeAt;
+    private final float[] column;
+    private final float[] row;
+
+    public Backdrop(CameraProjection view, Lighting lighting, Scenery scenery, Sky sky, Vector3 target, double inset,
+            Vector3 up) {
+        this.sky = sky;
+        int n = view.width * view.height;
+        width = view.width;
+        colour = new int[n];
+        near = new float[n];
+        planeAt = new byte[n];
+        column = new float[n];
+        row = new float[n];
+        List<Plane> seen = scenery.planes().stream()
+                .map(plane -> new Plane(plane.point().minus(plane.normal().times(inset)), plane.normal()))
+                .filter(plane -> isSeen(view, plane)).limit(Byte.MAX_VALUE).toList();
+        double shadowed = SHADOWED * view.viewHeight;
+        shadows = seen.stream().map(plane -> new ShadowMap(plane, lighting.lamp, target, shadowed)).toList();
+        double spacing = new DecimalTicks().getCeilingTickUnit(view.viewHeight / LINES).getSize();
+        for (int y = 0; y < view.height; y++) {
+            for (int x = 0; x < width; x++) {
+                paint(view, lighting, seen, target, spacing, up, x, y);
+            }
+        }
+        if (!scenery.spheres().isEmpty()) {
+            boolean[] covered = new BackdropSpheres(view, lighting).paint(scenery.spheres(), inset, colour, near);
+            for (int p = 0; p < n; p++) {
+                planeAt[p] = covered[p] ? -1 : planeAt[p];
+            }
+        }
+    }
+
+    private static boolean isSeen(CameraProjection view, Plane plane) {
+        return view.perspective ? plane.distance(view.eye.x(), view.eye.y(), view.eye.z()) > 0
+                : plane.normal().dot(view.back) > 0;
+    }
+
+    private void paint(CameraProjection view, Lighting lighting, List<Plane> planes, Vector3 target, double spacing,
+            Vector3 up,
+                       int x, int y) {
+        int p = y * width + x;
+        Vector3 start = view.rayStart(x + 0.5, y + 0.5);
+        Vector3 ray = view.rayDirection(x + 0.5, y + 0.5);
+        double depth = Double.POSITIVE_INFINITY;
+        int nearest = -1;
+        for (int k = 0; k < planes.size(); k++) {
+            double fall = -ray.dot(planes.get(k).normal());
+            double t = planes.get(k).distance(start.x(), start.y(), start.z()) / fall;
+            if (fall > 1e-6 && t < depth && view.isInFront(t)) {
+                depth = t;
+                nearest = k;
+            }
+        }
+        colour[p] = behind(view, ray, up, y, planes.isEmpty());
+        near[p] = Float.NEGATIVE_INFINITY;
+        planeAt[p] = -1;
+        if (nearest < 0) {
+            return;
+        }
+        Plane plane = planes.get(nearest);
+        ShadowMap map = shadows.get(nearest);
+        Vector3 hit = start.plus(ray.times(depth));
+        double way = hit.minus(target).length() / (HAZE * view.viewHeight);
+        double haze = 1 - StrictMath.exp(-way * way);
+        Vector3 normal = plane.normal();
+        float light = 1 + 0.35f * (lighting.light((float) normal.dot(view.right), (float) normal.dot(view.up),
+                (float) normal.dot(view.back)) - lighting.light((float) up.dot(view.right), (float) up.dot(view.up),
+                (float) up.dot(view.back)));
+        Vector3 from = hit.minus(plane.point());
+        double u = from.dot(map.axisU) / spacing;
+        double v = from.dot(map.axisV) / spacing;
+        // how far apart two pixels are on the plane, from their rays
+        Vector3 beside = on(view, plane, x + 1.5, y + 0.5, hit);
+        Vector3 below = on(view, plane, x + 0.5, y + 1.5, hit);
+        double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU)))
+                / spacing;
+        double footV = (Math.abs(beside.minus(hit).dot(map.axisV)) + Math.abs(below.minus(hit).dot(map.axisV)))
+                / spacing;
+        double line = Math.max(GridLines.coverage(u, footU), GridLines.coverage(v, footV));
+        colour[p] = Colours.mix(Colours.lit(Colours.mix(sky.ground, sky.line, line), Math.max(0.5f, light), 0),
+                sky.horizon,
+                haze);
+        near[p] = (float) view.nearness(depth);
+        if (ShadowMap.isLit(plane, lighting.lamp) && haze < 0.9) {
+            planeAt[p] = (byte) nearest;
+            column[p] = (float) map.column(hit.x(), hit.y(), hit.z());
+            row[p] = (float) map.row(hit.x(), hit.y(), hit.z());
+        }
+    }
+
+    private static Vector3 on(CameraProjection view, Plane plane, double px, double py, Vector3 otherwise) {
+        Vector3 start = view.rayStart(px, py);
+        Vector3 ray = view.rayDirection(px, py);
+        double fall = -ray.dot(plane.normal());
+        return fall > 1e-6 ? start.plus(ray.times(plane.distance(start.x(), start.y(), start.z()) / fall)) : otherwise;
+    }
+
+    /** Over a ground the horizon is where it is in space; without one, the sky is a screen behind the scene. */
+    private int behind(CameraProjection view, Vector3 ray, Vector3 up, int y, boolean screen) {
+        if (screen || !view.perspective) {
+            double part = (y + 0.5) / view.height;
+            return part < 0.62 ? Colours.mix(sky.top, sky.horizon, part / 0.62)
+                    : Colours.mix(sky.horizon, sky.bottom, (part - 0.62) / 0.38);
+        }
+        double rise = ray.dot(up) / ray.length();
+        return Colours.mix(sky.horizon, sky.top, rise / 0.45);
+    }
+
+    /** @return how near the plane at pixel p is; negative infinity where the sky is */
+    public float near(int p) {
+        return near[p];
+    }
+
+    /** Paints it all, under the shadows of this frame. */
+    public void paint(int[] pixels) {
+        System.arraycopy(colour, 0, pixels, 0, colour.length);
+        for (int k = 0; k < shadows.size(); k++) {
+            ShadowMap map = shadows.get(k);
+            for (int p = 0; p < pixels.length; p++) {
+                if (planeAt[p] == k && map.isTouched(column[p], row[p])) {
+                    float light = 1 - (1 - DARKEST_SHADOW) * map.at(column[p], row[p]);
+                    int rgb = pixels[p];
+                    pixels[p] = (int) ((rgb >> 16 & 255) * light) << 16 | (int) ((rgb >> 8 & 255) * light) << 8
+                            | (int) ((rgb & 255) * light);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package particles.output.raster;
+
+import java.util.List;
+import particles.law.Sphere;
+import particles.law.Vector3;
+
+/**
+ * The balls of a scene and the far inner walls of its hollows, painted once onto the backdrop: four lines of sight a
+ * pixel, so that edges are smooth. A ball is drawn smaller, and a hollow larger, by the size of what rests on it.
+ */
+final class BackdropSpheres {
+    private static final int BALL = 0xaebccb;
+    private static final int WALL = 0xdfe4e8;
+    private static final int LINE = 0xb9c1c9;
+    /** From line to line on the wall of a hollow (radians). */
+    private static final double SPACING = Math.PI / 12;
+
+    private final CameraProjection view;
+    private final Lighting lighting;
+    // what the line of sight at hand has hit
+    private double depth;
+    private double nx;
+    private double ny;
+    private double nz;
+
+    BackdropSpheres(CameraProjection view, Lighting lighting) {
+        this.view = view;
+        this.lighting = lighting;
+    }
+
+    /**
+     * @param inset  how much smaller balls are drawn (m)
+     * @param colour the picture so far, row by row; painted over
+     * @param near   its nearness; changed where a sphere is nearer
+     * @return which pixels now show a sphere
+     */
+    boolean[] paint(List<Sphere> spheres, double inset, int[] colour, float[] near) {
+        boolean[] covered = new boolean[colour.length];
+        for (Sphere sphere : spheres) {
+            double radius = sphere.hollow() ? sphere.radius() + inset : Math.max(0.3 * sphere.radius(),
+                    sphere.radius() - inset);
+            for (int p = 0; p < colour.length; p++) {
+                paint(sphere, radius, p, colour, near, covered);
+            }
+        }
+        return covered;
+    }
+
+    private void paint(Sphere sphere, double radius, int p, int[] colour, float[] near, boolean[] covered) {
+        int x = p % view.width;
+        int y = p / view.width;
+        int hits = 0;
+        int redBlue = 0;
+        int green = 0;
+        float nearest = Float.NEGATIVE_INFINITY;
+        for (int k = 0; k < 4; k++) {
+            if (meets(sphere, radius, x + 0.25 + 0.5 * (k & 1), y + 0.25 + 0.5 * (k >> 1))
+                    && view.nearness(depth) > near[p]) {
+                hits++;
+                int rgb = shade(sphere, radius);
+                redBlue += rgb & 0xff00ff;
+                green += rgb & 0x00ff00;
+                nearest = Math.max(nearest, (float) view.nearness(depth));
+            }
+        }
+        if (hits > 0) {
+            redBlue += (4 - hits) * (colour[p] & 0xff00ff);
+            green += (4 - hits) * (colour[p] & 0x00ff00);
+            colour[p] = redBlue + 0x020002 >> 2 & 0xff00ff | green + 0x000200 >> 2 & 0x00ff00;
+            if (hits > 1) {
+                near[p] = nearest;
+                covered[p] = true;
+            }
+        }
+    }
+
+    /** Finds where a line of sight meets the side that is drawn, with the normal there towards the viewer. */
+    private boolean meets(Sphere sphere, double radius, double px, double py) {
+        Vector3 start = view.rayStart(px, py);
+        Vector3 ray = view.rayDirection(px, py);
+        Vector3 from = start.minus(sphere.centre());
+        double a = ray.dot(ray);
+        double b = from.dot(ray) / a;
+        double c = (from.dot(from) - radius * radius) / a;
+        double square = b * b - c;
+        if (!(square >= 0)) {
+            return false;
+        }
+        depth = sphere.hollow() ? -b + Math.sqrt(square) : -b - Math.sqrt(square);
+        if (!view.isInFront(depth)) {
+            return false;
+        }
+        double side = (sphere.hollow() ? -1 : 1) / radius;
+        nx = side * (from.x() + depth * ray.x());
+        ny = side * (from.y() + depth * ray.y());
+        nz = side * (from.z() + depth * ray.z());
+        return true;
+    }
+
+    private int shade(Sphere sphere, double radius) {
+        float right = (float) (nx * view.right.x() + ny * view.right.y() + nz * view.right.z());
+        float up = (float) (nx * view.up.x() + ny * view.up.y() + nz * view.up.z());
+        float back = (float) (nx * view.back.x() + ny * view.back.y() + nz * view.back.z());
+        float light = lighting.light(right, up, back);
+        if (!sphere.hollow()) {
+            return Colours.lit(BALL, light, lighting.highlight(right, up, back));
+        }
+        double ring = Math.sqrt(nx * nx + nz * nz);
+        double foot = 1 / (view.scale(depth) * radius * SPACING * Math.max(0.15, Math.abs(back)));
+        double line = Math.max(GridLines.coverage(Math.asin(Math.max(-1, Math.min(1, ny))) / SPACING, foot),
+                ring > 0.05 ? GridLines.coverage(Math.atan2(nx, nz) / SPACING, foot / ring) : 0);
+        return Colours.lit(Colours.mix(WALL, LINE, line), 0.65f + 0.35f * light, 0);
+    }
+}

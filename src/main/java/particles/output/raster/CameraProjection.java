@@ -1,0 +1,99 @@
+package particles.output.raster;
+
+import particles.law.Vector3;
+import particles.view.Camera;
+
+/**
+ * From space to the samples of a picture and back. Nearness, which decides what hides what, is an affine function of
+ * the place in the picture for the points of a plane: 1 / distance in a perspective view, -distance in an orthographic
+ * one.
+ */
+public final class CameraProjection {
+    /** Nothing nearer than this part of the distance to the target is drawn in a perspective view. */
+    private static final double NEAREST = 0.02;
+
+    public final int width;
+    public final int height;
+    final boolean perspective;
+    final Vector3 eye;
+    public final Vector3 right;
+    public final Vector3 up;
+    public final Vector3 back;
+    /** The height of the picture in the plane through the target (m). */
+    public final double viewHeight;
+    private final double focal;
+    private final double nearest;
+
+    /** @throws IllegalArgumentException if the camera has no direction, or no angle or height */
+    public CameraProjection(Camera camera, int width, int height) {
+        this.width = width;
+        this.height = height;
+        perspective = camera.perspective();
+        eye = camera.position();
+        Vector3 sight = eye.minus(camera.target());
+        back = sight.normalized();
+        right = camera.up().cross(back).normalized();
+        up = back.cross(right);
+        double distance = sight.length();
+        if (perspective) {
+            if (!(camera.fieldOfView() > 0) || !(camera.fieldOfView() < 180)) {
+                throw new IllegalArgumentException("a field of view has to be between 0 and 180 degrees, not "
+                        + camera.fieldOfView());
+            }
+            double half = Math.tan(Math.toRadians(camera.fieldOfView()) / 2);
+            focal = height / (2 * half);
+            viewHeight = 2 * half * distance;
+        } else {
+            if (!(camera.height() > 0) || !(camera.height() <= Double.MAX_VALUE)) {
+                throw new IllegalArgumentException("the height of a picture has to be positive, not "
+                        + camera.height());
+            }
+            focal = height / camera.height();
+            viewHeight = camera.height();
+        }
+        nearest = NEAREST * distance;
+    }
+
+    /** @return how far in front of the camera the point is, along its direction of sight (m) */
+    public double depth(double x, double y, double z) {
+        return -((x - eye.x()) * back.x() + (y - eye.y()) * back.y() + (z - eye.z()) * back.z());
+    }
+
+    /** @return whether a point at this depth can be drawn */
+    public boolean isInFront(double depth) {
+        return !perspective || depth > nearest;
+    }
+
+    /** @return pixels per metre at this depth */
+    public double scale(double depth) {
+        return perspective ? focal / depth : focal;
+    }
+
+    public double nearness(double depth) {
+        return perspective ? 1 / depth : -depth;
+    }
+
+    /** @return pixels from the left; may be far outside */
+    public double x(double x, double y, double z, double scale) {
+        return width / 2.0
+                + scale * ((x - eye.x()) * right.x() + (y - eye.y()) * right.y() + (z - eye.z()) * right.z());
+    }
+
+    /** @return pixels from the top */
+    public double y(double x, double y, double z, double scale) {
+        return height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z());
+    }
+
+    /** @return where the line of sight through a place in the picture begins */
+    Vector3 rayStart(double px, double py) {
+        return perspective ? eye
+                : eye.plus(right.times((px - width / 2.0) / focal)).plus(up.times((height / 2.0 - py) / focal));
+    }
+
+    /** @return its direction; its part along the direction of sight is 1, so that multiples of it are depths */
+    Vector3 rayDirection(double px, double py) {
+        return perspective
+                ? right.times((px - width / 2.0) / focal).plus(up.times((height / 2.0 - py) / focal)).minus(back)
+                : back.times(-1);
+    }
+}

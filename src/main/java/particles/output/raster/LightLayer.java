@@ -1,0 +1,98 @@
+package particles.output.raster;
+
+import java.util.Arrays;
+
+/**
+ * Light on top of a picture: what is behind stays visible, and light that is added many times comes near white and does
+ * not pass it, as on a film: c becomes 255 - (255 - c) exp(-light).
+ */
+public final class LightLayer {
+    private static final int STEPS_PER_UNIT = 256;
+    private static final double MOST = 8;
+
+    private final int width;
+    private final int height;
+    /** Red, green, blue a pixel. */
+    private final float[] light;
+    private final float[] passed = new float[(int) (MOST * STEPS_PER_UNIT) + 1];
+    private int top;
+    private int bottom;
+
+    public LightLayer(int width, int height) {
+        this.width = width;
+        this.height = height;
+        light = new float[3 * width * height];
+        for (int k = 0; k < passed.length; k++) {
+            passed[k] = (float) Math.exp(-(double) k / STEPS_PER_UNIT);
+        }
+        top = height;
+    }
+
+    /** Makes it dark. */
+    public void clear() {
+        if (top < bottom) {
+            Arrays.fill(light, 3 * width * top, 3 * width * bottom, 0);
+        }
+        top = height;
+        bottom = 0;
+    }
+
+    /**
+     * Adds a round spot, brightest in its middle: (1 - d&sup2;/r&sup2;)&sup2;, where nothing nearer hides it.
+     *
+     * @param x          the middle, in pixels from the left
+     * @param y          the middle, from the top
+     * @param radius     r, in pixels
+     * @param near       the spot's nearness
+     * @param rgb        its colour
+     * @param brightness of its middle; 1 for what makes black the most part of the colour
+     */
+    public void spot(double x, double y, double radius, double near, int rgb, double brightness, Raster raster,
+            Backdrop backdrop) {
+        int x0 = (int) Math.max(0, Math.ceil(x - radius - 0.5));
+        int x1 = (int) Math.min(width - 1, Math.floor(x + radius - 0.5));
+        int y0 = (int) Math.max(0, Math.ceil(y - radius - 0.5));
+        int y1 = (int) Math.min(height - 1, Math.floor(y + radius - 0.5));
+        if (x0 > x1 || y0 > y1) {
+            return;
+        }
+        top = Math.min(top, y0);
+        bottom = Math.max(bottom, y1 + 1);
+        float red = (float) (brightness * (rgb >> 16 & 255) / 255);
+        float green = (float) (brightness * (rgb >> 8 & 255) / 255);
+        float blue = (float) (brightness * (rgb & 255) / 255);
+        for (int py = y0; py <= y1; py++) {
+            double dy = (py + 0.5 - y) / radius;
+            for (int px = x0; px <= x1; px++) {
+                double dx = (px + 0.5 - x) / radius;
+                double rest = 1 - dx * dx - dy * dy;
+                int p = py * width + px;
+                if (rest > 0 && near > backdrop.near(p) && near > raster.nearAt(px, py)) {
+                    float share = (float) (rest * rest);
+                    light[3 * p] += share * red;
+                    light[3 * p + 1] += share * green;
+                    light[3 * p + 2] += share * blue;
+                }
+            }
+        }
+    }
+
+    /** Brightens a picture. */
+    public void addTo(int[] pixels) {
+        for (int p = top * width; p < bottom * width; p++) {
+            float red = light[3 * p];
+            float green = light[3 * p + 1];
+            float blue = light[3 * p + 2];
+            if (red + green + blue > 0) {
+                int c = pixels[p];
+                pixels[p] = brighter(c >> 16 & 255, red) << 16 | brighter(c >> 8 & 255, green) << 8 | brighter(c & 255,
+                        blue);
+            }
+        }
+    }
+
+    private int brighter(int channel, float amount) {
+        int step = (int) Math.min(passed.length - 1, amount * STEPS_PER_UNIT);
+        return Math.round(255 - (255 - channel) * passed[step]);
+    }
+}

@@ -1,0 +1,82 @@
+package particles.output.report;
+
+import java.io.StringWriter;
+import java.util.List;
+import java.util.Optional;
+import javax.xml.stream.XMLOutputFactory;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamWriter;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+
+/** Results in the form of JUnit's test reports, which autograders read. */
+public final class JUnitXml {
+    private static final String CONTROL = "[^\\t\\n\\r\\u0020-\\uD7FF\\uE000-\\uFFFD\\x{10000}-\\x{10FFFF}]";
+
+    private JUnitXml() {
+    }
+
+    /**
+     * One result.
+     *
+     * @param name    what was looked at
+     * @param failure in one line why it is not right; none if it is
+     * @param details more to say in either case, a line each
+     */
+    public record Case(String name, Optional<String> failure, List<String> details) {
+    }
+
+    /**
+     * Writes TEST-SUITE.xml.
+     *
+     * @param folder where it goes
+     * @param suite  what the results are of; the class name of all of them
+     * @param cases  the results
+     * @throws OutputException if it cannot be written
+     */
+    public static void write(OutputFolder folder, String suite, List<Case> cases) {
+        StringWriter text = new StringWriter();
+        try {
+            XMLStreamWriter xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text);
+            xml.writeStartDocument("UTF-8", "1.0");
+            xml.writeCharacters("\n");
+            start(xml, "testsuite", "name", suite, "tests", Integer.toString(cases.size()), "failures",
+                    Long.toString(cases.stream().filter(c -> c.failure().isPresent()).count()), "errors", "0",
+                    "skipped",
+                            "0", "time", "0");
+            for (Case result : cases) {
+                xml.writeCharacters("\n  ");
+                start(xml, "testcase", "classname", suite, "name", result.name(), "time", "0");
+                String details = String.join("\n", result.details());
+                if (result.failure().isPresent()) {
+                    start(xml, "failure", "type", "mark", "message", result.failure().get());
+                    xml.writeCharacters(clean(details));
+                    xml.writeEndElement();
+                } else {
+                    start(xml, "system-out");
+                    xml.writeCharacters(clean(details));
+                    xml.writeEndElement();
+                }
+                xml.writeEndElement();
+            }
+            xml.writeCharacters("\n");
+            xml.writeEndElement();
+            xml.writeEndDocument();
+        } catch (XMLStreamException e) {
+            throw new IllegalStateException("XML cannot be written to memory", e);
+        }
+        ResultPageWriter.writeLines(folder, "TEST-" + suite + ".xml", List.of(text.toString()));
+    }
+
+    private static void start(XMLStreamWriter xml, String element, String... attributes) throws XMLStreamException {
+        xml.writeStartElement(element);
+        for (int k = 0; k < attributes.length; k += 2) {
+            xml.writeAttribute(attributes[k], clean(attributes[k + 1]));
+        }
+    }
+
+    /** XML has no way to write most control characters. */
+    private static String clean(String text) {
+        return text.replaceAll(CONTROL, "?");
+    }
+}

@@ -1,0 +1,93 @@
+package particles.output.report;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import particles.output.files.Numbers;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFile;
+import particles.output.files.OutputFolder;
+import particles.output.text.TableText;
+import particles.view.ChartData;
+import particles.view.DataTable;
+
+/**
+ * Writes what an experiment has to show: each picture with its numbers, each table, and a page that says what they
+ * mean.
+ */
+public final class ResultPageWriter {
+    /** A longer table is for programs. */
+    private static final int MOST_ROWS = 100;
+
+    private ResultPageWriter() {
+    }
+
+    /**
+     * Writes PICTURE.png and PICTURE.csv for each picture, TABLE.csv for each table, and NAME.md.
+     *
+     * @param folder where they go
+     * @param page   what they show
+     * @throws OutputException if something cannot be written
+     */
+    public static void write(OutputFolder folder, ResultPage page) {
+        for (ResultPage.Picture picture : page.pictures()) {
+            picture.write(folder);
+            if (!picture.data().isEmpty()) {
+                writeLines(folder, picture.name() + ".csv", points(picture.data()));
+            }
+        }
+        for (DataTable table : page.tables()) {
+            writeLines(folder, table.name() + ".csv", TableText.csv(table));
+        }
+        writeLines(folder, page.name() + ".md", markdown(page));
+    }
+
+    private static List<String> markdown(ResultPage page) {
+        List<String> lines = new ArrayList<>(List.of("# " + page.title()));
+        for (String paragraph : page.text()) {
+            lines.addAll(List.of("", paragraph));
+        }
+        for (ResultPage.Picture picture : page.pictures()) {
+            lines.addAll(List.of("", "![" + picture.caption() + "](" + picture.file() + ")", "", picture.caption()
+                    + (picture.data().isEmpty() ? "" : " Its numbers: [" + picture.name() + ".csv](" + picture.name()
+                    + ".csv).")));
+        }
+        for (DataTable table : page.tables()) {
+            lines.addAll(List.of("", "## " + table.title(), ""));
+            String link = "[" + table.name() + ".csv](" + table.name() + ".csv).";
+            if (table.rows().size() > MOST_ROWS) {
+                lines.add("All " + table.rows().size() + " rows: " + link);
+            } else {
+                lines.addAll(TableText.markdown(table));
+                lines.addAll(List.of("", "With all digits: " + link));
+            }
+        }
+        return lines;
+    }
+
+    /** The points of all series below each other. */
+    private static List<String> points(List<ChartData> charts) {
+        List<String> lines = new ArrayList<>(List.of("chart,series,x quantity,x,y quantity,y"));
+        for (ChartData chart : charts) {
+            for (ChartData.Series series : chart.series()) {
+                String start = TableText.quoted(chart.title()) + "," + TableText.quoted(series.name()) + ",";
+                for (int k = 0; k < series.x().length; k++) {
+                    lines.add(start + TableText.quoted(chart.xLabel()) + "," + Numbers.shortest(series.x()[k]) + ","
+                            + TableText.quoted(chart.yLabel()) + "," + Numbers.shortest(series.y()[k]));
+                }
+            }
+        }
+        return lines;
+    }
+
+    static void writeLines(OutputFolder folder, String name, List<String> lines) {
+        try (OutputFile file = folder.create(name)) {
+            file.write((String.join("\n", lines) + "\n").getBytes(StandardCharsets.UTF_8));
+            file.commit();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);      // the file's own are OutputExceptions
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package particles.output.text;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.axis.TickUnit;
+import org.jfree.chart.axis.TickUnitSource;
+
+/**
+ * Ticks at multiples of 1, 2 or 5 times a power of ten, of any size, labelled with exactly the digits that they need:
+ * {@code 0.25}, {@code 1000}, {@code 2e-14}. JFreeChart's own round to ten decimals, so that small drifts all read 0.
+ */
+public final class DecimalTicks implements TickUnitSource {
+    /** Plain digits from 1e-4 up to below 1e6, as long as people read them at a glance. */
+    private static final int SMALLEST_PLAIN = -4;
+    private static final int SMALLEST_EXPONENT = 6;
+
+    /** One of the units: 1, 2 or 5 times a power of ten. */
+    private static final class Unit extends NumberTickUnit {
+        private static final long serialVersionUID = 1L;
+
+        private final BigDecimal size;
+
+        Unit(BigDecimal size) {
+            super(size.doubleValue());
+            this.size = size;
+        }
+
+        /** The tick's value comes with rounding errors; it is a whole number of units. */
+        @Override
+        public String valueToString(double value) {
+            double units = Math.rint(value / getSize());
+            return Math.abs(units) < 1e15 ? label(size.multiply(BigDecimal.valueOf((long) units)))
+                    : Double.toString(value);
+        }
+    }
+
+    public static String label(BigDecimal value) {
+        if (value.signum() == 0) {
+            return "0";
+        }
+        BigDecimal digits = value.stripTrailingZeros();
+        int exponent = digits.precision() - digits.scale() - 1;
+        if (exponent >= SMALLEST_PLAIN && exponent < SMALLEST_EXPONENT) {
+            return digits.toPlainString();
+        }
+        return digits.movePointLeft(exponent).stripTrailingZeros().toPlainString() + "e" + exponent;
+    }
+
+    @Override
+    public TickUnit getLargerTickUnit(TickUnit unit) {
+        return getCeilingTickUnit(unit.getSize() * 1.5);
+    }
+
+    @Override
+    public TickUnit getCeilingTickUnit(TickUnit unit) {
+        return getCeilingTickUnit(unit.getSize());
+    }
+
+    /** The smallest unit that is not smaller, but for rounding. */
+    @Override
+    public TickUnit getCeilingTickUnit(double size) {
+        double wanted = Math.max(size, Double.MIN_NORMAL) * (1 - 1e-9);
+        BigDecimal power = BigDecimal.ONE.scaleByPowerOfTen(
+                BigDecimal.valueOf(Math.log10(wanted)).setScale(0, RoundingMode.FLOOR).intValue());
+        for (int factor : new int[] {1, 2, 5}) {
+            BigDecimal unit = power.multiply(BigDecimal.valueOf(factor));
+            if (unit.doubleValue() >= wanted) {
+                return new Unit(unit);
+            }
+        }
+        return new Unit(power.scaleByPowerOfTen(1));
+    }
+}

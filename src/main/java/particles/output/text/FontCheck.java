@@ -1,0 +1,59 @@
+package particles.output.text;
+
+import java.awt.AWTError;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import particles.output.files.OutputException;
+
+/**
+ * Whether this machine can draw text, found out once and before anything depends on it. A Java without fonts, or
+ * without the libraries that read them, fails in many ways and places: InternalError, NullPointerException,
+ * UnsatisfiedLinkError at first, NoClassDefFoundError ever after.
+ */
+public final class FontCheck {
+    /** One clear line for what cannot be drawn without text. */
+    private static final String NO_FONT = "Java finds no font on this machine, and a chart needs text; "
+            + "install one, such as the package fonts-dejavu-core (with fontconfig)";
+
+    private FontCheck() {
+    }
+
+    /** Loaded at the first question only. */
+    private static final class Probe {
+        static final boolean WORKS = draws();
+
+        private static boolean draws() {
+            try {
+                BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
+                Graphics2D g = image.createGraphics();
+                g.setFont(font(Font.PLAIN, 12));
+                int width = g.getFontMetrics().stringWidth("t = 0");
+                g.drawString("t", 0, 8);
+                g.dispose();
+                return width > 0;
+            } catch (LinkageError | InternalError | AWTError | RuntimeException e) {
+                // whatever it was, there is no text to be had; isAvailable() says so to those who ask
+                return false;
+            }
+        }
+    }
+
+    /** @return whether text can be drawn */
+    public static boolean isAvailable() {
+        return Probe.WORKS;
+    }
+
+    /** @throws OutputException if no text can be drawn */
+    public static void require(Path file) {
+        if (!isAvailable()) {
+            throw new OutputException(file, "draw", NO_FONT, null);
+        }
+    }
+
+    /** @return the project's font in all pictures; where there is no DejaVu, what Java takes instead */
+    public static Font font(int style, float size) {
+        return new Font("DejaVu Sans", style, 1).deriveFont(size);
+    }
+}

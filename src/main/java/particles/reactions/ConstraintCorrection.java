@@ -1,0 +1,90 @@
+package particles.reactions;
+
+import java.util.Locale;
+import java.util.Optional;
+import particles.SimulationException;
+import particles.law.Particles;
+
+/**
+ * Puts positions and velocities back onto the constraints: by Newton's method, along the directions in which the least
+ * mass is moved the least way, W J<sup>T</sup> mu with J W J<sup>T</sup> mu = -C; then the velocities, by one such
+ * system for C'.
+ */
+final class ConstraintCorrection {
+    /** Relative to a row's scale and its particle's distance from the origin; better is rounding. */
+    private static final double FINE = 1e-15;
+    /** What is left by rounding where configurations are nearly singular. */
+    private static final double ENOUGH = 1e-12;
+    private static final int MOST_ITERATIONS = 30;
+
+    private final ConstraintRows rows;
+    private final Linkages linkages;
+    private final Optional<CoupledContacts> coupled;
+    private final double[] right;
+    private final double[] amount;
+
+    ConstraintCorrection(ConstraintRows rows, Linkages linkages, Optional<CoupledContacts> coupled) {
+        this.coupled = coupled;
+        this.rows = rows;
+        this.linkages = linkages;
+        right = new double[rows.count()];
+        amount = new double[rows.count()];
+    }
+
+    /** @return whether anything was moved */
+    boolean positions(double[] state, double time, double[] mobility) {
+        double before = Double.POSITIVE_INFINITY;
+        for (int iteration = 0;; iteration++) {
+            rows.evaluate(state);
+            double error = 0;
+            for (int r = 0; r < right.length; r++) {
+                right[r] = -rows.value[r];
+                int x = Particles.STRIDE * rows.first(r);
+                double place = Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]);
+                error = Math.max(error, Math.abs(right[r]) / (rows.scale(r) + place));
+            }
+            if (error <= FINE || error <= ENOUGH && error > before / 2) {
+                return iteration > 0;
+            }
+            if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
+                throw new SimulationException(time, -1,
+                        String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
+                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration,
+                        error),
+                        null);
+            }
+            before = error;
+            correct(mobility, state, 0);
+        }
+    }
+
+    /** @return whether anything was changed */
+    boolean velocities(double[] state, double[] mobility) {
+        rows.evaluate(state);
+        boolean changed = false;
+        for (int r = 0; r < right.length; r++) {
+            right[r] = -rows.rate[r];
+            int v = Particles.STRIDE * rows.first(r) + 3;
+            double speed = Math.abs(state[v]) + Math.abs(state[v + 1]) + Math.abs(state[v + 2]);
+            changed |= Math.abs(right[r]) > FINE * (1 + speed);
+        }
+        if (changed) {
+            correct(mobility, state, 3);
+        }
+        return changed;
+    }
+
+    private void correct(double[] mobility, double[] state, int place) {
+        for (int l = 0; l < linkages.count(); l++) {
+            Linkage linkage = linkages.get(l);
+            if (coupled.isPresent() && coupled.get().correct(linkage, state, place)) {
+                continue;
+            }
+            linkage.factorise(mobility);
+            linkage.solve(right, amount);
+            for (int row : linkage.members()) {
+                rows.move(row, amount[row], mobility, state, place);
+            }
+        }
+    }
+}

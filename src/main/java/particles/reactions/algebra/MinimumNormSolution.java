@@ -1,0 +1,80 @@
+package particles.reactions.algebra;
+
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.decomposition.qr.QRColPivDecompositionHouseholderColumn_DDRM;
+import org.ejml.dense.row.linsol.qr.SolvePseudoInverseQrp_DDRM;
+
+/**
+ * A square system of any rank, by QR decomposition with column pivoting: of all x with the least |A x - b| it finds the
+ * smallest.
+ */
+public final class MinimumNormSolution {
+    /** Relative to the largest entry of R; less is rounding. */
+    private static final double SINGULAR = 1e-11;
+
+    private QRColPivDecompositionHouseholderColumn_DDRM decomposition;
+    private SolvePseudoInverseQrp_DDRM solver;
+    private final DMatrixRMaj matrix = new DMatrixRMaj(0, 0);
+    private final DMatrixRMaj decomposed = new DMatrixRMaj(0, 0);
+    private final DMatrixRMaj right = new DMatrixRMaj(0, 1);
+    private final DMatrixRMaj result = new DMatrixRMaj(0, 1);
+
+    public MinimumNormSolution() {
+        renew();
+    }
+
+    private void renew() {
+        decomposition = new QRColPivDecompositionHouseholderColumn_DDRM(SINGULAR);
+        solver = new SolvePseudoInverseQrp_DDRM(decomposition, true);
+    }
+
+    /** Whether the matrix factorised last has less than full rank. */
+    boolean isSingular() {
+        return decomposition.getRank() < matrix.numRows;
+    }
+
+    /** Starts a matrix of zeros. */
+    public void begin(int n) {
+        if (n != matrix.numRows) {                      // the decomposition does not shrink with its matrix
+            renew();
+        }
+        matrix.reshape(n, n);
+        matrix.zero();
+        right.reshape(n, 1);
+        result.reshape(n, 1);
+    }
+
+    public void set(int row, int column, double value) {
+        matrix.set(row, column, value);
+    }
+
+    double get(int row, int column) {
+        return matrix.get(row, column);
+    }
+
+    /** The decomposition may overwrite what it is given. */
+    public void factorise() {
+        decomposed.setTo(matrix);
+        solver.setA(decomposed);
+    }
+
+    /**
+     * @param x holds b, receives x; the first n entries
+     * @return the largest entry of |A x - b|
+     */
+    public double solve(double[] x) {
+        int n = matrix.numRows;
+        System.arraycopy(x, 0, right.data, 0, n);
+        solver.solve(right, result);
+        double left = 0;
+        for (int r = 0; r < n; r++) {
+            double sum = -right.data[r];
+            for (int c = 0; c < n; c++) {
+                sum += matrix.get(r, c) * result.data[c];
+            }
+            left = Math.max(left, Math.abs(sum));
+        }
+        System.arraycopy(result.data, 0, x, 0, n);
+        return left;
+    }
+}

@@ -1,0 +1,166 @@
+package particles.reactions.contact;
+
+import java.util.Arrays;
+import particles.law.ForceDerivatives;
+import particles.law.Vector3;
+
+/**
+ * The derivative of the contact force on one particle. The surfaces that push, with normals N_p, take up the force F
+ * before: G lambda = -N . F with G_pq = N_p . N_q, so that lambda changes with F by -G<sup>-1</sup> N<sup>T</sup>;
+ * sliding friction changes with lambda and with the velocity; static friction cancels all that is left.
+ *
+ * <p>The normal of a curved surface turns with the place, dN = kappa P dx with P = 1 - N N<sup>T</sup>, and what the
+ * circle needs, b = -m kappa v_t&sup2;, changes with place and velocity: {@link CurvedContact} puts that on the
+ * right-hand side.
+ *
+ * <p>Where a particle starts to slide or a surface to push, the force has a kink; there it is the derivative on one
+ * side.
+ */
+final class ContactDerivative {
+    private static final double[] NONE = new double[3];
+
+    private final double[][] inverse = new double[3][3];    // of G, for the surfaces that push
+    private final double[][] g = new double[3][3];
+    private final double[] normal = new double[3];
+    private final int[] pushing = new int[3];
+    private final double[][] pushByForce;                   // d lambda_p / dF
+    private final double[] total = new double[9];           // d (F + answer) / dF
+    private final double[] dFdX = new double[9];
+    private final double[] dFdV = new double[9];
+    private final CurvedContact curved;
+    private Vector3[] normals = {};
+    private double[] push = {};
+
+    ContactDerivative(int surfaces) {
+        pushByForce = new double[surfaces][3];
+        curved = new CurvedContact(surfaces);
+    }
+
+    /** Takes up a particle: what pushes it, without friction; its velocity begins at place v of the state. */
+    void begin(int count, TouchedSurfaces touched, double mass, double[] state, int v) {
+        normals = touched.normals;
+        push = touched.push;
+        Arrays.fill(dFdX, 0);
+        Arrays.fill(dFdV, 0);
+        Arrays.fill(total, 0);
+        total[0] = 1;
+        total[4] = 1;
+        total[8] = 1;
+        int active = 0;
+        for (int p = 0; p < count; p++) {
+            Arrays.fill(pushByForce[p], 0);
+            if (push[p] != 0 && active < 3) {
+                pushing[active++] = p;
+            }
+        }
+        invertGram(active);
+        for (int a = 0; a < active; a++) {
+            double[] row = pushByForce[pushing[a]];
+            for (int b = 0; b < active; b++) {
+                addTo(row, -inverse[a][b], normals[pushing[b]]);
+            }
+            addProduct(total, 1, normals[pushing[a]], row);
+        }
+        curved.begin(touched, mass, state, v, pushing, active, inverse);
+        for (int a = 0; a < active && curved.isAny(); a++) {
+            int p = pushing[a];
+            addProduct(dFdX, 1, normals[p], curved.pushByPlace[p]);
+            addProduct(dFdV, 1, normals[p], curved.pushByVelocity[p]);
+            curved.addTurning(p, push[p], dFdX);
+        }
+    }
+
+    /** Gauss-Jordan elimination of the positive definite matrix of the normals' scalar products. */
+    private void invertGram(int n) {
+        for (int a = 0; a < n; a++) {
+            for (int b = 0; b < n; b++) {
+                g[a][b] = normals[pushing[a]].dot(normals[pushing[b]]);
+                inverse[a][b] = a == b ? 1 : 0;
+            }
+        }
+        for (int k = 0; k < n; k++) {
+            double pivot = g[k][k];
+            for (int c = 0; c < n; c++) {
+                g[k][c] /= pivot;
+                inverse[k][c] /= pivot;
+            }
+            for (int a = 0; a < n; a++) {
+                double factor = g[a][k];
+                for (int c = 0; c < n && a != k; c++) {
+                    g[a][c] -= factor * g[k][c];
+                    inverse[a][c] -= factor * inverse[k][c];
+                }
+            }
+        }
+    }
+
+    /** Static friction: nothing is left of any force. */
+    void hold() {
+        Arrays.fill(total, 0);
+        Arrays.fill(dFdX, 0);
+        Arrays.fill(dFdV, 0);
+    }
+
+    /**
+     * Sliding friction of surface p, minus factor times the direction.
+     *
+     * @param factor as {@link SlidingDirection#find} gave it: proportional to the push, and for Coulomb's law inverse
+     *               to the speed
+     */
+    void rub(int p, double factor, SlidingDirection sliding, Friction.Law law) {
+        if (factor == 0) {
+            return;
+        }
+        double[] t = sliding.direction;
+        for (int row = 0; row < 3; row++) {
+            for (int column = 0; column < 3; column++) {
+                total[3 * row + column] -= factor / push[p] * t[row] * pushByForce[p][column];
+                if (curved.isAny()) {
+                    dFdX[3 * row + column] -= factor / push[p] * t[row] * curved.pushByPlace[p][column];
+                    dFdV[3 * row + column] -= factor / push[p] * t[row] * curved.pushByVelocity[p][column];
+                }
+            }
+        }
+        if (sliding.isIndependentOfVelocity()) {
+            return;
+        }
+        normal[0] = normals[p].x();
+        normal[1] = normals[p].y();
+        normal[2] = normals[p].z();
+        double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
+        double[] m = sliding.mirrored;
+        double mt = (m[0] * t[0] + m[1] * t[1] + m[2] * t[2]) / square;
+        for (int row = 0, e = 0; row < 3; row++) {
+            for (int column = 0; column < 3; column++, e++) {
+                double along = (row == column ? 1 : 0) - normal[row] * normal[column];
+                if (law == Friction.Law.COULOMB) {
+                    along -= t[row] * t[column] / square + 2 * (m[row] - mt * t[row]) * m[column];
+                }
+                dFdV[e] -= factor * along;
+            }
+        }
+        if (curved.isAny()) {
+            curved.addTurningOfSlip(p, factor, law == Friction.Law.COULOMB ? t : NONE, m, dFdX);
+        }
+    }
+
+    /** Changes the particle's row, and adds what depends on its velocity. */
+    void add(int i, ForceDerivatives derivatives) {
+        derivatives.transformRow(i, total);
+        derivatives.add(i, i, dFdX, dFdV);
+    }
+
+    private static void addTo(double[] row, double factor, Vector3 vector) {
+        row[0] += factor * vector.x();
+        row[1] += factor * vector.y();
+        row[2] += factor * vector.z();
+    }
+
+    private static void addProduct(double[] matrix, double factor, Vector3 column, double[] row) {
+        for (int c = 0; c < 3; c++) {
+            matrix[c] += factor * column.x() * row[c];
+            matrix[3 + c] += factor * column.y() * row[c];
+            matrix[6 + c] += factor * column.z() * row[c];
+        }
+    }
+}

@@ -1,0 +1,135 @@
+package particles.reactions.contact;
+
+import java.util.Arrays;
+import particles.law.Particles;
+
+/**
+ * Who touches which surface, and whether it slides or sticks there: what rules decide between steps and the contact
+ * force takes as given within one.
+ */
+public final class ContactModes {
+
+    /** What a particle does at a surface. */
+    public enum Mode {
+        /** It does not touch. */
+        FREE,
+        /** It touches and slides, or would if it moved. */
+        SLIDING,
+        /** It touches and static friction holds it as long as it is strong enough. */
+        STICKING
+    }
+
+    private final Particles particles;
+    private final int surfaces;
+    // by particle, then surface; null for those that never touched any
+    private Mode[][] modes = {};
+    private int touching;
+    private int changes;
+
+    public ContactModes(Particles particles, int surfaces) {
+        this.particles = particles;
+        this.surfaces = surfaces;
+    }
+
+    /**
+     * @param surface  index of a surface
+     * @param particle index of a particle
+     * @return what the particle does at the surface
+     */
+    public Mode get(int surface, int particle) {
+        return particle < modes.length && modes[particle] != null ? modes[particle][surface] : Mode.FREE;
+    }
+
+    /**
+     * @param surface  index of a surface
+     * @param particle index of a particle
+     * @param mode     what it does there from now on
+     */
+    public void set(int surface, int particle, Mode mode) {
+        Mode before = get(surface, particle);
+        if (before == mode) {
+            return;
+        }
+        changes++;
+        if (modes.length < particles.count()) {
+            modes = Arrays.copyOf(modes, particles.count());
+        }
+        if (modes[particle] == null) {
+            modes[particle] = new Mode[surfaces];
+            Arrays.fill(modes[particle], Mode.FREE);
+        }
+        modes[particle][surface] = mode;
+        touching += (mode == Mode.FREE ? 0 : 1) - (before == Mode.FREE ? 0 : 1);
+    }
+
+    /**
+     * Lets a particle slide or stick at all the surfaces that it touches.
+     *
+     * @param particle index of a particle
+     * @param mode     sliding or sticking
+     */
+    public void setWhereTouching(int particle, Mode mode) {
+        for (int p = 0; p < surfaces; p++) {
+            if (get(p, particle) != Mode.FREE) {
+                set(p, particle, mode);
+            }
+        }
+    }
+
+    /** Follows particles that were taken out. */
+    public void reindex(int[] newIndex) {
+        Mode[][] before = modes;
+        modes = new Mode[particles.count()][];
+        touching = 0;
+        changes++;
+        for (int i = 0; i < Math.min(before.length, newIndex.length); i++) {
+            if (newIndex[i] >= 0 && before[i] != null) {
+                modes[newIndex[i]] = before[i];
+                for (Mode mode : before[i]) {
+                    touching += mode == Mode.FREE ? 0 : 1;
+                }
+            }
+        }
+    }
+
+    /** How often anything changed so far. */
+    public int changes() {
+        return changes;
+    }
+
+    /** @return true if any particle touches any surface */
+    public boolean isAnyTouching() {
+        return touching > 0;
+    }
+
+    /** @return one more than the largest index of a particle that ever touched a surface, or more */
+    public int end() {
+        return modes.length;
+    }
+
+    /**
+     * @param particle index of a particle
+     * @return true if it touches any surface
+     */
+    public boolean isTouching(int particle) {
+        for (int p = 0; p < surfaces; p++) {
+            if (get(p, particle) != Mode.FREE) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /**
+     * @param particle index of a particle
+     * @return true if it touches a surface and static friction holds it there
+     */
+    public boolean isSticking(int particle) {
+        for (int p = 0; p < surfaces; p++) {
+            if (get(p, particle) == Mode.STICKING) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,169 @@
+package particles.reactions.contact;
+
+import java.util.List;
+import particles.law.ForceDerivatives;
+import particles.law.Particles;
+import particles.law.Vector3;
+
+/** How the surfaces that one particle touches answer the force on it, in closed form: pushes and friction. */
+public final class ContactResponse {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private final Particles particles;
+    private final List<ContactSurface> surfaces;
+    private final ContactModes modes;
+    private final SlidingDirection sliding;
+    private final ContactDerivative derivative;
+    private final TouchedSurfaces touched;              // by the particle that respond() looked at last
+    private final Vector3[] normals;
+    private final double[] push;
+    private final double[] friction = new double[3];
+    private double pushed;                              // all pushes that holdSlack() found last (N)
+    private boolean holdsOn;
+
+    public ContactResponse(Particles particles, List<ContactSurface> surfaces, ContactModes modes,
+            SlidingDirection sliding) {
+        this.particles = particles;
+        this.surfaces = surfaces;
+        this.modes = modes;
+        this.sliding = sliding;
+        touched = new TouchedSurfaces(particles, surfaces.size());
+        normals = touched.normals;
+        push = touched.push;
+        derivative = new ContactDerivative(surfaces.size());
+    }
+
+    public void setHoldsOn(boolean holdsOn) {
+        this.holdsOn = holdsOn;
+    }
+
+    public boolean holdsOn() {
+        return holdsOn;
+    }
+
+    /** Adds the answer for particle i. */
+    public void addForce(int i, double[] state, double[] force) {
+        int count = respond(i, state, force);
+        if (count == 0) {
+            return;
+        }
+        int f = STRIDE * i + 3;
+        for (int p = 0; p < count; p++) {
+            force[f] += push[p] * normals[p].x();
+            force[f + 1] += push[p] * normals[p].y();
+            force[f + 2] += push[p] * normals[p].z();
+        }
+        force[f] += friction[0];
+        force[f + 1] += friction[1];
+        force[f + 2] += friction[2];
+    }
+
+    /**
+     * The power of the answer for particle i (W), added to a sum: friction's, as surfaces that stand still do no work.
+     */
+    public double addPower(double sum, int i, double[] state, double[] force) {
+        if (respond(i, state, force) == 0) {
+            return sum;
+        }
+        int v = STRIDE * i + 3;
+        return sum + friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
+    }
+
+    public void addDerivatives(int i, double[] state, double[] force, ForceDerivatives derivatives) {
+        int count = respond(i, state, force);
+        if (count == 0) {
+            return;
+        }
+        derivative.begin(count, touched, particles.mass(i), state, STRIDE * i + 3);
+        if (touched.isSticking()) {
+            derivative.hold();
+        }
+        for (int p = 0; p < count && !touched.isSticking(); p++) {
+            double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state,
+                    STRIDE * i + 3);
+            derivative.rub(p, factor, sliding, touched.surfaces[p].friction().law());
+        }
+        derivative.add(i, derivatives);
+    }
+
+    /** As {@code RestingContacts.holdMargin}, for the force on one particle, whatever it comes from. */
+    public double holdMargin(int i, double[] state, double[] force) {
+        double slack = holdSlack(i, state, force);
+        return pushed > 0 ? slack : -1;
+    }
+
+    /** The same without the jump where nothing presses the particle on: a concave function of the force. */
+    public double holdSlack(int i, double[] state, double[] force) {
+        int count = respond(i, state, force);
+        pushed = 0;
+        double withstood = 0;
+        for (int p = 0; p < count; p++) {
+            pushed += push[p];
+            withstood += push[p] * touched.surfaces[p].friction().staticCoefficient();
+        }
+        return withstood - SlidingDirection.length(touched.unheld());
+    }
+
+    /** As {@code RestingContacts.pressure}, for the force on one particle, whatever it comes from. */
+    public double pressure(int surface, int i, double[] state, double[] force) {
+        int count = respond(i, state, force);
+        for (int p = 0; p < count; p++) {
+            if (touched.surfaces[p] == surfaces.get(surface)) {
+                return push[p] != 0 ? push[p] : touched.needed(p, touched.unheld());
+            }
+        }
+        return 0;
+    }
+
+    /** As {@code RestingContacts.stopEntering}. */
+    public void stopEntering(int i, double[] state) {
+        if (touched.gather(i, surfaces, modes, state) > 0) {
+            touched.answerVelocity(state, STRIDE * i + 3);
+            System.arraycopy(touched.unheld(), 0, state, STRIDE * i + 3, 3);
+        }
+    }
+
+    /**
+     * Finds push and friction for one particle; returns how many surfaces it touches, 0 if there is nothing to answer.
+     */
+    private int respond(int i, double[] state, double[] force) {
+        if (particles.isFixed(i)) {
+            return 0;
+        }
+        int count = touched.gather(i, surfaces, modes, state);
+        if (count == 0) {
+            return 0;
+        }
+        touched.answer(force, STRIDE * i + 3);
+        if (holdsOn && count == 1 && push[0] == 0) {
+            push[0] = touched.needed(0, touched.pressing);
+        }
+        friction[0] = 0;
+        friction[1] = 0;
+        friction[2] = 0;
+        if (touched.isSticking()) {
+            hold();
+        } else {
+            for (int p = 0; p < count; p++) {
+                rub(p, state, STRIDE * i + 3);
+            }
+        }
+        return count;
+    }
+
+    /** Static friction cancels the force along the surfaces. Whether it can is asked between steps: see holdMargin. */
+    private void hold() {
+        double[] left = touched.unheld();
+        for (int c = 0; c < 3; c++) {
+            friction[c] = -left[c];
+        }
+    }
+
+    /** Sliding friction of one surface, against the velocity along it. */
+    private void rub(int p, double[] state, int v) {
+        double factor = sliding.find(touched.surfaces[p].friction(), normals[p], push[p], touched.pressing, state, v);
+        for (int c = 0; c < 3 && factor != 0; c++) {
+            friction[c] -= factor * sliding.direction[c];
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package particles.reactions.contact;
+
+/**
+ * How a surface rubs a particle that rests on it.
+ *
+ * @param law               the law of sliding friction
+ * @param coefficient       k_f of {@link Law#SLIDE} (s/m), or mu of {@link Law#COULOMB} (a pure number); 0 or more
+ * @param staticCoefficient the largest tangential force a particle at rest withstands, as a multiple of the normal
+ *                          force; 0 if nothing holds it
+ * @param threshold         the speed below which a sliding particle is at rest (m/s), 0 or more
+ */
+public record Friction(Law law, double coefficient, double staticCoefficient, double threshold) {
+
+    /** The laws a scene can name. */
+    public enum Law {
+        /** No friction. */
+        NONE,
+        /**
+         * The lecture's law, with the sign that dissipates: for N . F &lt; 0 the contact force is
+         * -(N . F)(N - k_f v_t). (The slide prints N + k_f v_t, which would push along the sliding.)
+         */
+        SLIDE,
+        /** Coulomb's law: the tangential force is mu times the normal force, against the sliding. */
+        COULOMB
+    }
+
+    /** A surface without friction. */
+    public static final Friction NONE = new Friction(Law.NONE, 0, 0, 0);
+
+    /** @throws IllegalArgumentException if a number is out of its range */
+    public Friction {
+        if (!(coefficient >= 0 && coefficient <= Double.MAX_VALUE && staticCoefficient >= 0
+                && staticCoefficient <= Double.MAX_VALUE && threshold >= 0 && threshold <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException(
+                    "friction coefficients and threshold have to be 0 or more and finite, not "
+                    + coefficient + ", " + staticCoefficient + ", " + threshold);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+package particles.reactions.wires;
+
+import particles.law.Vector3;
+
+/** A circle: in a plane, (x - c) . n = 0, and at a distance from the centre, (|x - c|&sup2; - r&sup2;) / (2 r) = 0. */
+public final class CircularWire implements Curve {
+    private final Vector3 centre;
+    private final Vector3 axis;
+    private final double radius;
+    /** Two directions across the axis, for drawing. */
+    private final Frame frame;
+
+    /**
+     * @param centre c (m)
+     * @param axis   n, across the circle's plane; of any length but zero
+     * @param radius r (m), positive
+     * @throws IllegalArgumentException if the radius is not positive
+     */
+    public CircularWire(Vector3 centre, Vector3 axis, double radius) {
+        if (!(radius > 0) || !(radius <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the radius of a wire has to be positive and finite, not " + radius);
+        }
+        this.centre = centre;
+        this.axis = axis.normalized();
+        this.radius = radius;
+        this.frame = Frame.around(axis);
+    }
+
+    @Override
+    public Vector3 at(double u) {
+        return centre.plus(frame.first().times(radius * StrictMath.cos(u / radius)))
+                .plus(frame.second().times(radius * StrictMath.sin(u / radius)));
+    }
+
+    @Override
+    public double length() {
+        return 2 * Math.PI * radius;
+    }
+
+    @Override
+    public void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends) {
+        double dx = state[x] - centre.x();
+        double dy = state[x + 1] - centre.y();
+        double dz = state[x + 2] - centre.z();
+        values[0] = dx * axis.x() + dy * axis.y() + dz * axis.z();
+        gradients[0] = axis.x();
+        gradients[1] = axis.y();
+        gradients[2] = axis.z();
+        bends[0] = 0;
+        values[1] = (dx * dx + dy * dy + dz * dz - radius * radius) / (2 * radius);
+        gradients[3] = dx / radius;
+        gradients[4] = dy / radius;
+        gradients[5] = dz / radius;
+        double u = state[x + 3];
+        double v = state[x + 4];
+        double w = state[x + 5];
+        bends[1] = (u * u + v * v + w * w) / radius;
+    }
+}

@@ -1,0 +1,132 @@
+package particles.reactions.wires;
+
+import particles.law.Vector3;
+
+/**
+ * The graph of a function, y = f(x), in a plane of its own: x is measured along one direction from an origin, y along
+ * another at right angles to it.
+ */
+public final class GraphWire implements Curve {
+
+    /** A smooth function of one variable. */
+    public interface Profile {
+        /** @return f(x) (m) */
+        double value(double x);
+
+        /** @return f'(x) */
+        double slope(double x);
+
+        /** @return f''(x) (1/m) */
+        double bend(double x);
+    }
+
+    private final Vector3 origin;
+    private final Vector3 along;
+    private final Vector3 up;
+    private final Vector3 across;
+    private final Profile profile;
+
+    /**
+     * @param origin  where x = y = 0 (m)
+     * @param along   the direction of x; of any length but zero
+     * @param up      the direction of y; what it has along x is left out
+     * @param profile f
+     * @throws IllegalArgumentException if the directions are parallel
+     */
+    public GraphWire(Vector3 origin, Vector3 along, Vector3 up, Profile profile) {
+        this.origin = origin;
+        this.along = along.normalized();
+        Vector3 rest = up.minus(this.along.times(up.dot(this.along)));
+        if (!(rest.length() > 1e-9 * up.length())) {
+            throw new IllegalArgumentException("the directions " + along + " and " + up + " of a wire are parallel");
+        }
+        this.up = rest.normalized();
+        this.across = this.along.cross(this.up);
+        this.profile = profile;
+    }
+
+    /**
+     * @param curvature f'' (1/m); positive for a valley
+     * @return f(x) = f'' x&sup2; / 2
+     */
+    public static Profile parabola(double curvature) {
+        return new Profile() {
+            @Override
+            public double value(double x) {
+                return curvature * x * x / 2;
+            }
+
+            @Override
+            public double slope(double x) {
+                return curvature * x;
+            }
+
+            @Override
+            public double bend(double x) {
+                return curvature;
+            }
+        };
+    }
+
+    /**
+     * @param amplitude  A (m)
+     * @param wavelength lambda (m), not zero
+     * @return f(x) = A sin(2 pi x / lambda)
+     * @throws IllegalArgumentException if the wavelength is zero or a number not finite
+     */
+    public static Profile sine(double amplitude, double wavelength) {
+        if (!Double.isFinite(amplitude) || !(Math.abs(wavelength) > 0) || !(Math.abs(wavelength) <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException(
+                    "a sine needs a finite amplitude and a finite wavelength other than 0, not "
+                    + amplitude + " and " + wavelength);
+        }
+        double k = 2 * Math.PI / wavelength;
+        return new Profile() {
+            @Override
+            public double value(double x) {
+                return amplitude * StrictMath.sin(k * x);
+            }
+
+            @Override
+            public double slope(double x) {
+                return amplitude * k * StrictMath.cos(k * x);
+            }
+
+            @Override
+            public double bend(double x) {
+                return -amplitude * k * k * StrictMath.sin(k * x);
+            }
+        };
+    }
+
+    /** {@inheritDoc} Here u is x. */
+    @Override
+    public Vector3 at(double u) {
+        return origin.plus(along.times(u)).plus(up.times(profile.value(u)));
+    }
+
+    @Override
+    public double length() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public void evaluate(double[] state, int x, double[] values, double[] gradients, double[] bends) {
+        double dx = state[x] - origin.x();
+        double dy = state[x + 1] - origin.y();
+        double dz = state[x + 2] - origin.z();
+        double s = dx * along.x() + dy * along.y() + dz * along.z();
+        double speed = state[x + 3] * along.x() + state[x + 4] * along.y() + state[x + 5] * along.z();
+        double slope = profile.slope(s);
+        values[0] = dx * across.x() + dy * across.y() + dz * across.z();
+        gradients[0] = across.x();
+        gradients[1] = across.y();
+        gradients[2] = across.z();
+        bends[0] = 0;
+        values[1] = dx * up.x() + dy * up.y() + dz * up.z() - profile.value(s);
+        gradients[3] = up.x() - slope * along.x();
+        gradients[4] = up.y() - slope * along.y();
+        gradients[5] = up.z() - slope * along.z();
+        bends[1] = -profile.bend(s) * speed * speed;
+    }
+}

@@ -1,0 +1,165 @@
+package particles.rules;
+
+import java.util.Arrays;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.effects.NeighbourGrid;
+import particles.law.Particles;
+import particles.law.SeededRandom;
+import particles.law.Vector3;
+import particles.view.SpringView;
+
+/**
+ * Keeps the density of samples even, the slides' "birth/death rules e.g. to maintain uniform density of samples": at
+ * the end of a step two particles that are too close become one, and one that is too lonely becomes two. Mass and
+ * momentum stay: a merged particle has both masses, sits at their centre and moves with their common velocity; the
+ * halves of a split one move alike. The energy of the motion of two that merge against each other is lost.
+ *
+ * <p>Particles that are fixed or at a spring's end stay as they are. New particles have ids of their own,
+ * {@code sample[3]}, and the span of life of the one they came from, the heavier one of two.
+ */
+public final class ParticleResampler implements Rule {
+    private static final int STRIDE = Particles.STRIDE;
+
+    private final String id;
+    private final SpringView springs;
+    private final double closest;
+    private final double farthest;
+    private final double lightest;
+    private final SeededRandom random;
+    private final NeighbourGrid grid = new NeighbourGrid();
+    private int[] near = {};
+    private int[] partner = {};
+    private double[] square = {};                       // of the distance to the partner; infinite if there is none
+    private boolean[] tied = {};
+    private long made;
+
+    /**
+     * @param id       the name with which ids of new particles begin, not used otherwise
+     * @param springs  whose ends are left alone
+     * @param closest  two that are closer become one (m), positive
+     * @param farthest one that has no other within this distance becomes two, at half of it from each other (m), more
+     *                 than twice the closest
+     * @param lightest no particle becomes lighter than this by a split (kg), positive
+     * @param seed     of the random directions of splits
+     * @throws IllegalArgumentException if a number is out of its range
+     */
+    public ParticleResampler(String id, SpringView springs, double closest, double farthest, double lightest,
+            long seed) {
+        if (!(closest > 0 && farthest > 2 * closest && farthest <= Double.MAX_VALUE && lightest > 0)) {
+            throw new IllegalArgumentException("even samples need positive distances, the farthest more than twice the"
+                    + " closest, and a positive mass, not " + closest + ", " + farthest + ", " + lightest);
+        }
+        this.id = id;
+        this.springs = springs;
+        this.closest = closest;
+        this.farthest = farthest;
+        this.lightest = lightest;
+        random = new SeededRandom(seed);
+    }
+
+    @Override
+    public String getName() {
+        return "samples";
+    }
+
+    @Override
+    public boolean afterStep(ParticleSystem system, double deltaT) {
+        int n = system.getParticles().count();
+        findPartners(system, n);
+        boolean[] gone = {};
+        for (int i = 0; i < n; i++) {
+            boolean merges = mayChange(system, i) && square[i] < closest * closest && partner[i] > i
+                    && mayChange(system, partner[i]) && partner[partner[i]] == i;
+            boolean splits = mayChange(system, i) && square[i] > farthest * farthest
+                    && system.getParticles().mass(i) >= 2 * lightest;
+            if (merges || splits) {
+                gone = gone.length == 0 ? new boolean[n] : gone;
+                gone[i] = true;
+                if (merges) {
+                    gone[partner[i]] = true;
+                    merge(system, i, partner[i]);
+                } else {
+                    split(system, i);
+                }
+            }
+        }
+        if (gone.length == 0) {
+            return false;
+        }
+        system.removeParticles(Arrays.copyOf(gone, system.getParticles().count()));
+        return true;
+    }
+
+    private boolean mayChange(ParticleSystem system, int i) {
+        return !tied[i] && !system.getParticles().isFixed(i);
+    }
+
+    /** The nearest of all particles within the farthest distance, for each. */
+    private void findPartners(ParticleSystem system, int n) {
+        if (partner.length < n) {
+            near = new int[n + n / 3];
+            partner = new int[n + n / 3];
+            square = new double[n + n / 3];
+            tied = new boolean[n + n / 3];
+        }
+        Arrays.fill(square, Double.POSITIVE_INFINITY);
+        Arrays.fill(tied, false);
+        for (int s = 0; s < springs.springCount(); s++) {
+            tied[springs.from(s)] = true;
+            tied[springs.to(s)] = true;
+        }
+        double[] state = system.getOwnState();
+        grid.build(state, n, farthest);
+        for (int i = 0; i < n; i++) {
+            int count = grid.findLater(i, near);
+            for (int k = 0; k < count; k++) {
+                double apart = 0;
+                for (int c = 0; c < 3; c++) {
+                    double r = state[STRIDE * i + c] - state[STRIDE * near[k] + c];
+                    apart += r * r;
+                }
+                take(i, near[k], apart);
+                take(near[k], i, apart);
+            }
+        }
+    }
+
+    private void take(int i, int other, double apart) {
+        if (apart < square[i]) {
+            square[i] = apart;
+            partner[i] = other;
+        }
+    }
+
+    private void merge(ParticleSystem system, int i, int j) {
+        Particles particles = system.getParticles();
+        double mass = particles.mass(i) + particles.mass(j);
+        double part = particles.mass(j) / mass;
+        Vector3 position = between(system.getOwnState(), STRIDE * i, STRIDE * j, part);
+        Vector3 velocity = between(system.getOwnState(), STRIDE * i + 3, STRIDE * j + 3, part);
+        int heavier = particles.mass(j) > particles.mass(i) ? j : i;
+        add(system, mass, position, velocity, heavier);
+    }
+
+    private static Vector3 between(double[] state, int a, int b, double part) {
+        return new Vector3(state[a] + part * (state[b] - state[a]), state[a + 1] + part * (state[b + 1] - state[a + 1]),
+                state[a + 2] + part * (state[b + 2] - state[a + 2]));
+    }
+
+    private void split(ParticleSystem system, int i) {
+        double[] state = system.getOwnState();
+        int x = STRIDE * i;
+        Vector3 position = new Vector3(state[x], state[x + 1], state[x + 2]);
+        Vector3 velocity = new Vector3(state[x + 3], state[x + 4], state[x + 5]);
+        Vector3 half = random.nextDirection(new Vector3(0, 1, 0), Math.PI).times(farthest / 4);
+        double mass = system.getParticles().mass(i) / 2;
+        add(system, mass, position.plus(half), velocity, i);
+        add(system, mass, position.minus(half), velocity, i);
+    }
+
+    private void add(ParticleSystem system, double mass, Vector3 position, Vector3 velocity, int parent) {
+        int i = system.addParticle(id + "[" + made++ + "]", mass, position, velocity, false);
+        system.setLife(i, system.getParticles().birthTime(parent), system.getParticles().deathTime(parent));
+    }
+}

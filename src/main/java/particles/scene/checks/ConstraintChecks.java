@@ -1,0 +1,136 @@
+package particles.scene.checks;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiPredicate;
+import particles.law.Vector3;
+import particles.reactions.wires.Curve;
+import particles.scene.format.SceneFormat;
+import particles.scene.parts.ConstraintDescription;
+import particles.scene.parts.ParticleIndex;
+import particles.scene.parts.RodDescription;
+import particles.scene.parts.WireKind;
+import particles.spec.Chosen;
+import particles.spec.Key;
+import particles.spec.Values;
+import particles.spec.messages.Place;
+import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
+
+/** What has to hold for a scene's rods and wires: ends that are known and free, and nothing that moves against them. */
+final class ConstraintChecks {
+    /** How far off its wire a bead may begin: places are written with a few digits (m). */
+    private static final double ON_WIRE = 1e-3;
+    /** Speeds along a rod, or off a wire, that are rounding (m/s). */
+    private static final double STILL = 1e-9;
+    private static final double MOST_FEEDBACK = 0.5;
+
+    private final Values scene;
+    private final Problems problems;
+    private final ParticleIndex index;
+    private final BiPredicate<String, Place> isKnown;
+    private final List<RodDescription> rods = new ArrayList<>();
+    private final List<Chosen<WireKind>> wires = new ArrayList<>();
+
+    /** @param isKnown whether there is a particle with an id; says so if there is none */
+    ConstraintChecks(Values scene, Problems problems, ParticleIndex index, BiPredicate<String, Place> isKnown) {
+        this.scene = scene;
+        this.problems = problems;
+        this.index = index;
+        this.isKnown = isKnown;
+    }
+
+    void check() {
+        for (Values values : scene.find(SceneFormat.RODS).orElse(List.of())) {
+            if (isKnown(values, RodDescription.FROM) & isKnown(values, RodDescription.TO) && values.isSound()) {
+                check(values, RodDescription.of(values));
+            }
+        }
+        for (Chosen<WireKind> wire : scene.find(SceneFormat.WIRES).orElse(List.of())) {
+            if (isKnown(wire.values(), WireKind.BEAD) && wire.values().isSound()) {
+                check(wire);
+            }
+        }
+        if (scene.find(SceneFormat.CONSTRAINTS).map(Values::isSound).orElse(true)) {
+            checkFeedback();
+        }
+    }
+
+    private boolean isKnown(Values values, Key<String> key) {
+        return values.find(key).isPresent() && isKnown.test(values.get(key), values.place(key));
+    }
+
+    private void check(Values values, RodDescription rod) {
+        Place place = values.place(RodDescription.TO);
+        Vector3 way = index.position(rod.to()).minus(index.position(rod.from()));
+        if (rod.from().equals(rod.to())) {
+            problems.add(place, "a rod from " + Wording.quote(rod.from()) + " to itself; its ends must be two"
+                    + " different particles");
+        } else if (way.isZero()) {
+            problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
+                    + " are at the same place; a rod between them would have no length");
+        } else if (index.isFixed(rod.from()) && index.isFixed(rod.to())) {
+            problems.add(place, Wording.quote(rod.from()) + " and " + Wording.quote(rod.to())
+                    + " are fixed; a rod between them has no effect");
+        } else {
+            double rate = index.velocity(rod.to()).minus(index.velocity(rod.from())).dot(way) / way.length();
+            if (Math.abs(rate) > STILL) {
+                problems.add(place, "the ends of the rod"
+                        + " from " + Wording.quote(rod.from()) + " to " + Wording.quote(rod.to())
+                        + " move " + (rate > 0 ? "apart" : "together") + " at " + Wording.number(Math.abs(rate))
+                        + " m/s; their relative velocity must be across the rod");
+            }
+        }
+        rods.add(rod);
+    }
+
+    private void check(Chosen<WireKind> wire) {
+        String bead = wire.values().get(WireKind.BEAD);
+        Vector3 x = index.position(bead);
+        Vector3 v = index.velocity(bead);
+        if (index.isFixed(bead)) {
+            problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + " is fixed; a bead must be"
+                    + " free to move");
+        } else {
+            Curve curve = wire.kind().curve(wire.values(), x);
+            double[] off = new double[Curve.ROWS];
+            double[] gradients = new double[3 * Curve.ROWS];
+            curve.evaluate(new double[] {x.x(), x.y(), x.z(), v.x(), v.y(), v.z()}, 0, off, gradients,
+                    new double[Curve.ROWS]);
+            for (int r = 0; r < Curve.ROWS; r++) {
+                double leaving = gradients[3 * r] * v.x() + gradients[3 * r + 1] * v.y() + gradients[3 * r + 2] * v.z();
+                if (Math.abs(off[r]) > ON_WIRE || Math.abs(leaving) > STILL) {
+                    problems.add(wire.values().place(WireKind.BEAD), Wording.quote(bead) + (Math.abs(off[r]) > ON_WIRE
+                            ? " begins about " + Wording.number(Math.abs(off[r])) + " m off its wire; place it"
+                                    + " on the wire"
+                            : " leaves its wire at " + Wording.number(Math.abs(leaving)) + " m/s; its velocity"
+                                    + " must be along the wire"));
+                    break;
+                }
+            }
+        }
+        wires.add(wire);
+    }
+
+    /** Beyond, the feedback makes larger errors than it removes, and is not stable for some solvers. */
+    private void checkFeedback() {
+        Optional<Double> deltaT = scene.find(SceneFormat.DELTA_T);
+        Values constraints = scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.place()));
+        if (!rods.isEmpty() || !wires.isEmpty()) {
+            double rate = constraints.get(ConstraintDescription.FEEDBACK);
+            if (deltaT.isPresent() && rate * deltaT.get() > MOST_FEEDBACK) {
+                problems.add(scene.find(SceneFormat.CONSTRAINTS).isPresent() ? constraints.place()
+                        : scene.place(SceneFormat.DELTA_T), "the feedback of rods and wires, " + Wording.number(rate)
+                        + " /s, is too strong for a deltaT of " + Wording.number(deltaT.get()) + " s; feedback"
+                        + " times deltaT must be "
+                        + Wording.number(MOST_FEEDBACK) + " at most");
+            }
+        }
+    }
+
+    ConstraintDescription describe() {
+        return ConstraintDescription.of(rods, wires,
+                scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.place())));
+    }
+}

@@ -1,0 +1,223 @@
+package particles.scene.checks;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+import particles.effects.EffectKind;
+import particles.scene.format.CameraFormat;
+import particles.scene.format.OutputDescription;
+import particles.scene.format.RenderFormat;
+import particles.scene.format.SceneDescription;
+import particles.scene.format.SceneFormat;
+import particles.scene.format.SolverFormat;
+import particles.scene.format.Tolerances;
+import particles.scene.parts.ParticleDescription;
+import particles.scene.parts.ParticleIndex;
+import particles.scene.parts.ShapeDescription;
+import particles.scene.parts.ShapeKind;
+import particles.scene.parts.SpringDescription;
+import particles.spec.Chosen;
+import particles.spec.Key;
+import particles.spec.Values;
+import particles.spec.messages.Place;
+import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
+import particles.view.Camera;
+
+/**
+ * What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go.
+ */
+public final class SceneChecks {
+    private static final int MOST_CANDIDATES = 1000;
+
+    private final Values scene;
+    private final Problems problems;
+    private final Map<String, Place> ids = new HashMap<>();
+    private final List<ParticleDescription> particles = new ArrayList<>();
+    private final List<ShapeDescription> shapes = new ArrayList<>();
+    private final List<SpringDescription> springs = new ArrayList<>();
+    private final List<String> broken = new ArrayList<>();
+    private ParticleIndex index;
+
+    /** @param scene what the file says; @param problems where problems go */
+    public SceneChecks(Values scene, Problems problems) {
+        this.scene = scene;
+        this.problems = problems;
+    }
+
+    /** @return the description, if nothing at all is wrong */
+    public Optional<SceneDescription> describe(String source) {
+        checkParticles();
+        checkShapes();
+        RuleChecks.newIds(scene, this::take);
+        index = new ParticleIndex(particles, shapes);
+        SizeCheck.check(scene, particles, shapes, problems);
+        if (particles.isEmpty() && shapes.isEmpty() && problems.count() == 0) {
+            problems.add(scene.place(), "the scene has no particle; add some under 'particles' or 'shapes'");
+        }
+        checkSprings();
+        ConstraintChecks constraints = new ConstraintChecks(scene, problems, index, this::isKnown);
+        constraints.check();
+        checkEffects();
+        OutsideCheck.check(scene.find(SceneFormat.RULES).orElse(List.of()), particles, shapes, problems);
+        new RuleChecks(scene, problems, this::isKnown).check(particles, shapes, springs);
+        Optional<Camera> camera = scene.find(SceneFormat.CAMERA).filter(Values::isSound)
+                .flatMap(values -> CameraFormat.of(values, problems));
+        checkPhase();
+        scene.find(SceneFormat.LOOK).ifPresent(look -> RenderFormat.check(look, problems));
+        Map<Key<?>, Place> places = new HashMap<>();
+        for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.SHAPES)) {
+            places.put(key, scene.place(key));
+        }
+        Optional<Tolerances> tolerances = scene.find(SceneFormat.SOLVER).filter(Values::isSound)
+                .flatMap(values -> SolverFormat.tolerances(values, problems));
+        if (scene.find(SceneFormat.DELTA_T).isPresent() && scene.find(SceneFormat.DURATION).isPresent()) {
+            RunLimits.check(scene.get(SceneFormat.DELTA_T), scene.get(SceneFormat.DURATION), frameRate(), places,
+                    problems);
+        }
+        if (problems.count() > 0) {
+            return Optional.empty();
+        }
+        Values noWords = Values.none(scene.place());
+        return Optional.of(new SceneDescription(source, scene.get(SceneFormat.TITLE), scene.get(SceneFormat.TEACHES),
+                scene.get(SceneFormat.SOLVER).get(SolverFormat.NAME), tolerances, scene.get(SceneFormat.DELTA_T),
+                        scene.get(SceneFormat.DURATION),
+                List.copyOf(particles), List.copyOf(shapes), List.copyOf(springs), constraints.describe(),
+                        List.copyOf(scene.get(SceneFormat.EFFECTS)),
+                List.copyOf(scene.get(SceneFormat.RULES)), scene.get(SceneFormat.IMPACT).equals("exact"), camera,
+                        RenderFormat.of(scene.find(SceneFormat.LOOK).orElse(noWords)),
+                OutputDescription.of(scene.find(SceneFormat.OUTPUT).orElse(noWords)),
+                scene.get(SceneFormat.BLOW_UP_FACTOR),
+                scene.find(SceneFormat.THREADS), Map.copyOf(places)));
+    }
+
+    private void checkParticles() {
+        for (Values values : scene.find(SceneFormat.PARTICLES).orElse(List.of())) {
+            values.find(ParticleDescription.ID).ifPresent(id -> take(id, values.place(ParticleDescription.ID)));
+            if (!values.isSound()) {
+                values.find(ParticleDescription.ID).ifPresent(broken::add);
+                continue;
+            }
+            ParticleDescription particle = ParticleDescription.of(values);
+            if (particle.fixed() && !particle.velocity().isZero()) {
+                problems.add(values.place(ParticleDescription.VELOCITY), "'" + particle.id()
+                        + "' is fixed and has a velocity; remove one of the two");
+            }
+            particles.add(particle);
+        }
+    }
+
+    private void checkShapes() {
+        long count = particles.size();
+        for (Chosen<ShapeKind> chosen : scene.find(SceneFormat.SHAPES).orElse(List.of())) {
+            Key<String> id = chosen.kind().id();
+            chosen.values().find(id).ifPresent(name -> take(name, chosen.values().place(id)));
+            Optional<ShapeDescription> shape = chosen.values().isSound() && count <= ShapeDescription.MOST_PARTICLES
+                    ? ShapeDescription.of(chosen, problems) : Optional.empty();
+            if (shape.isPresent()) {
+                shapes.add(shape.get());
+                count += shape.get().lattice().size();
+            }
+            if (shape.isEmpty()) {
+                chosen.values().find(id).ifPresent(broken::add);
+            }
+        }
+    }
+
+    private void take(String id, Place place) {
+        Place first = ids.putIfAbsent(id, place);
+        if (first != null) {
+            problems.add(place, "the id " + Wording.quote(id) + " is already used at"
+                    + " line " + first.line() + "; give another");
+        }
+    }
+
+    private void checkSprings() {
+        for (Values values : scene.find(SceneFormat.SPRINGS).orElse(List.of())) {
+            boolean known = isKnown(values, SpringDescription.FROM) & isKnown(values, SpringDescription.TO);
+            if (!known || !values.isSound()) {
+                continue;
+            }
+            SpringDescription spring = SpringDescription.of(values);
+            if (spring.from().equals(spring.to())) {
+                problems.add(values.place(SpringDescription.TO), "a spring from " + Wording.quote(spring.from())
+                        + " to itself; its ends must be two different particles");
+            } else if (index.position(spring.from()).minus(index.position(spring.to())).isZero()) {
+                problems.add(values.place(SpringDescription.TO), Wording.quote(spring.from()) + " and "
+                        + Wording.quote(spring.to())
+                        + " are at the same place; a spring between them would have no direction");
+            }
+            springs.add(spring);
+        }
+    }
+
+    /** Whether a spring's end can be looked at. A right id of a particle that is wrong is no problem of the spring. */
+    private boolean isKnown(Values values, Key<String> key) {
+        return values.find(key).isPresent() && isKnown(values.get(key), values.place(key));
+    }
+
+    private boolean isKnown(String id, Place place) {
+        OptionalInt found = index.find(id);
+        String shape = ParticleIndex.shapeOf(id);
+        if (found.isPresent() || broken.contains(id) || broken.contains(shape)) {
+            return found.isPresent() && !broken.contains(shape);
+        }
+        if (!areAllIdsKnown()) {
+            return false;
+        }
+        if (problems.isFull()) {
+            problems.add(place, "unknown particle");
+            return false;
+        }
+        Optional<ShapeDescription> named = shapes.stream().filter(s -> s.lattice().id().equals(shape)).findFirst();
+        List<String> known = ids.keySet().stream().sorted().toList();
+        problems.add(place, "unknown particle " + Wording.quote(id) + named.map(s -> "; known in this shape: "
+                + s.lattice().range())
+                .orElseGet(() -> (known.size() > MOST_CANDIDATES ? ";" : Wording.hint(shape, known)) + " known: "
+                        + Wording.some(known)));
+        return false;
+    }
+
+    /** Where a particle's id or a shape's name cannot be read, an id that nothing has may be theirs. */
+    private boolean areAllIdsKnown() {
+        Optional<List<Values>> alone = scene.find(SceneFormat.PARTICLES);
+        return scene.isIntact(SceneFormat.SHAPES) && alone.isPresent()
+                && alone.get().stream().allMatch(values -> values.find(ParticleDescription.ID).isPresent());
+    }
+
+    private void checkEffects() {
+        List<Chosen<EffectKind>> effects = scene.find(SceneFormat.EFFECTS).orElse(List.of());
+        Map<String, Place> named = new HashMap<>();
+        for (Chosen<EffectKind> effect : effects) {
+            Place first = named.putIfAbsent(effect.kind().name(), effect.place());
+            if (first != null && !effect.kind().isRepeatable()) {
+                problems.add(effect.place(), "'" + effect.kind().name() + "' is already named at"
+                        + " line " + first.line());
+            }
+        }
+        for (Chosen<EffectKind> effect : effects) {
+            List<String> needs = effect.kind().needs();
+            if (!needs.isEmpty() && needs.stream().noneMatch(named::containsKey)) {
+                problems.add(effect.place(), "'" + effect.kind().name() + "' only acts together with '"
+                        + String.join("' or '", needs)
+                        + "', which is missing; add '- " + needs.get(0) + ": ...' to 'effects'");
+            }
+            effect.kind().excludes().stream().filter(named::containsKey).forEach(other ->
+                    problems.add(effect.place(), "'"
+                    + effect.kind().name() + "' and '" + other + "' cannot be combined; keep one of them"));
+        }
+    }
+
+    private void checkPhase() {
+        scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.PHASE))
+                .ifPresent(phase -> isKnown(phase, OutputDescription.Phase.PARTICLE));
+    }
+
+    private double frameRate() {
+        return scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.FRAME_RATE))
+                .orElse(OutputDescription.FRAME_RATE.defaultValue().orElseThrow());
+    }
+}

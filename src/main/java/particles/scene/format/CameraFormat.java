@@ -1,0 +1,55 @@
+package particles.scene.format;
+
+import java.util.List;
+import java.util.Optional;
+import particles.law.Vector3;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+import particles.spec.messages.Problems;
+import particles.view.Camera;
+
+/** What a scene says of its camera. */
+public final class CameraFormat {
+    private static final String PERSPECTIVE = "perspective";
+
+    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where the camera stands (m).");
+    static final Key<Vector3> TARGET = Key.required("target", VectorType.of("m"),
+            "The point at the centre of the picture (m).");
+    static final Key<Vector3> UP = Key.withDefault("up", VectorType.notZero(""), new Vector3(0, 1, 0),
+            "The direction that is up in the picture.");
+    static final Key<String> PROJECTION = Key.withDefault("projection",
+            NameType.of("projection", List.of(PERSPECTIVE, "orthographic")), PERSPECTIVE,
+            "perspective: distant things look smaller; orthographic: parallel lines stay parallel.");
+    static final Key<Double> FIELD_OF_VIEW = Key.withDefault("fieldOfView", NumberType.between(1, 170, "degrees"), 35.0,
+            "The vertical angle of a perspective picture (degrees).");
+    static final Key<Double> HEIGHT = Key.optional("height", NumberType.positive("m"), "The height of an"
+            + " orthographic picture (m); by default the height of a perspective one at the target.");
+
+    static final MappingType TYPE = MappingType.of("the camera", POSITION, TARGET, UP, PROJECTION, FIELD_OF_VIEW,
+            HEIGHT);
+
+    private CameraFormat() {
+    }
+
+    public static Optional<Camera> of(Values values, Problems problems) {
+        Vector3 away = values.get(POSITION).minus(values.get(TARGET));
+        if (away.length() == 0) {
+            problems.add(values.place(TARGET), "the camera's target is at the camera's position; choose another"
+                    + " point");
+            return Optional.empty();
+        }
+        if (away.normalized().cross(values.get(UP).normalized()).length() < 1e-6) {
+            problems.add(values.place(UP), "the camera looks along its 'up' direction; give another 'up', such as"
+                    + " [0, 0, -1]");
+            return Optional.empty();
+        }
+        double halfAngle = StrictMath.toRadians(values.get(FIELD_OF_VIEW)) / 2;
+        double height = values.find(HEIGHT).orElse(2 * away.length() * StrictMath.tan(halfAngle));
+        return Optional.of(new Camera(values.get(POSITION), values.get(TARGET), values.get(UP),
+                values.get(PROJECTION).equals(PERSPECTIVE), values.get(FIELD_OF_VIEW), height));
+    }
+}

@@ -1,0 +1,106 @@
+package particles.scene.format;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import particles.scene.parts.SpringDescription;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.WholeNumberType;
+import particles.spec.messages.Place;
+
+/**
+ * What a run of a scene writes.
+ *
+ * @param frameRate        pictures for a second of simulated time
+ * @param width            their width in pixels
+ * @param height           their height in pixels
+ * @param animation        whether they are also put together to an animation
+ * @param video            which film they become beside it
+ * @param energy           whether energies are plotted
+ * @param phase            what the phase-space plot shows, if there is one
+ * @param trajectoryStride every how many steps the state is written to the trajectory, if the scene says so
+ */
+public record OutputDescription(double frameRate, int width, int height, boolean animation, Video video,
+                                boolean energy, Optional<Phase> phase, Optional<Integer> trajectoryStride) {
+
+    /** Which film the pictures become beside the animation. */
+    public enum Video {
+        /** No film. */
+        NONE,
+        /** H.264 in an MP4 file. */
+        MP4;
+
+        /** @return as they are written in scenes and options */
+        public static List<String> names() {
+            return Arrays.stream(values()).map(Video::label).toList();
+        }
+
+        /**
+         * @param name as it is written in scenes and options
+         * @return the one of that name
+         */
+        public static Optional<Video> find(String name) {
+            return Arrays.stream(values()).filter(video -> video.label().equals(name)).findFirst();
+        }
+
+        /** @return its name, as it is written in scenes and options */
+        public String label() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /**
+     * A plot of velocity over position.
+     *
+     * @param particle the id of the particle
+     * @param axis     0 for x, 1 for y, 2 for z
+     * @param place    where the scene says so
+     */
+    public record Phase(String particle, int axis, Place place) {
+        public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
+                "The particle to plot.");
+        static final Key<String> AXIS = Key.withDefault("axis", NameType.of("axis", List.of("x", "y", "z")), "y",
+                "The component of position and velocity to plot.");
+
+        static final MappingType TYPE = MappingType.of("the phase-space plot", PARTICLE, AXIS);
+
+        public static Phase of(Values values) {
+            return new Phase(values.get(PARTICLE), "xyz".indexOf(values.get(AXIS)), values.place(PARTICLE));
+        }
+    }
+
+    public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.between(0.001, 1000, "1/s"),
+            25.0,
+            "Pictures per second of simulated time (1/s).");
+    static final Key<Integer> WIDTH = Key.withDefault("width", new WholeNumberType(16, 4096), 960,
+            "The pictures' width (pixels).");
+    static final Key<Integer> HEIGHT = Key.withDefault("height", new WholeNumberType(16, 4096), 540,
+            "The pictures' height (pixels).");
+    static final Key<Boolean> ANIMATION = Key.withDefault("animation", FlagType.FLAG, true,
+            "Whether to make animation.gif from the pictures.");
+    static final Key<String> VIDEO = Key.withDefault("video", NameType.of("kind of film", Video.names()),
+            Video.NONE.label(),
+            "mp4 to make film.mp4 from the pictures, none for no film.");
+    static final Key<Boolean> ENERGY = Key.withDefault("energy", FlagType.FLAG, true,
+            "Whether to plot the energies to energy.png.");
+    public static final Key<Values> PHASE = Key.optional("phase", Phase.TYPE,
+            "Plots velocity over position of one particle to phase.png; no plot if left out.");
+    static final Key<Integer> TRAJECTORY_STRIDE = Key.optional("trajectoryStride", new WholeNumberType(1, 1_000_000),
+            "Write every n-th step to trajectory.csv; by default n keeps the file below about 200,000 lines.");
+
+    static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, VIDEO, ENERGY,
+            PHASE, TRAJECTORY_STRIDE);
+
+    public static OutputDescription of(Values values) {
+        return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT),
+                values.get(ANIMATION),
+                Video.find(values.get(VIDEO)).orElseThrow(), values.get(ENERGY), values.find(PHASE).map(Phase::of),
+                        values.find(TRAJECTORY_STRIDE));
+    }
+}

@@ -1,0 +1,112 @@
+package particles.scene.format;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import particles.spec.Key;
+import particles.spec.ListType;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.messages.Problems;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+
+/** What a scene says of how it is drawn. */
+public final class RenderFormat {
+    private static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
+    private static final List<String> SHOWN = Arrays.stream(RenderOptions.Shown.values()).map(RenderFormat::nameOf)
+            .toList();
+    private static final List<String> KINDS = Arrays.stream(ParticleStyle.Kind.values()).map(RenderFormat::nameOf)
+            .toList();
+    private static final String GLOW = nameOf(ParticleStyle.Kind.GLOW);
+    private static final List<String> SKIES = List.of("day", "night");
+    private static final int MOST_COLOURS = 16;
+    private static final RenderOptions STANDARD = RenderOptions.STANDARD;
+
+    static final Key<String> PARTICLES = Key.withDefault("particles", NameType.of("choice", SHOWN),
+            nameOf(STANDARD.particles()), "Which particles are drawn.");
+    static final Key<String> PARTICLES_AS = Key.withDefault("particlesAs", NameType.of("way of drawing", KINDS),
+            nameOf(ParticleStyle.STANDARD.kind()), "How free particles are drawn. balls: shaded; points: dots of the"
+                    + " same size at any distance; blobs: drops that merge into one smooth surface; glow: spots"
+                    + " of light that add up and fade with age if particles have a lifetime.");
+    static final Key<List<String>> AGE_COLOURS = Key.optional("ageColours", ListType.of("a colour", COLOUR),
+            "The colours of a glow from birth to death, evenly spaced; by default those of a flame.");
+    static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.between(0, 1000, "s"),
+            ParticleStyle.STANDARD.trail(),
+            "How long the path of a particle stays visible as a fading line (s); 0 for no trail.");
+    static final Key<String> SKY = Key.optional("sky", NameType.of("sky", SKIES),
+            "day or night; by default night for a glow, which does not show by day, and day otherwise.");
+    static final Key<String> SPRINGS = Key.withDefault("springs", NameType.of("choice", SHOWN),
+            nameOf(STANDARD.springs()), "Which springs and rods are drawn; the colour of a spring shows its strain.");
+    static final Key<Double> PARTICLE_RADIUS = Key.withDefault("particleRadius", NumberType.notNegative("m"),
+            STANDARD.particleRadius(), "The radius of a ball, a single blob or a spot of light (m); 0 to choose"
+                    + " it from the scene's size.");
+    static final Key<Double> STRAIN_RANGE = Key.withDefault("strainRange", NumberType.positive(""),
+            STANDARD.strainRange(),
+            "The strain, stretch over rest length, at which a spring has its full colour.");
+    static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.particleColour(),
+            "The colour of particles and trails; a glow has its own.");
+    static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(), "The colour of fixed"
+            + " particles.");
+    static final Key<String> FRONT_COLOUR = colour("frontColour", STANDARD.frontColour(),
+            "The colour of a surface's front.");
+    static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a"
+            + " surface's back.");
+
+    static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
+            SPRINGS, PARTICLE_RADIUS, STRAIN_RANGE,
+            PARTICLE_COLOUR, FIXED_COLOUR, FRONT_COLOUR, BACK_COLOUR);
+
+    private RenderFormat() {
+    }
+
+    public static RenderOptions of(Values values) {
+        return new RenderOptions(shown(values.get(PARTICLES)), shown(values.get(SPRINGS)), values.get(PARTICLE_RADIUS),
+                values.get(STRAIN_RANGE), rgb(values.get(PARTICLE_COLOUR)), rgb(values.get(FIXED_COLOUR)),
+                rgb(values.get(FRONT_COLOUR)), rgb(values.get(BACK_COLOUR)), style(values));
+    }
+
+    private static ParticleStyle style(Values values) {
+        ParticleStyle.Kind kind = ParticleStyle.Kind.valueOf(values.get(PARTICLES_AS).toUpperCase(Locale.ROOT));
+        List<Integer> colours = values.find(AGE_COLOURS).map(all -> all.stream().map(RenderFormat::rgb).toList())
+                .orElse(ParticleStyle.STANDARD.ageColours());
+        boolean night = values.find(SKY).map("night"::equals).orElse(kind == ParticleStyle.Kind.GLOW);
+        return new ParticleStyle(kind, colours, values.get(TRAIL), night);
+    }
+
+    /** Says what does not go together. */
+    public static void check(Values values, Problems problems) {
+        if (!values.isGiven(AGE_COLOURS) || !values.isIntact(AGE_COLOURS)) {
+            return;
+        }
+        int count = values.find(AGE_COLOURS).orElse(List.of()).size();
+        if (count < 1 || count > MOST_COLOURS) {
+            problems.add(values.place(AGE_COLOURS), "'ageColours' has " + count + " colours; allowed are 1"
+                    + " to " + MOST_COLOURS
+                    + " are possible");
+        }
+        if (values.find(PARTICLES_AS).filter(as -> !as.equals(GLOW)).isPresent()) {
+            problems.add(values.place(AGE_COLOURS), "'ageColours' only works with a glow; add 'particlesAs:"
+                    + " glow' or remove it");
+        }
+    }
+
+    private static Key<String> colour(String name, int standard, String sentence) {
+        return Key.withDefault(name, COLOUR, String.format("#%06x", standard), sentence);
+    }
+
+    private static int rgb(String colour) {
+        return Integer.parseInt(colour.substring(1), 16);
+    }
+
+    private static String nameOf(Enum<?> choice) {
+        return choice.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    private static RenderOptions.Shown shown(String name) {
+        return RenderOptions.Shown.valueOf(name.toUpperCase(Locale.ROOT).replace('-', '_'));
+    }
+}

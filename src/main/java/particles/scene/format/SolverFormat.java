@@ -1,0 +1,59 @@
+package particles.scene.format;
+
+import deSolvers.DESolver;
+import deSolvers.catalog.SolverCatalog;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import java.util.function.Supplier;
+import particles.spec.ClassNames;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.messages.Problems;
+
+/** What a scene says of its solver: a name, or a name with tolerances. */
+public final class SolverFormat {
+    public static final Key<String> NAME = Key.required("name", NameType.or("solver", SolverCatalog.names(),
+            ClassNames.form("exercises.MySolver")),
+            "The method that solves the equations of motion.");
+    static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 0.1, ""), 
+            "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 if only the"
+                    + " other is given. Above 1e-3, fast vibrations may become unstable.");
+    static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
+            "The error that it allows in addition, in m and m/s; 1e-9 if only the other is given.");
+
+    static final MappingType TYPE = MappingType.of("the solver", NAME, RELATIVE, ABSOLUTE).shortFor(NAME);
+
+    private SolverFormat() {
+    }
+
+    public static Optional<Tolerances> tolerances(Values values, Problems problems) {
+        if (!values.isGiven(RELATIVE) && !values.isGiven(ABSOLUTE)) {
+            return Optional.empty();
+        }
+        String name = values.get(NAME);
+        if (SolverCatalog.names().contains(name) && !SolverCatalog.info(name).adaptive()) {
+            problems.add(values.place(values.isGiven(RELATIVE) ? RELATIVE : ABSOLUTE), "solver '" + name
+                    + "' takes steps of deltaT and has no tolerances; solvers with"
+                    + " tolerances: " + String.join(", ", SolverCatalog.names().stream()
+                            .filter(known -> SolverCatalog.info(known).adaptive()).toList()));
+        }
+        return Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)));
+    }
+
+    /** @return solvers as the scene wants them, one at each call; nothing if they cannot be made */
+    public static Optional<Supplier<DESolver>> maker(SceneDescription scene, Problems problems) {
+        Supplier<DESolver> maker = () -> scene.tolerances()
+                .map(tolerances -> SolverCatalog.create(scene.solver(), tolerances.relative(), tolerances.absolute()))
+                .orElseGet(() -> SolverCatalog.create(scene.solver()));
+        try {
+            maker.get();
+            return Optional.of(maker);
+        } catch (NoSuchElementException | IllegalArgumentException e) {
+            problems.add(scene.places().get(SceneFormat.SOLVER), e.getMessage());
+            return Optional.empty();
+        }
+    }
+}

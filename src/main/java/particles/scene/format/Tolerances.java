@@ -1,0 +1,10 @@
+package particles.scene.format;
+
+/**
+ * What an adaptive solver is allowed.
+ *
+ * @param relative error in a sub-step, relative to the size of the state
+ * @param absolute error besides (m, m/s)
+ */
+public record Tolerances(double relative, double absolute) {
+}

@@ -1,0 +1,130 @@
+package particles.scene.parts;
+
+import java.util.Optional;
+import particles.effects.SharedKeys;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.rules.Emitter;
+import particles.rules.KillPlane;
+import particles.rules.ParticleResampler;
+import particles.rules.SpringTear;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+
+/** The rules by which springs end and particles begin and end; {@link RuleKind#ALL} lists them. */
+final class BirthAndDeath {
+    private BirthAndDeath() {
+    }
+
+    private static final Key<Double> STRAIN = Key.required("strain", NumberType.positive(""),
+            "The strain, stretch over rest length, at which a spring tears: 0.5 is one and a half times its"
+                    + " rest length.");
+
+    static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.", STRAIN) {
+        @Override
+        public void build(Values values, SceneAssembly assembly) {
+            assembly.add(new SpringTear(assembly.springs(), values.get(STRAIN)));
+        }
+
+        @Override
+        public boolean needsSprings() {
+            return true;
+        }
+    };
+
+    private static final Key<String> ID = Key.required("id", ParticleDescription.NEW_ID,
+            "Its name. Its particles get ids that begin with it: fountain[0], fountain[1] ... It must differ"
+                    + " from the ids of particles and shapes.");
+    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where particles"
+            + " are born (m).");
+    private static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
+            "The largest distance from that position at birth (m).");
+    private static final Key<Vector3> DIRECTION = Key.withDefault("direction", VectorType.notZero(""),
+            new Vector3(0, 1, 0),
+            "The direction they leave in; its length does not matter.");
+    private static final Key<Double> SPREAD = Key.withDefault("spread", NumberType.between(0, 180, "degrees"), 0.0,
+            "The largest angle between a particle's velocity and the direction (degrees).");
+    private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"), "Their speed"
+            + " at birth (m/s).");
+    private static final Key<Double> RATE = Key.required("rate", NumberType.between(1e-6, 1e6, "1/s"),
+            "Particles born in a second (1/s).");
+    private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0,
+            "The mass of each (kg).");
+    private static final Key<Double> LIFETIME = Key.optional("lifetime", NumberType.positive("s"),
+            "How long each lives (s); for ever if left out.");
+
+    static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION,
+            SPREAD, SPEED,
+            RATE, MASS, LIFETIME, SharedKeys.SEED) {
+        @Override
+        public void build(Values values, SceneAssembly assembly) {
+            double lifetime = values.find(LIFETIME).orElse(Double.POSITIVE_INFINITY);
+            assembly.add(new Emitter(new Emitter.Nozzle(values.get(ID), values.get(POSITION), values.get(RADIUS),
+                    values.get(DIRECTION), StrictMath.toRadians(values.get(SPREAD)), values.get(SPEED),
+                    values.get(RATE),
+                    values.get(MASS), lifetime, values.get(SharedKeys.SEED))));
+            if (lifetime < Double.POSITIVE_INFINITY) {
+                assembly.letDie();
+            }
+            assembly.noteSpeed(values.get(SPEED));
+            assembly.noteBirths(values.get(RATE) * values.get(MASS));
+        }
+
+        @Override
+        public double alive(Values values, double deltaT, double duration) {
+            // the dead are taken away at the end of a step, when those of the whole step are born already
+            return values.get(RATE) * Math.min(duration, values.find(LIFETIME).orElse(duration) + deltaT);
+        }
+
+        @Override
+        public Optional<Key<String>> newIds() {
+            return Optional.of(ID);
+        }
+    };
+
+    private static final Key<Vector3> POINT = Key.required("point", VectorType.of("m"), "Any point of the plane"
+            + " (m).");
+    private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""), new Vector3(0, 1, 0),
+            "Points to the side where particles survive; its length does not matter.");
+
+    static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.", POINT, NORMAL) {
+        @Override
+        public void build(Values values, SceneAssembly assembly) {
+            assembly.add(new KillPlane(new Plane(values.get(POINT), values.get(NORMAL))));
+        }
+
+        @Override
+        public boolean removes() {
+            return true;
+        }
+    };
+
+    private static final Key<String> SAMPLE_ID = Key.withDefault("id", ParticleDescription.NEW_ID, "sample",
+            "The ids of new particles begin with this name. It must differ from the ids of particles, shapes"
+                    + " and emitters.");
+    private static final Key<Double> FARTHEST = Key.required("farthest", NumberType.positive("m"),
+            "A particle with no other within this distance splits in two (m).");
+    private static final Key<Double> CLOSEST = Key.withDefault("closest", NumberType.between(0.01, 0.49, ""), 0.3,
+            "Two particles closer than this fraction of 'farthest' merge.");
+    private static final Key<Double> LIGHTEST = Key.required("lightest", NumberType.positive("kg"),
+            "No split makes a particle lighter than this (kg).");
+
+    static final RuleKind SAMPLES = new RuleKind("samples", "Merges and splits particles to keep them evenly"
+            + " spaced.", FARTHEST,
+            CLOSEST, LIGHTEST, SAMPLE_ID, SharedKeys.SEED) {
+        @Override
+        public void build(Values values, SceneAssembly assembly) {
+            double farthest = values.get(FARTHEST);
+            assembly.add(new ParticleResampler(values.get(SAMPLE_ID), assembly.springs(),
+                    farthest * values.get(CLOSEST), farthest,
+                    values.get(LIGHTEST), values.get(SharedKeys.SEED)));
+        }
+
+        @Override
+        public Optional<Key<String>> newIds() {
+            return Optional.of(SAMPLE_ID);
+        }
+    };
+}

@@ -1,0 +1,67 @@
+package particles.scene.parts;
+
+import java.util.List;
+import particles.ParticleSystem;
+import particles.Simulation;
+import particles.law.Reaction;
+import particles.reactions.RestingContacts;
+import particles.reactions.RigidConstraints;
+import particles.reactions.wires.Curve;
+import particles.rules.ConstraintProjection;
+import particles.spec.Chosen;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+
+/**
+ * The rods and wires of a scene and how they are kept.
+ *
+ * @param rods       the rods
+ * @param wires      the wires, each with its bead
+ * @param feedback   the rate at which errors decay (1/s)
+ * @param projection whether particles are put back onto rods and wires after every step
+ */
+public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireKind>> wires, double feedback,
+        boolean projection) {
+    public static final Key<Double> FEEDBACK = Key.withDefault("feedback", NumberType.notNegative("1/s"),
+            RigidConstraints.USUAL_FEEDBACK, "The rate at which errors of length decay (1/s); values far above"
+                    + " 0.1/deltaT make the run less accurate.");
+    static final Key<Boolean> PROJECTION = Key.withDefault("projection", FlagType.FLAG, false,
+            "Whether to move particles back onto rods and wires after every step.");
+    public static final MappingType TYPE = MappingType.of("'constraints'", FEEDBACK, PROJECTION);
+
+    public static ConstraintDescription of(List<RodDescription> rods, List<Chosen<WireKind>> wires, Values values) {
+        return new ConstraintDescription(List.copyOf(rods), List.copyOf(wires), values.get(FEEDBACK),
+                values.get(PROJECTION));
+    }
+
+    /** Adds to a system what the scene names, if it names any. */
+    public void build(ParticleSystem system, ParticleIndex index, Simulation simulation, SceneAssembly assembly) {
+        if (rods.isEmpty() && wires.isEmpty()) {
+            return;
+        }
+        RigidConstraints constraints = new RigidConstraints(system, feedback);
+        for (RodDescription rod : rods) {
+            constraints.addRod(index.find(rod.from()).orElseThrow(), index.find(rod.to()).orElseThrow(),
+                    index.position(rod.to()).minus(index.position(rod.from())).length());
+        }
+        for (Chosen<WireKind> wire : wires) {
+            String bead = wire.values().get(WireKind.BEAD);
+            Curve curve = wire.kind().curve(wire.values(), index.position(bead));
+            constraints.addBead(index.find(bead).orElseThrow(), curve);
+            assembly.show(curve);
+        }
+        for (Reaction reaction : List.copyOf(system.getReactions())) {
+            if (reaction instanceof RestingContacts contacts) {
+                constraints.solveWith(contacts);
+            }
+        }
+        system.addReaction(constraints);
+        constraints.project(system.getOwnState(), system.getTime());        // places are written with a few digits
+        if (projection) {
+            simulation.addRule(new ConstraintProjection(constraints));
+        }
+    }
+}

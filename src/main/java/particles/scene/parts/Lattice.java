@@ -1,0 +1,109 @@
+package particles.scene.parts;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import particles.law.Vector3;
+
+/**
+ * Particles at regular places along one, two or three directions, which a rope, a cloth and a block of jelly are. The
+ * first index varies slowest.
+ *
+ * @param id      the shape's name; a particle is called {@code cloth[3,4]}
+ * @param counts  how many particles there are along each direction, at least 2
+ * @param origin  where the particle [0,0,0] is (m)
+ * @param edges   from the first to the last particle along each direction (m)
+ */
+public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vector3> edges) {
+    private static final Pattern INDICES = Pattern.compile("\\[(\\d{1,9}(,\\d{1,9})*)\\]");
+
+    /** @return the number of particles */
+    public long size() {
+        return counts.stream().mapToLong(Integer::longValue).reduce(1, Math::multiplyExact);
+    }
+
+    /** @return the indices of particle n */
+    int[] indices(int n) {
+        int[] indices = new int[counts.size()];
+        for (int d = indices.length - 1; d >= 0; d--) {
+            indices[d] = n % counts.get(d);
+            n /= counts.get(d);
+        }
+        return indices;
+    }
+
+    /** @return the number of the particle at these indices, or -1 if they lie outside */
+    int number(int... indices) {
+        int n = 0;
+        for (int d = 0; d < indices.length; d++) {
+            if (indices[d] < 0 || indices[d] >= counts.get(d)) {
+                return -1;
+            }
+            n = n * counts.get(d) + indices[d];
+        }
+        return n;
+    }
+
+    /** @return the numbers of the 2, 4 or 8 particles at the corners */
+    public List<Integer> corners() {
+        return IntStream.range(0, 1 << counts.size()).mapToObj(code -> number(IntStream.range(0, counts.size())
+                .map(d -> (code >> d & 1) * (counts.get(d) - 1)).toArray())).toList();
+    }
+
+    /** @return by how much the number grows with each index */
+    int[] strides() {
+        int[] strides = new int[counts.size()];
+        for (int d = strides.length - 1, stride = 1; d >= 0; stride *= counts.get(d--)) {
+            strides[d] = stride;
+        }
+        return strides;
+    }
+
+    /** @return the name of particle n */
+    public String idOf(int n) {
+        return Arrays.stream(indices(n)).mapToObj(Integer::toString).collect(Collectors.joining(",", id + "[", "]"));
+    }
+
+    /** @return the number of the particle with this name, if it is one of this lattice */
+    public OptionalInt find(String particle) {
+        Matcher matcher = INDICES.matcher(particle.startsWith(id) ? particle.substring(id.length()) : "");
+        if (!matcher.matches()) {
+            return OptionalInt.empty();
+        }
+        int[] indices = Arrays.stream(matcher.group(1).split(",")).mapToInt(Integer::parseInt).toArray();
+        int n = indices.length == counts.size() ? number(indices) : -1;
+        return n < 0 || !idOf(n).equals(particle) ? OptionalInt.empty() : OptionalInt.of(n);
+    }
+
+    /** @return where particle n is (m) */
+    public Vector3 position(int n) {
+        int[] indices = indices(n);
+        Vector3 position = origin;
+        for (int d = 0; d < indices.length; d++) {
+            position = position.plus(edges.get(d).times((double) indices[d] / (counts.get(d) - 1)));
+        }
+        return position;
+    }
+
+    /** @return how much room the edges span, relative to their lengths: 1 if at right angles, 0 if in line */
+    double flatness() {
+        if (edges.stream().anyMatch(edge -> edge.length() == 0)) {
+            return 0;
+        }
+        List<Vector3> units = edges.stream().map(Vector3::normalized).toList();
+        return switch (units.size()) {
+            case 1 -> 1;
+            case 2 -> units.get(0).cross(units.get(1)).length();
+            default -> Math.abs(units.get(0).cross(units.get(1)).dot(units.get(2)));
+        };
+    }
+
+    /** @return which ids there are, for messages */
+    public String range() {
+        return idOf(0) + " to " + idOf((int) size() - 1);
+    }
+}

@@ -1,0 +1,98 @@
+package particles.scene.parts;
+
+import java.util.Optional;
+import particles.law.AnchorMotion;
+import particles.law.Vector3;
+import particles.rules.CircleMotion;
+import particles.rules.GlideMotion;
+import particles.rules.SineMotion;
+import particles.spec.Key;
+import particles.spec.NumberType;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+
+/** The given motions of fixed particles; {@link RuleKind#ALL} lists them. */
+abstract class MotionKinds extends RuleKind {
+    private static final Key<String> PARTICLE = Key.required("particle", TextType.of("the id of a fixed"
+            + " particle", "\\S"),
+            "The fixed particle that moves in this way, starting from its position.");
+    private static final Key<Double> PERIOD = Key.required("period", NumberType.positive("s"),
+            "The time of one round trip (s).");
+
+    private MotionKinds(String name, String sentence, Key<?>... keys) {
+        super(name, sentence, keys);
+    }
+
+    abstract AnchorMotion motion(Values values, Vector3 start);
+
+    /** The largest speed (m/s). */
+    abstract double speed(Values values, Vector3 start);
+
+    @Override
+    public void build(Values values, SceneAssembly assembly) {
+        Vector3 start = assembly.positionOf(values.get(PARTICLE));
+        assembly.move(values.get(PARTICLE), motion(values, start));
+        assembly.noteSpeed(speed(values, start));
+    }
+
+    @Override
+    public Optional<Key<String>> anchor() {
+        return Optional.of(PARTICLE);
+    }
+
+    private static final Key<Vector3> AMPLITUDE = Key.required("amplitude", VectorType.notZero("m"),
+            "The largest displacement to one side, as a vector (m).");
+
+    static final RuleKind SHAKE = new MotionKinds("shake", "Moves a fixed particle to and fro: amplitude sin(2"
+            + " pi t / period).",
+            PARTICLE, AMPLITUDE, PERIOD) {
+        @Override
+        AnchorMotion motion(Values values, Vector3 start) {
+            return new SineMotion(start, values.get(AMPLITUDE), values.get(PERIOD));
+        }
+
+        @Override
+        double speed(Values values, Vector3 start) {
+            return 2 * Math.PI * values.get(AMPLITUDE).length() / values.get(PERIOD);
+        }
+    };
+
+    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Any point of the"
+            + " axis (m).");
+    private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
+            "The axis of rotation, counter-clockwise when it points at you; its length does not matter.");
+
+    static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a fixed particle round an axis like a"
+            + " crank.", PARTICLE,
+            CENTRE,
+            AXIS, PERIOD) {
+        @Override
+        AnchorMotion motion(Values values, Vector3 start) {
+            return new CircleMotion(start, values.get(CENTRE), values.get(AXIS), values.get(PERIOD));
+        }
+
+        @Override
+        double speed(Values values, Vector3 start) {
+            return 2 * Math.PI * start.minus(values.get(CENTRE)).length() / values.get(PERIOD);
+        }
+    };
+
+    private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "Where it stops (m).");
+    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"), "How long it"
+            + " takes (s).");
+
+    static final RuleKind GLIDE = new MotionKinds("glide",
+            "Moves a fixed particle straight to another place, starting and stopping"
+                    + " smoothly.", PARTICLE, TO, DURATION) {
+        @Override
+        AnchorMotion motion(Values values, Vector3 start) {
+            return new GlideMotion(start, values.get(TO), values.get(DURATION));
+        }
+
+        @Override
+        double speed(Values values, Vector3 start) {
+            return 1.875 * values.get(TO).minus(start).length() / values.get(DURATION);
+        }
+    };
+}

@@ -1,0 +1,45 @@
+package particles.scene.parts;
+
+import particles.law.Vector3;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+import particles.spec.messages.Place;
+
+/**
+ * One particle of a scene.
+ *
+ * @param id       its name
+ * @param position x (m)
+ * @param velocity v (m/s)
+ * @param mass     m (kg)
+ * @param fixed    whether it stays where it is
+ * @param place    where the scene says so
+ */
+public record ParticleDescription(String id, Vector3 position, Vector3 velocity, double mass, boolean fixed,
+        Place place) {
+    /** Fit for CSV, and never the id of a shape's particle, which has brackets. */
+    static final TextType NEW_ID = TextType.of("a name without spaces, brackets, commas and quotes",
+            "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}$");
+
+    public static final Key<String> ID = Key.required("id", NEW_ID, "The particle's name; it must differ from the ids"
+            + " of other particles and shapes.");
+    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Its position at the"
+            + " start (m).");
+    public static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
+            "Its velocity at the start (m/s).");
+    static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0, "Its mass (kg).");
+    static final Key<Boolean> FIXED = Key.withDefault("fixed", FlagType.FLAG, false,
+            "Whether it stays in place, whatever the forces.");
+
+    public static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED);
+
+    public static ParticleDescription of(Values values) {
+        return new ParticleDescription(values.get(ID), values.get(POSITION), values.get(VELOCITY), values.get(MASS),
+                values.get(FIXED), values.place());
+    }
+}

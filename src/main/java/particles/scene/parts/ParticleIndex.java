@@ -1,0 +1,74 @@
+package particles.scene.parts;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import particles.law.Vector3;
+
+/** From the ids of a scene to its particles: first those that stand alone, then the shapes' in order. */
+public final class ParticleIndex {
+    private final List<ParticleDescription> particles;
+    private final Map<String, Integer> numbers = new HashMap<>();
+    private final Map<String, ShapeDescription> shapes = new HashMap<>();
+    private final Map<String, Integer> firsts = new HashMap<>();
+    private int count;
+
+    public ParticleIndex(List<ParticleDescription> particles, List<ShapeDescription> shapes) {
+        this.particles = particles;
+        for (ParticleDescription particle : particles) {
+            numbers.put(particle.id(), count++);
+        }
+        for (ShapeDescription shape : shapes) {
+            this.shapes.put(shape.lattice().id(), shape);
+            firsts.put(shape.lattice().id(), count);
+            count += (int) shape.lattice().size();
+        }
+    }
+
+    /** @return how many particles there are */
+    int count() {
+        return count;
+    }
+
+    /** @return the number of the particle with this id, if there is one */
+    public OptionalInt find(String id) {
+        if (numbers.containsKey(id)) {
+            return OptionalInt.of(numbers.get(id));
+        }
+        String shape = shapeOf(id);
+        OptionalInt inShape = shapes.containsKey(shape) ? shapes.get(shape).lattice().find(id) : OptionalInt.empty();
+        return inShape.isPresent() ? OptionalInt.of(firsts.get(shape) + inShape.getAsInt()) : inShape;
+    }
+
+    /** @return the part of an id before the brackets, which names the shape */
+    public static String shapeOf(String id) {
+        return id.contains("[") ? id.substring(0, id.indexOf('[')) : id;
+    }
+
+    /** @return whether the particle with this known id stays where it is */
+    public boolean isFixed(String id) {
+        if (numbers.containsKey(id)) {
+            return particles.get(numbers.get(id)).fixed();
+        }
+        ShapeDescription shape = shapes.get(shapeOf(id));
+        return shape.fixed().get(shape.lattice().find(id).orElseThrow());
+    }
+
+    /** @return how the particle with this known id moves at the start (m/s) */
+    public Vector3 velocity(String id) {
+        if (numbers.containsKey(id)) {
+            return particles.get(numbers.get(id)).velocity();
+        }
+        return isFixed(id) ? Vector3.ZERO : shapes.get(shapeOf(id)).velocity();
+    }
+
+    /** @return where the particle with this known id is at the start (m) */
+    public Vector3 position(String id) {
+        if (numbers.containsKey(id)) {
+            return particles.get(numbers.get(id)).position();
+        }
+        Lattice lattice = shapes.get(shapeOf(id)).lattice();
+        return lattice.position(lattice.find(id).orElseThrow());
+    }
+}

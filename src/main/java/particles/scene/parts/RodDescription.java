@@ -1,0 +1,24 @@
+package particles.scene.parts;
+
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.Values;
+import particles.spec.messages.Place;
+
+/**
+ * One rigid rod of a scene, as long as the initial distance.
+ *
+ * @param from  the id of the particle where it begins
+ * @param to    the id of the particle where it ends
+ * @param place where the scene says so
+ */
+public record RodDescription(String from, String to, Place place) {
+    public static final Key<String> FROM = Key.required("from", SpringDescription.ANY_ID,
+            "The particle where the rod begins.");
+    public static final Key<String> TO = Key.required("to", SpringDescription.ANY_ID, "The particle where it ends.");
+    public static final MappingType TYPE = MappingType.of("a rod", FROM, TO);
+
+    public static RodDescription of(Values values) {
+        return new RodDescription(values.get(FROM), values.get(TO), values.place());
+    }
+}

@@ -1,0 +1,161 @@
+package particles.scene.parts;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import particles.effects.SharedKeys;
+import particles.law.Obstacle;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactSurface;
+import particles.reactions.contact.Friction;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+
+/** The rules that a scene can name: each is one entry of {@link #ALL}, with its keys and what it builds. */
+public abstract class RuleKind implements Kind {
+    private static final Key<String> LAW = Key.required("law", NameType.of("friction law", List.of("slide", "coulomb")),
+            "slide: the lecture's law, normal force times k_f times velocity; coulomb: normal force times mu.");
+    private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative(""),
+            "k_f of slide (s/m), or mu of coulomb (a pure number).");
+    private static final Key<Double> STATIC = Key.optional("static", NumberType.notNegative(""),
+            "The largest force that holds a particle at rest, as a multiple of the normal force; by default mu"
+                    + " for coulomb and 0 for slide.");
+    private static final Key<Double> THRESHOLD = Key.withDefault("threshold", NumberType.notNegative("m/s"), 0.01,
+            "Below this speed a sliding particle comes to rest if static friction can hold it (m/s).");
+
+    static final Key<Double> RESTITUTION = Key.withDefault("restitution", NumberType.between(0, 1, ""), 0.5,
+            "r: a bounce turns the normal velocity v into -r v; 0 does not bounce, 1 loses nothing.");
+    static final Key<Values> FRICTION = Key.optional("friction", MappingType.of("'friction'", LAW, COEFFICIENT, STATIC,
+            THRESHOLD),
+            "Friction on particles that rest on the plane; no friction if left out.");
+    static final Key<Double> REST_SPEED = Key.withDefault("restSpeed", NumberType.notNegative("m/s"), 0.01,
+            "A bounce slower than this leaves the particle on the plane (m/s).");
+
+    private final String name;
+    private final String sentence;
+    private final MappingType keys;
+
+    RuleKind(String name, String sentence, Key<?>... keys) {
+        this.name = name;
+        this.sentence = sentence;
+        this.keys = MappingType.of("'" + name + "'", keys);
+    }
+
+    /** Builds what a scene names. */
+    public abstract void build(Values values, SceneAssembly assembly);
+
+    /** @return the solid in which no particle may begin, if the rule has one */
+    public Optional<Obstacle> obstacle(Values values) {
+        return Optional.empty();
+    }
+
+    /** @return the key that names a fixed particle which the rule moves, if there is one */
+    public Optional<Key<String>> anchor() {
+        return Optional.empty();
+    }
+
+    /** @return the key of a name with which the ids of new particles begin, if there is one */
+    public Optional<Key<String>> newIds() {
+        return Optional.empty();
+    }
+
+    /**
+     * How many particles it has brought into being that are there at a time, at most.
+     *
+     * @param deltaT   how long a step is (s)
+     * @param duration how long the run is (s)
+     */
+    public double alive(Values values, double deltaT, double duration) {
+        return 0;
+    }
+
+    /** @return whether it takes particles away wherever they come from */
+    public boolean removes() {
+        return false;
+    }
+
+    /** @return whether it acts on springs only */
+    public boolean needsSprings() {
+        return false;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public String sentence() {
+        return sentence;
+    }
+
+    @Override
+    public MappingType keys() {
+        return keys;
+    }
+
+    /** A rule for particles that meet a solid. */
+    private abstract static class OfSolid extends RuleKind {
+        OfSolid(String name, String sentence, Key<?>... keys) {
+            super(name, sentence, keys);
+        }
+
+        @Override
+        public void build(Values values, SceneAssembly assembly) {
+            obstacle(values).ifPresent(solid -> assembly.add(new ContactSurface(name(), solid, values.get(RESTITUTION),
+                    values.find(FRICTION).map(RuleKind::friction).orElse(Friction.NONE), values.get(REST_SPEED))));
+        }
+    }
+
+    private static Friction friction(Values values) {
+        Friction.Law law = Friction.Law.valueOf(values.get(LAW).toUpperCase(Locale.ROOT));
+        double holding = values.find(STATIC).orElse(law == Friction.Law.COULOMB ? values.get(COEFFICIENT) : 0.0);
+        return new Friction(law, values.get(COEFFICIENT), holding, values.get(THRESHOLD));
+    }
+
+    private static final Key<Double> HEIGHT = Key.withDefault("height", NumberType.any("m"), 0.0,
+            "Its height (m).");
+
+    private static final RuleKind GROUND = new OfSolid("ground",
+            "Level ground: particles bounce off it, rest on it and slide along it.",
+            HEIGHT, RESTITUTION, FRICTION, REST_SPEED) {
+        @Override
+        public Optional<Obstacle> obstacle(Values values) {
+            return Optional.of(Plane.ground(values.get(HEIGHT)));
+        }
+    };
+
+    private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
+            "Any point of the plane (m).");
+    private static final Key<Vector3> NORMAL = Key.required("normal", VectorType.notZero(""),
+            "N, the direction out of the solid, to the side where particles are; its length does not matter.");
+
+    private static final RuleKind PLANE = new OfSolid("plane",
+            "A ramp or a wall: particles bounce off it, rest on it and slide along"
+                    + " it.", POINT, NORMAL, RESTITUTION, FRICTION, REST_SPEED) {
+        @Override
+        public Optional<Obstacle> obstacle(Values values) {
+            return Optional.of(new Plane(values.get(POINT), values.get(NORMAL)));
+        }
+    };
+
+    private static final RuleKind SPHERE = new OfSolid("sphere",
+            "A ball, or the inside of a hollow one: particles bounce off it, rest on it and slide along it.",
+            SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, RESTITUTION, FRICTION, REST_SPEED) {
+        @Override
+        public Optional<Obstacle> obstacle(Values values) {
+            return Optional.of(SharedKeys.sphere(values));
+        }
+    };
+
+    /** All rules. */
+    public static final List<RuleKind> ALL = List.of(GROUND, PLANE, SPHERE, BirthAndDeath.TEAR, MotionKinds.SHAKE,
+            MotionKinds.CIRCLE,
+            MotionKinds.GLIDE, BirthAndDeath.EMITTER, BirthAndDeath.KILL, BirthAndDeath.SAMPLES);
+}

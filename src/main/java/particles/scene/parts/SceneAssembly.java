@@ -1,0 +1,148 @@
+package particles.scene.parts;
+
+import java.util.ArrayList;
+import java.util.List;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.effects.EffectContext;
+import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.AnchorMotion;
+import particles.law.Effect;
+import particles.law.Obstacle;
+import particles.law.Particles;
+import particles.law.Plane;
+import particles.law.Sphere;
+import particles.law.Vector3;
+import particles.reactions.contact.ContactSurface;
+import particles.rules.Lifetimes;
+import particles.view.CurveView;
+import particles.view.Scenery;
+import particles.view.Surface;
+
+/** A scene's system while effects and rules are being added to it, and what they share. */
+public final class SceneAssembly implements EffectContext {
+    private final ParticleSystem system;
+    private final SpringForce springs;
+    private final ParticleIndex index;
+    private final List<Rule> rules = new ArrayList<>();
+    private boolean mortal;
+    private double births;
+    private final List<ContactSurface> surfaces = new ArrayList<>();
+    private final List<Obstacle> solids = new ArrayList<>();
+    private final List<CurveView> wires = new ArrayList<>();
+    private Wind wind = Wind.STILL;
+    private Vector3 acceleration = Vector3.ZERO;
+    private double speed;
+
+    public SceneAssembly(ParticleSystem system, SpringForce springs, ParticleIndex index) {
+        this.system = system;
+        this.springs = springs;
+        this.index = index;
+    }
+
+    SpringForce springs() {
+        return springs;
+    }
+
+    /** @return where the particle with this known id is at the start (m) */
+    Vector3 positionOf(String id) {
+        return index.position(id);
+    }
+
+    /** Lets the fixed particle with this known id follow a motion. */
+    void move(String id, AnchorMotion motion) {
+        system.moveAnchor(index.find(id).orElseThrow(), motion);
+    }
+
+    /** @param rule to act after contacts, in the order of the scene */
+    void add(Rule rule) {
+        rules.add(rule);
+    }
+
+    /** Lets particles die whose time has come; once, however many emitters ask for it. */
+    void letDie() {
+        mortal = true;
+    }
+
+    /** @return the rules besides contacts; deaths of age come last */
+    public List<Rule> rules() {
+        List<Rule> all = new ArrayList<>(rules);
+        if (mortal) {
+            all.add(new Lifetimes());
+        }
+        return all;
+    }
+
+    /** @param massRate of what is born (kg/s); for the energy scale */
+    void noteBirths(double massRate) {
+        births += massRate;
+    }
+
+    public double births() {
+        return births;
+    }
+
+    @Override
+    public Particles particles() {
+        return system.getParticles();
+    }
+
+    @Override
+    public void add(Effect effect) {
+        system.addEffect(effect);
+    }
+
+    void add(ContactSurface surface) {
+        surfaces.add(surface);
+        show(surface.obstacle());
+    }
+
+    @Override
+    public void show(Obstacle solid) {
+        solids.add(solid);
+    }
+
+    /** @param wire to be drawn */
+    void show(CurveView wire) {
+        wires.add(wire);
+    }
+
+    /** @return all that was shown, beside surfaces */
+    public Scenery scenery(List<Surface> surfaces) {
+        return new Scenery(surfaces, solids.stream().filter(Plane.class::isInstance).map(Plane.class::cast).toList(),
+                solids.stream().filter(Sphere.class::isInstance).map(Sphere.class::cast).toList(), wires);
+    }
+
+    public List<ContactSurface> surfaces() {
+        return surfaces;
+    }
+
+    @Override
+    public void setWind(Wind wind) {
+        this.wind = wind;
+    }
+
+    @Override
+    public Wind wind() {
+        return wind;
+    }
+
+    @Override
+    public void noteAcceleration(Vector3 g) {
+        acceleration = acceleration.plus(g);
+    }
+
+    public Vector3 acceleration() {
+        return acceleration;
+    }
+
+    @Override
+    public void noteSpeed(double fastest) {
+        speed = Math.max(speed, fastest);
+    }
+
+    public double speed() {
+        return speed;
+    }
+}

@@ -1,0 +1,104 @@
+package particles.scene.parts;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import particles.law.Vector3;
+import particles.scene.parts.SpringFamily.Sort;
+import particles.spec.Chosen;
+import particles.spec.Values;
+import particles.spec.messages.Place;
+import particles.spec.messages.Problems;
+import particles.spec.messages.Wording;
+
+/**
+ * A rope, a cloth or a block of jelly.
+ *
+ * @param lattice  its particles
+ * @param mass     the mass of each (kg)
+ * @param velocity how those that are not fixed move at the start (m/s)
+ * @param fixed    the numbers of those that stay where they are
+ * @param springs  its springs
+ * @param surface  whether it is drawn as a surface
+ * @param place    where the scene names it
+ */
+public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, BitSet fixed, List<SpringFamily> springs,
+                        boolean surface, Place place) {
+    /** So many particles fit into half a GiB with everything that belongs to them. */
+    public static final int MOST_PARTICLES = 1_000_000;
+
+    /** @return the shape, if there is nothing wrong with it as a whole */
+    public static Optional<ShapeDescription> of(Chosen<ShapeKind> chosen, Problems problems) {
+        ShapeKind kind = chosen.kind();
+        Values values = chosen.values();
+        Lattice lattice = kind.lattice(values);
+        if (lattice.size() > MOST_PARTICLES) {
+            problems.add(chosen.place(), "'" + kind.name() + "' has " + lattice.size()
+                    + " particles; a scene may have at most "
+                    + MOST_PARTICLES);
+            return Optional.empty();
+        }
+        if (!(lattice.flatness() > 1e-9)) {
+            problems.add(chosen.place(), "'" + kind.name() + "' has no extent in one direction: its particles"
+                    + " would lie on top of each other");
+            return Optional.empty();
+        }
+        BitSet fixed = new BitSet();
+        int before = problems.count();
+        for (String part : new LinkedHashSet<>(values.get(kind.fixed()))) {
+            addPart(part, lattice, kind, fixed, values.place(kind.fixed()), problems);
+        }
+        if (problems.count() > before) {
+            return Optional.empty();
+        }
+        double mass = values.find(ShapeKind.MASS).orElseGet(() -> values.get(ShapeKind.TOTAL_MASS) / lattice.size());
+        List<SpringFamily> springs = new ArrayList<>();
+        for (Sort sort : Sort.values()) {
+            if (kind.keys().keys().contains(sort.key())) {
+                values.find(sort.key()).ifPresent(family -> springs.add(SpringFamily.of(sort, family)));
+            }
+        }
+        boolean surface = lattice.counts().size() > 1 && values.get(ShapeKind.SURFACE);
+        return Optional.of(new ShapeDescription(lattice, mass, values.get(ShapeKind.VELOCITY), fixed, springs, surface,
+                chosen.place()));
+    }
+
+    private static void addPart(String part, Lattice lattice, ShapeKind kind, BitSet fixed, Place place,
+            Problems problems) {
+        if (part.endsWith("]")) {
+            OptionalInt number = lattice.find(part);
+            if (number.isEmpty()) {
+                problems.add(place, "unknown particle " + Wording.quote(part) + " in 'fixed';"
+                        + " known: " + lattice.range());
+            }
+            number.ifPresent(fixed::set);
+            return;
+        }
+        List<String> sides = Arrays.asList(part.split("-"));
+        for (int n = 0; n < lattice.size(); n++) {
+            int[] at = lattice.indices(n);
+            int extremes = 0;
+            int named = 0;
+            for (int d = 0; d < at.length; d++) {
+                boolean first = at[d] == 0;
+                boolean last = at[d] == lattice.counts().get(d) - 1;
+                extremes += first || last ? 1 : 0;
+                named += first && sides.contains(kind.sides().get(d).get(0)) || last
+                        && sides.contains(kind.sides().get(d).get(1)) ? 1 : 0;
+            }
+            if (part.equals("corners") ? extremes == at.length : part.equals("edges") ? extremes > 0
+                    : named == sides.size()) {
+                fixed.set(n);
+            }
+        }
+    }
+
+    /** @return how many springs it has */
+    public long springCount() {
+        return springs.stream().mapToLong(family -> family.count(lattice)).sum();
+    }
+}

@@ -1,0 +1,185 @@
+package particles.scene.parts;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import particles.law.Vector3;
+import particles.scene.parts.SpringFamily.Sort;
+import particles.spec.FlagType;
+import particles.spec.Key;
+import particles.spec.Kind;
+import particles.spec.ListType;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.NumberType;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.spec.VectorType;
+import particles.spec.WholeNumberType;
+
+/**
+ * The shapes that a scene can name: each is one entry of {@link #ALL}, with its keys and where it puts its particles.
+ */
+public abstract class ShapeKind implements Kind {
+    private static final TextType OWN_ID = TextType.of("an id of a particle of the shape, such as cloth[3,4]",
+            "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");
+    private static final WholeNumberType COUNT = new WholeNumberType(2, 1_000_000);
+
+    static final Key<Double> MASS = Key.optional("mass", NumberType.positive("kg"),
+            "The mass of each particle (kg); give this or totalMass.");
+    static final Key<Double> TOTAL_MASS = Key.optional("totalMass", NumberType.positive("kg"),
+            "The mass of all particles together, shared evenly (kg); give this or mass.");
+    static final Key<Vector3> VELOCITY = Key.withDefault("velocity", VectorType.of("m/s"), Vector3.ZERO,
+            "The velocity of all free particles at the start (m/s).");
+    static final Key<Boolean> SURFACE = Key.withDefault("surface", FlagType.FLAG, true,
+            "Whether to draw it as a shaded surface.");
+
+    private final String name;
+    private final String sentence;
+    private final MappingType keys;
+    private final Key<String> id;
+    private final Key<List<String>> fixed;
+    private final List<List<String>> sides;
+
+    /**
+     * @param sides the names of its two ends along each direction
+     * @param more  further names for fixed parts
+     * @param own   keys that say where the particles are
+     */
+    ShapeKind(String name, String sentence, List<List<String>> sides, List<String> more, List<Sort> springs,
+              boolean hasSurface, Key<?>... own) {
+        this.name = name;
+        this.sentence = sentence;
+        this.sides = sides;
+        id = Key.withDefault("id", ParticleDescription.NEW_ID, name,
+                "The shape's name; its particles' ids begin with it.");
+        List<String> parts = new ArrayList<>();
+        sides.forEach(parts::addAll);
+        parts.addAll(more);
+        fixed = Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)),
+                List.of(),
+                "Which particles stay in place: names of parts, ids of its particles, or a list of both.");
+        List<Key<?>> all = new ArrayList<>(List.of(id));
+        all.addAll(Arrays.asList(own));
+        all.addAll(List.of(MASS, TOTAL_MASS, VELOCITY, fixed));
+        springs.forEach(sort -> all.add(sort.key()));
+        if (hasSurface) {
+            all.add(SURFACE);
+        }
+        keys = MappingType.of("'" + name + "'", all.toArray(new Key<?>[0])).withExactlyOneOf(MASS, TOTAL_MASS);
+    }
+
+    /** @return where the particles are */
+    abstract Lattice lattice(Values values);
+
+    /** @return the names of the two ends along each direction */
+    List<List<String>> sides() {
+        return sides;
+    }
+
+    public Key<String> id() {
+        return id;
+    }
+
+    Key<List<String>> fixed() {
+        return fixed;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public String sentence() {
+        return sentence;
+    }
+
+    @Override
+    public MappingType keys() {
+        return keys;
+    }
+
+    private static final Key<Vector3> START = Key.required("start", VectorType.of("m"), "The position of its"
+            + " first particle (m).");
+    private static final Key<Vector3> END = Key.required("end", VectorType.of("m"), "The position of its last"
+            + " particle (m).");
+    private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "The number of particles.");
+
+    private static final ShapeKind ROPE = new ShapeKind("rope",
+            "Particles rope[0], rope[1] ... at regular distances along a line.",
+            List.of(List.of("start", "end")), List.of(), List.of(Sort.STRUCTURAL, Sort.BEND), false, START, END,
+            PARTICLES) {
+        @Override
+        Lattice lattice(Values values) {
+            return new Lattice(values.get(id()), List.of(values.get(PARTICLES)), values.get(START),
+                    List.of(values.get(END).minus(values.get(START))));
+        }
+    };
+
+    private static final Key<Vector3> TOP_LEFT = Key.required("corner", VectorType.of("m"),
+            "The position of its top left particle (m).");
+    private static final Key<Vector3> ACROSS = Key.required("across", VectorType.notZero("m"),
+            "From its top left to its top right particle (m).");
+    private static final Key<Vector3> DOWN = Key.required("down", VectorType.notZero("m"),
+            "From its top left to its bottom left particle (m).");
+    private static final Key<Integer> COLUMNS = Key.required("columns", COUNT, "The number of particles across.");
+    private static final Key<Integer> ROWS = Key.required("rows", COUNT, "The number of particles from top to"
+            + " bottom.");
+
+    private static final ShapeKind CLOTH = new ShapeKind("cloth",
+            "Particles cloth[column,row] in a rectangle or parallelogram;"
+            + " cloth[0,0] is its top left one.", List.of(List.of("left", "right"), List.of("top", "bottom")),
+            List.of("top-left", "top-right", "bottom-left", "bottom-right", "corners", "edges"),
+            List.of(Sort.values()), true, TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS) {
+        @Override
+        Lattice lattice(Values values) {
+            return new Lattice(values.get(id()), List.of(values.get(COLUMNS), values.get(ROWS)), values.get(TOP_LEFT),
+                    List.of(values.get(ACROSS), values.get(DOWN)));
+        }
+    };
+
+    private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Its centre (m).");
+    private static final Key<Vector3> SIZE = Key.required("size", VectorType.positive("m"),
+            "Its width, height and depth before it is turned (m).");
+    private static final Key<Vector3> TURN = Key.withDefault("turn", VectorType.of("degrees"), Vector3.ZERO,
+            "Its rotation about its centre: first about the x, then the y, then the z axis (degrees).");
+    private static final Key<Integer> LAYERS = Key.required("layers", COUNT,
+            "The number of particles from back to front.");
+    private static final Key<Integer> JELLY_ROWS = Key.required("rows", COUNT,
+            "The number of particles from bottom to top.");
+
+    private static final ShapeKind JELLY = new ShapeKind("jelly",
+            "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is"
+            + " its left bottom back one.", List.of(List.of("left", "right"), List.of("bottom", "top"),
+                    List.of("back", "front")),
+            List.of("corners"), List.of(Sort.values()), true, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS) {
+        @Override
+        Lattice lattice(Values values) {
+            Vector3 size = values.get(SIZE);
+            List<Vector3> edges = Stream.of(new Vector3(size.x(), 0, 0), new Vector3(0, size.y(), 0),
+                    new Vector3(0, 0, size.z()))
+                    .map(edge -> turned(edge, values.get(TURN))).toList();
+            Vector3 diagonal = edges.get(0).plus(edges.get(1)).plus(edges.get(2));
+            return new Lattice(values.get(id()), List.of(values.get(COLUMNS), values.get(JELLY_ROWS),
+                    values.get(LAYERS)),
+                    values.get(CENTRE).minus(diagonal.times(0.5)), edges);
+        }
+    };
+
+    private static Vector3 turned(Vector3 v, Vector3 degrees) {
+        double a = StrictMath.toRadians(degrees.x());
+        double b = StrictMath.toRadians(degrees.y());
+        double c = StrictMath.toRadians(degrees.z());
+        Vector3 x = new Vector3(v.x(), StrictMath.cos(a) * v.y() - StrictMath.sin(a) * v.z(),
+                StrictMath.sin(a) * v.y() + StrictMath.cos(a) * v.z());
+        Vector3 y = new Vector3(StrictMath.cos(b) * x.x() + StrictMath.sin(b) * x.z(), x.y(),
+                StrictMath.cos(b) * x.z() - StrictMath.sin(b) * x.x());
+        return new Vector3(StrictMath.cos(c) * y.x() - StrictMath.sin(c) * y.y(),
+                StrictMath.sin(c) * y.x() + StrictMath.cos(c) * y.y(), y.z());
+    }
+
+    /** All shapes. */
+    public static final List<ShapeKind> ALL = List.of(ROPE, CLOTH, JELLY);
+}

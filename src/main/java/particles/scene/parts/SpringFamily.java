@@ -1,0 +1,112 @@
+package particles.scene.parts;
+
+import java.util.ArrayList;
+import java.util.List;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.Values;
+
+/**
+ * Springs of one sort in a shape, all with the same constants, each as long at rest as it is at the start.
+ *
+ * @param sort      which pairs they connect
+ * @param stiffness k (N/m)
+ * @param damping   k_d (N s/m)
+ */
+public record SpringFamily(Sort sort, double stiffness, double damping) {
+    static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.positive("N/m"),
+            "k of each of these springs (N/m).");
+    static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
+            "k_d of each of these springs (N s/m).");
+
+    /** Which neighbours are connected. */
+    public enum Sort {
+        /** The next one along each direction: holds the shape together. */
+        STRUCTURAL("structural", "Springs between next neighbours along each direction: they hold the shape together."),
+        /** Diagonally across faces and cells: keeps squares from becoming rhombi. */
+        SHEAR("shear", "Springs along the diagonals of squares (and cubes): they keep squares from becoming rhombi."),
+        /** The next but one along each direction: resists folding. */
+        BEND("bend", "Springs between next neighbours but one along each direction: they resist folding.");
+
+        private final Key<Values> key;
+
+        Sort(String name, String sentence) {
+            key = Key.optional(name, MappingType.of("'" + name + "'", STIFFNESS, DAMPING), sentence);
+        }
+
+        /** @return the key by which a scene asks for them */
+        Key<Values> key() {
+            return key;
+        }
+
+        /** @return for a lattice of so many directions, the steps from a particle to its partners, each pair once */
+        List<int[]> offsets(int dimensions) {
+            List<int[]> offsets = new ArrayList<>();
+            int all = (int) Math.round(StrictMath.pow(3, dimensions));
+            // the half of all steps in {-1, 0, 1} after zero
+            for (int code = all / 2 + 1; code < all; code++) {
+                int[] offset = new int[dimensions];
+                int length = 0;
+                for (int d = dimensions - 1, rest = code; d >= 0; d--, rest /= 3) {
+                    offset[d] = rest % 3 - 1;
+                    length += Math.abs(offset[d]);
+                }
+                if (length == 1 && this == BEND) {
+                    for (int d = 0; d < dimensions; d++) {
+                        offset[d] *= 2;
+                    }
+                }
+                if (length == 1 ? this != SHEAR : this == SHEAR) {
+                    offsets.add(offset);
+                }
+            }
+            return offsets;
+        }
+    }
+
+    static SpringFamily of(Sort sort, Values values) {
+        return new SpringFamily(sort, values.get(STIFFNESS), values.get(DAMPING));
+    }
+
+    /** What is told of each spring. */
+    public interface Sink {
+        void spring(int from, int to, double stiffness, double damping);
+    }
+
+    /** @return how many springs of this sort a lattice has */
+    long count(Lattice lattice) {
+        long count = 0;
+        for (int[] offset : sort.offsets(lattice.counts().size())) {
+            long pairs = 1;
+            for (int d = 0; d < offset.length; d++) {
+                pairs *= Math.max(0, lattice.counts().get(d) - Math.abs(offset[d]));
+            }
+            count += pairs;
+        }
+        return count;
+    }
+
+    /** Tells of every spring, by the lattice's own numbers. */
+    public void forEach(Lattice lattice, Sink sink) {
+        int[] counts = lattice.counts().stream().mapToInt(Integer::intValue).toArray();
+        int[] strides = lattice.strides();
+        int size = (int) lattice.size();
+        for (int[] offset : sort.offsets(counts.length)) {
+            int step = 0;
+            for (int d = 0; d < counts.length; d++) {
+                step += offset[d] * strides[d];
+            }
+            for (int n = 0; n < size; n++) {
+                boolean inside = true;
+                for (int d = 0; d < counts.length; d++) {
+                    int partner = n / strides[d] % counts[d] + offset[d];
+                    inside &= partner >= 0 && partner < counts[d];
+                }
+                if (inside) {
+                    sink.spring(n, n + step, stiffness, damping);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+package particles.spec.documents;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import particles.spec.Key;
+import particles.spec.KindType;
+import particles.spec.ListType;
+import particles.spec.MappingType;
+import particles.spec.NameType;
+import particles.spec.Type;
+import particles.spec.messages.Wording;
+
+/**
+ * Writes what may stand in a file as tables of Markdown: one for each mapping, with key, values, default and meaning.
+ */
+public final class Reference {
+    private final List<String> lines = new ArrayList<>();
+    private final Set<String> told = new LinkedHashSet<>();
+
+    private Reference() {
+    }
+
+    /**
+     * @param root    the type of a whole file
+     * @param heading what the headings begin with, such as {@code ###}
+     * @return the tables, ending with a line feed; the same text for the same type, always
+     */
+    public static String of(MappingType root, String heading) {
+        Reference reference = new Reference();
+        reference.tell(root, heading, "");
+        return String.join("\n", reference.lines) + "\n";
+    }
+
+    private void tell(MappingType mapping, String heading, String sentence) {
+        if (!told.add(mapping.name() + mapping.keys())) {
+            return;                                     // several shapes have springs of the same sort
+        }
+        if (!lines.isEmpty()) {
+            lines.add("");
+        }
+        lines.add(heading + " " + capital(mapping.name().replace('\'', '`')));
+        if (!sentence.isEmpty()) {
+            lines.add(sentence);
+        }
+        lines.add("");
+        lines.add("| key | value | default | meaning |");
+        lines.add("| --- | --- | --- | --- |");
+        for (Key<?> key : mapping.keys()) {
+            String standard = key.required() ? "*needed*" : key.defaultJson().map(Reference::written).orElse("");
+            lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + key.sentence()
+                    + " |");
+        }
+        mapping.keys().forEach(key -> tellWithin(key.type(), heading));
+    }
+
+    private void tellWithin(Type<?> type, String heading) {
+        if (type instanceof MappingType mapping) {
+            tell(mapping, heading, "");
+        } else if (type instanceof ListType<?> list) {
+            tellWithin(list.element(), heading);
+        } else if (type instanceof KindType<?> kinds) {
+            kinds.kinds().forEach(kind -> tell(kind.keys(), heading, kind.sentence()));
+        }
+    }
+
+    private static String values(Type<?> type) {
+        if (type instanceof MappingType mapping) {
+            Optional<Key<?>> brief = mapping.shortForm();
+            return brief.map(key -> values(key.type()) + "; or ").orElse("") + "see " + mapping.name().replace('\'',
+                    '`');
+        } else if (type instanceof ListType<?> list && !(list.element() instanceof NameType)) {
+            return "a list of: " + values(list.element());
+        } else if (type instanceof KindType<?> kinds) {
+            return String.join(", ", kinds.kinds().stream().map(kind -> "`" + kind.name() + "`").toList())
+                    + kinds.orClass();
+        }
+        return type.describe();
+    }
+
+    private static String written(Object json) {
+        if (json instanceof List<?> list) {
+            return list.isEmpty() ? "none" : "[" + String.join(", ", list.stream().map(Reference::written).toList())
+                    + "]";
+        }
+        return json instanceof Number number ? Wording.number(number.doubleValue()) : json.toString();
+    }
+
+    private static String capital(String text) {
+        return text.substring(0, 1).toUpperCase(Locale.ROOT) + text.substring(1);
+    }
+}

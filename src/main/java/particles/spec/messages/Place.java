@@ -1,0 +1,38 @@
+package particles.spec.messages;
+
+import java.util.Optional;
+import org.snakeyaml.engine.v2.exceptions.Mark;
+import org.snakeyaml.engine.v2.nodes.Node;
+
+/**
+ * Where something was found.
+ *
+ * @param source the file as the user named it, or an option such as {@code -PdeltaT}
+ * @param line   the line, from 1; 0 if the source as a whole is meant
+ * @param column the column in characters, from 1; 0 if the source as a whole is meant
+ */
+public record Place(String source, int line, int column) implements Comparable<Place> {
+
+    /** @return the source as a whole */
+    public static Place of(String source) {
+        return new Place(source, 0, 0);
+    }
+
+    public static Place of(String source, Optional<Mark> mark) {
+        return mark.map(m -> new Place(source, m.getLine() + 1, m.getColumn() + 1)).orElse(of(source));
+    }
+
+    public static Place of(String source, Node node) {
+        return of(source, node.getStartMark());
+    }
+
+    @Override
+    public int compareTo(Place other) {
+        return line != other.line ? Integer.compare(line, other.line) : Integer.compare(column, other.column);
+    }
+
+    @Override
+    public String toString() {
+        return line == 0 ? source : source + ":" + line + ":" + column;
+    }
+}

@@ -1,0 +1,49 @@
+package particles.spec.messages;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Collects everything that is wrong with one source, so that all of it is said in one go. */
+public final class Problems {
+    /** Nobody reads more; the rest is counted. */
+    static final int LIMIT = 50;
+
+    private record Problem(Place place, String message) {
+    }
+
+    private final List<Problem> problems = new ArrayList<>();
+    private int count;
+
+    /**
+     * @param place   where
+     * @param message what was found, and what is allowed; made one line
+     */
+    public void add(Place place, String message) {
+        count++;
+        if (problems.size() < LIMIT) {
+            problems.add(new Problem(place, Wording.oneLine(message)));
+        }
+    }
+
+    /** @return whether further problems are only counted, so that finding the words for them can be spared */
+    public boolean isFull() {
+        return problems.size() >= LIMIT;
+    }
+
+    /** @return how many problems there are */
+    public int count() {
+        return count;
+    }
+
+    /** @return the problems in the order of their places, one line each: place, colon, message */
+    public List<String> lines() {
+        List<String> lines = new ArrayList<>();
+        problems.stream().sorted(Comparator.comparing(Problem::place))
+                .forEach(problem -> lines.add(problem.place() + ": " + problem.message()));
+        if (count > problems.size()) {
+            lines.add(problems.get(0).place().source() + ": and " + (count - problems.size()) + " more");
+        }
+        return lines;
+    }
+}

@@ -1,0 +1,88 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.GuardedRun;
+import particles.teaching.GuardedRun.Outcome;
+import particles.teaching.sources.Probe;
+import particles.teaching.sources.WindyOscillators;
+
+/** What is no mistake and good to know: what a solver refuses, and what it does where the source fails. */
+final class SolverNotes {
+    private static final double H = 1.0 / 16;
+    private static final int MOST = 2000;
+    private static final double TINY = 1e-12;
+    private static final double NAN_SECONDS = 0.5;
+
+    private final Supplier<DESolver> maker;
+    private final List<Finding> findings = new ArrayList<>();
+
+    private SolverNotes(Supplier<DESolver> maker) {
+        this.maker = maker;
+    }
+
+    /** @return the notes on solvers of this kind */
+    static List<Finding> of(Supplier<DESolver> maker) {
+        SolverNotes notes = new SolverNotes(maker);
+        notes.checkPlain();
+        notes.checkFailure();
+        notes.checkNaN();
+        return notes.findings;
+    }
+
+    private void note(String text) {
+        findings.add(new Finding(Kind.ADVICE, text));
+    }
+
+    /** Whether sources without positions and velocities will do. */
+    private void checkPlain() {
+        try {
+            maker.get().stepState(new Probe(new double[6], 0, (evaluation, dSdt) -> dSdt[0] = TINY, MOST), H);
+        } catch (Probe.TooManyEvaluations e) {
+            return;                                     // it works on it, for long
+        } catch (RuntimeException e) {
+            note("it steps sources of positions and velocities only, and refuses others (" + e.getMessage() + ")");
+        }
+    }
+
+    private void checkFailure() {
+        WindyOscillators source = new WindyOscillators(1);
+        double[] before = source.state();
+        source.failAtEvaluation(1);
+        try {
+            maker.get().stepState(source, H);
+        } catch (RuntimeException expected) {
+            if (SolverContract.distance(before, source.state()) != 0 || source.getTime() != 0) {
+                note("when the source fails within a step, state and time stay where they were then;"
+                        + " deSolvers.FixedStepSolver puts them back");
+            }
+        }
+    }
+
+    /** The check puts a NaN in, and says so. */
+    private void checkNaN() {
+        WindyOscillators source = new WindyOscillators(1);
+        source.spoilDerivative();
+        String from = "this check made the derivative NaN on purpose, and ";
+        Outcome<Optional<String>> outcome = new GuardedRun(NAN_SECONDS).run(() -> {
+            try {
+                maker.get().stepState(source, H);
+                return Optional.empty();
+            } catch (RuntimeException e) {
+                return Optional.of(String.valueOf(e.getMessage()));
+            }
+        });
+        if (outcome.value().isEmpty()) {
+            note(from + "the step did not come back: end a loop that waits for a small error when the error is NaN");
+        } else if (outcome.value().get().isEmpty()) {
+            note(from + "the NaN goes unnoticed into the state; deSolvers.FixedStepSolver reports it");
+        } else if (outcome.value().get().get().matches("\\s*|null")) {
+            note(from + "the exception that the solver throws says nothing");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleSupplier;
+import java.util.function.Supplier;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.Formula;
+
+/**
+ * Reads the coefficients of a solver off its steps, and tries with other numbers whether they are all that there is to
+ * it.
+ */
+final class TableauReading {
+    private static final double H = 1.0 / 4;
+    /** A few roundings of double arithmetic; measured 3e-16 for RK4. */
+    private static final double DOUBLE_ROUNDING = 1e-13;
+    /** Below this it may be float arithmetic, with roundings of 6e-8, or numbers that are rounded to a few decimals. */
+    private static final double FLOAT_ROUNDING = 1e-3;
+    /** Derivatives that nobody expects, to find what is cut off. */
+    private static final double LARGE = 1e3;
+
+    private final Supplier<DESolver> maker;
+    private final Optional<NamePromise> promise;
+    private final DoubleSupplier measured;
+    private final List<Finding> findings = new ArrayList<>();
+
+    TableauReading(Supplier<DESolver> maker, Optional<NamePromise> promise, DoubleSupplier measured) {
+        this.maker = maker;
+        this.promise = promise;
+        this.measured = measured;
+    }
+
+    /**
+     * @param size of the derivatives with which it is read off: 1, or so small that an adaptive method accepts its
+     *             first step
+     * @return what it is; empty if its steps have no fixed coefficients
+     */
+    Optional<Diagnosis> diagnosis(double size) {
+        findings.clear();
+        try {
+            ExtractedTableau step = ExtractedTableau.of(maker.get(), H, size);
+            ExtractedTableau twice = ExtractedTableau.of(maker.get(), 2 * H, size);
+            Optional<ExtractedTableau> back = back(size);
+            if (step.stages() != twice.stages() || back.stream().anyMatch(other -> step.stages() != other.stages())
+                    || step.wrongLengths().isEmpty() && !fits(step.misfit(maker.get(), size))) {
+                return Optional.empty();
+            }
+            if (size == 1 && Arrays.stream(step.misfit(maker.get(), LARGE)).anyMatch(difference
+                    -> difference > FLOAT_ROUNDING)) {
+                findings.add(new Finding(Kind.METHOD, "with derivatives up to " + Formula.number(LARGE)
+                        + " the step is not the"
+                        + " one that it makes with derivatives up to 1: something is cut off, or depends on the size"));
+            }
+            Diagnosis diagnosis = TableauDiagnosis.of(step, twice, back, promise, measured);
+            boolean old = promise.map(name -> name.methods().contains(NamePromise.SYMPLECTIC)).orElse(false);
+            findings.addAll(diagnosis.findings());
+            return Optional.of(diagnosis.identity().startsWith("This is the Euler method") && old
+                    ? new Diagnosis("This is the Euler method.", List.of(KicksDiagnosis.oldVelocity()))
+                    : new Diagnosis(diagnosis.identity(), List.copyOf(findings)));
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // adaptive, or it wants positions and velocities
+        }
+    }
+
+    private Optional<ExtractedTableau> back(double size) {
+        try {
+            return Optional.of(ExtractedTableau.of(maker.get(), -H, size));
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // it refuses negative deltaT, which is a note elsewhere
+        }
+    }
+
+    /** Whether a step with random numbers is what the coefficients say, perhaps but for what is then a finding. */
+    private boolean fits(double[] misfit) {
+        double largest = 0;
+        List<Integer> left = new ArrayList<>();
+        for (int k = 0; k < misfit.length; k++) {
+            if (Double.isNaN(misfit[k])) {
+                left.add(k);
+            } else {
+                largest = Math.max(largest, misfit[k]);
+            }
+        }
+        if (largest > FLOAT_ROUNDING || left.size() == misfit.length) {
+            return false;
+        }
+        if (!left.isEmpty()) {
+            boolean row = left.get(left.size() - 1) - left.get(0) == left.size() - 1 && left.size() > 2;
+            findings.add(new Finding(Kind.STATE, "entr" + (left.size() == 1 ? "y " : "ies ")
+                    + (row ? left.get(0) + " to " + left.get(left.size() - 1) : left.toString().replaceAll("[\\[\\]]",
+                    ""))
+                    + " of a state of " + misfit.length + " numbers stay" + (left.size() == 1 ? "s"
+                    : "") + " as it was: the loop over i has to go"
+                    + " from 0 to source.getStateSize() - 1"));
+        }
+        if (largest > DOUBLE_ROUNDING) {
+            findings.add(new Finding(Kind.STATE, "digits get lost: the new state is off by " + Formula.number(largest)
+                    + " of its size, as " + (largest < 1e-6 ? "in float arithmetic; all numbers have to be double"
+                            : "if a number were rounded on the way; only what is printed may be")));
+        }
+        return true;
+    }
+}

@@ -1,0 +1,42 @@
+package particles.view;
+
+import java.util.List;
+
+/**
+ * As what free particles are drawn, and in which light.
+ *
+ * @param kind       as what
+ * @param ageColours the colours of a glow through a particle's life, evenly spread from its birth to its death,
+ *                   0xRRGGBB
+ * @param trail      for how long the way that a particle came stays visible (s); 0 for no trails
+ * @param night      whether the sky is dark, so that a glow is seen
+ */
+public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, boolean night) {
+
+    /** As what a particle can be drawn. */
+    public enum Kind {
+        /** A shaded ball. */
+        BALLS,
+        /** A dot of a few pixels, as large far away as near by. */
+        POINTS,
+        /** Part of a smooth surface around all particles: drops that flow together where they meet. */
+        BLOBS,
+        /** A spot of light, added to what is behind it, that fades as the particle grows old. */
+        GLOW
+    }
+
+    /** Balls by daylight, without trails. */
+    public static final ParticleStyle STANDARD = new ParticleStyle(Kind.BALLS,
+            List.of(0xffe9a8, 0xff9d2e, 0xd83a0f, 0x5a1208), 0, false);
+
+    /** @throws IllegalArgumentException if there is no colour, or the duration of trails is out of its range */
+    public ParticleStyle {
+        ageColours = List.copyOf(ageColours);
+        if (ageColours.isEmpty()) {
+            throw new IllegalArgumentException("a glow needs at least one colour");
+        }
+        if (!(trail >= 0) || !(trail <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("a trail has to last 0 s or more, and not " + trail + " s");
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package particles.view;
+
+import java.util.List;
+
+/**
+ * What of a scene is drawn and in which colours. Surfaces are drawn where the scene has them.
+ *
+ * @param particles      which particles are drawn
+ * @param springs        which springs are drawn
+ * @param particleRadius the radius of a particle as it is drawn (m), positive, or 0 for one that suits the scene's size
+ * @param strainRange    the strain (stretch over rest length) at which a spring has the full colour of stretched or
+ *                       compressed, positive: 0.1 for 10 %
+ * @param particleColour the colour of particles and of their trails, 0xRRGGBB
+ * @param fixedColour    the colour of fixed particles
+ * @param frontColour    the colour of a surface's front
+ * @param backColour     the colour of its back
+ * @param style          as what free particles are drawn
+ */
+public record RenderOptions(Shown particles, Shown springs, double particleRadius, double strainRange,
+        int particleColour,
+                   int fixedColour, int frontColour, int backColour, ParticleStyle style) {
+
+    /** How pictures look where a scene says nothing. */
+    public static final RenderOptions STANDARD = new RenderOptions(Shown.BESIDE_SURFACES, Shown.BESIDE_SURFACES, 0, 0.1,
+            0xf0a43c, 0x5a6270,
+            0xd9534f, 0x4a78b5, ParticleStyle.STANDARD);
+
+    /** Which of the particles, or of the springs, are drawn. */
+    public enum Shown {
+        /** All. */
+        ALWAYS,
+        /**
+         * Those that do not belong to a surface; springs with an end that does not, unless they begin on a closed one.
+         */
+        BESIDE_SURFACES,
+        /** None. */
+        NEVER
+    }
+
+    /** @throws IllegalArgumentException if a number is out of its range */
+    public RenderOptions {
+        if (!(particleRadius >= 0) || !(particleRadius <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the particles' radius has to be 0 or more and finite, not "
+                    + particleRadius);
+        }
+        if (!(strainRange > 0) || !(strainRange <= Double.MAX_VALUE)) {
+            throw new IllegalArgumentException("the range of strain has to be positive and finite, not " + strainRange);
+        }
+        for (int colour : new int[] {particleColour, fixedColour, frontColour, backColour}) {
+            if (colour < 0 || colour > 0xffffff) {
+                throw new IllegalArgumentException("a colour has to be from 0x000000 to 0xffffff, not 0x"
+                        + Integer.toHexString(colour));
+            }
+        }
+    }
+
+    /**
+     * The same things drawn in one colour, so that pictures beside each other can be told apart.
+     *
+     * @param colour of particles and surfaces, 0xRRGGBB; springs show no strain
+     * @return the look
+     */
+    public RenderOptions inOneColour(int colour) {
+        return new RenderOptions(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour,
+                colour,
+                new ParticleStyle(style.kind(), List.of(colour), style.trail(), style.night()));
+    }
+}

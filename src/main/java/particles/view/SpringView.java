@@ -1,0 +1,22 @@
+package particles.view;
+
+/** What a picture or a message needs to know of springs, whoever computes their force. */
+public interface SpringView {
+    /** @return how many springs there are */
+    int springCount();
+
+    /** @return the index of the particle where spring s begins */
+    int from(int s);
+
+    /** @return the index of the particle where spring s ends */
+    int to(int s);
+
+    /** @return the length at which spring s exerts no force (m) */
+    double restLength(int s);
+
+    /** @return the force per unit of stretch of spring s (N/m) */
+    double stiffness(int s);
+
+    /** @return the force per unit of stretching rate of spring s (N s/m) */
+    double damping(int s);
+}

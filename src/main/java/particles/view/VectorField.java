@@ -1,0 +1,21 @@
+package particles.view;
+
+/**
+ * The vector field ds/dt of one degree of freedom over its state space: the arrows on the slide "Vectors show the
+ * vector field" for s = (x, v). Arrow k stands at (x[k], v[k]) and points along (dx[k], dv[k]).
+ *
+ * @param x  positions (m)
+ * @param v  velocities (m/s)
+ * @param dx rates of the positions, which are the velocities (m/s)
+ * @param dv rates of the velocities, the accelerations (m/s&sup2;)
+ */
+public record VectorField(double[] x, double[] v, double[] dx, double[] dv) {
+    /** @throws IllegalArgumentException if the arrays differ in length */
+    public VectorField {
+        if (v.length != x.length || dx.length != x.length || dv.length != x.length) {
+            throw new IllegalArgumentException("a vector field of " + x.length + ", " + v.length + ", " + dx.length
+                    + " and "
+                    + dv.length + " entries; all four have to be of one length");
+        }
+    }
+}

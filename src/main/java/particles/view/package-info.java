@@ -1,0 +1,5 @@
+/**
+ * What can be drawn, as plain records: the camera, the render options, surfaces, springs, charts and tables.
+ * Experiments and the scene reader fill them; {@code particles.output} draws them.
+ */
+package particles.view;

@@ -1,0 +1,140 @@
+package particles.app.experiments;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.SimulationException;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.experiments.runs.ProgressListener;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+import particles.output.report.ResultPage;
+import particles.view.DataTable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+class ReportCommandTest {
+    @TempDir
+    Path top;
+
+    /** Shows which scene it was given. */
+    @Command(name = "shows", description = "Shows.")
+    private static final class Shows extends ExperimentCommand {
+        @Mixin
+        private final SceneOptions options = new SceneOptions();
+
+        Shows() {
+            super(OptionStyle.GRADLE);
+        }
+
+        @Override
+        protected String name() {
+            return "shows";
+        }
+
+        @Override
+        protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+            progress.reached(0.5, "half");
+            return new ResultPage("shows", options.scene("one-spring", style()).title() + " by "
+                    + options.solvers("radau", style()).size(), List.of("So it is."), List.of(),
+                    List.of(new DataTable("t", "Numbers", List.of(DataTable.column("x")), List.of(List.of(0.125)))));
+        }
+    }
+
+    @Command(name = "fails", description = "Fails.")
+    private static final class Fails extends ExperimentCommand {
+        private final RuntimeException why;
+
+        Fails(RuntimeException why) {
+            super(OptionStyle.GRADLE);
+            this.why = why;
+        }
+
+        @Override
+        protected String name() {
+            return "fails";
+        }
+
+        @Override
+        protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
+            throw why;
+        }
+    }
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private ExitCode report(RuntimeException why, String... options) {
+        String[] args = new String[options.length + 2];
+        args[0] = "report";
+        args[1] = "--out=" + top.resolve("report");
+        System.arraycopy(options, 0, args, 2, options.length);
+        return new Program(List.of(new ReportCommand(OptionStyle.GRADLE, List.of(new Fails(why), new Shows()))),
+                OptionStyle.GRADLE, new PrintWriter(out), new PrintWriter(err)).execute(args);
+    }
+
+    private String page() throws IOException {
+        return Files.readString(top.resolve("report/report.html"));
+    }
+
+    @Test
+    void experimentThatFailsIsWrittenAndTheOthersStand() throws IOException {
+        assertEquals(ExitCode.DONE, report(new SimulationException(1.5, -1, "no <reference>", null)));
+        String page = page();
+        assertTrue(page.contains("could not be made"), page);
+        assertTrue(page.contains("no &lt;reference&gt;"), page);
+        assertTrue(page.contains("<h2>One spring by 1</h2>"), page);
+        assertTrue(page.contains("data-value=\"0.125\""), page);
+        assertTrue(out.toString().contains("failed: ") && out.toString().contains("One spring by 1"), out.toString());
+        assertTrue(Files.exists(top.resolve("report/shows/shows.md")), "each has its folder too");
+        assertEquals("", err.toString());
+    }
+
+    @Test
+    void mistakesOfTheProgramAreWrittenToo() throws IOException {
+        assertEquals(ExitCode.DONE, report(new IllegalStateException("odd")));
+        assertTrue(page().contains("an error of the program itself") && page().contains("odd"), page());
+    }
+
+    @Test
+    void fullDiskEndsAll() {
+        OutputException full = new OutputException(top, "write", new IOException("no space left"));
+        assertEquals(ExitCode.TROUBLE, report(full));
+        assertFalse(Files.exists(top.resolve("report/report.html")));
+    }
+
+    @Test
+    void sceneWithAnOddNameIsLookedAtByThoseWhoLookAtScenes() throws IOException {
+        Path odd = top.resolve("a & 'b' <i>.yaml");
+        Files.writeString(odd, Files.readString(Path.of("scenes/02-one-spring.yaml"))
+                .replaceFirst("title: .*", "title: \"<script>alert('&')</script>\""));
+        assertEquals(ExitCode.DONE, report(new IllegalStateException("odd"), "--scene=" + odd, "--experiments=shows"),
+                err.toString());
+        String page = page();
+        assertFalse(page.contains("<script>alert") || page.contains("<i>"), page);
+        assertTrue(page.contains("<h2>&lt;script&gt;alert('&amp;')&lt;/script&gt; by 5</h2>"), page);
+        assertFalse(page.contains("could not be made"), "only what was asked for");
+    }
+
+    @Test
+    void whatIsNotThereIsSaidBeforeAnythingRuns() {
+        assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--experiments=shws"));
+        assertTrue(err.toString()
+                .startsWith("option -Pexperiments: no experiment is called 'shws'; did you mean 'shows'?"),
+                err.toString());
+        assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--scene=sprng"));
+        assertEquals(ExitCode.BAD_INPUT, report(new IllegalStateException("odd"), "--solvers=rk5"));
+        assertFalse(Files.exists(top.resolve("report")), "nothing is written");
+    }
+}

@@ -1,0 +1,107 @@
+package particles.app.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.scene.SceneFiles;
+
+/** The gallery of scenes: its page says what the scenes say, and each scene has its picture. */
+class GalleryTest {
+    private static final Path SCENES = Path.of("scenes");
+    private static final long MOST_BYTES = 1_500_000;
+
+    @Test
+    void thePageIsThatOfTheScenes() throws IOException {
+        assertEquals(GalleryPage.of(SCENES), Files.readString(SCENES.resolve(GalleryPage.FILE)),
+                "scenes/README.md is out of date; gradle gallery writes it again");
+    }
+
+    @Test
+    void eachSceneHasOnePictureAndAllAreSmall() throws IOException {
+        Set<String> scenes = SceneFiles.list(SCENES).stream().map(file -> SceneName.of(file).whole() + ".png")
+                .collect(Collectors.toCollection(TreeSet::new));
+        Set<String> pictures = new TreeSet<>();
+        long bytes = 0;
+        try (Stream<Path> files = Files.list(SCENES.resolve(GalleryPage.PICTURES))) {
+            for (Path file : files.toList()) {
+                pictures.add(file.getFileName().toString());
+                bytes += Files.size(file);
+                BufferedImage image = ImageIO.read(file.toFile());
+                assertEquals(GalleryCommand.WIDTH, image.getWidth(), file.toString());
+                assertEquals(GalleryCommand.HEIGHT, image.getHeight(), file.toString());
+            }
+        }
+        assertEquals(scenes, pictures, "gradle gallery draws them again");
+        assertTrue(bytes < MOST_BYTES, bytes + " bytes; 0.5 million were measured for 32 scenes");
+    }
+
+    private static final String SCENE = """
+            title: A thrown stone
+            teaches: A parabola.
+            solver: rk4
+            deltaT: 0.01
+            duration: 1
+            particles:
+              - {id: stone, position: [0, 0, 0], velocity: [3, 5, 0]}
+            effects:
+              - gravity
+            look: {particleColour: "#ff0000", particleRadius: 0.1}
+            camera: {position: [0.6, 0.6, 4], target: [0.6, 0.6, 0]}
+            """;
+
+    private static ExitCode gallery(Path folder, StringWriter lines) {
+        PrintWriter out = new PrintWriter(lines);
+        return new Program(List.of(new GalleryCommand(folder)), OptionStyle.SHELL, out, out).execute("gallery");
+    }
+
+    /** At 0.4 s, the stone is at (1.2, 1.2), right of the middle; its trail comes from the left. */
+    @Test
+    void thePictureShowsTheMotionSoFar(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("01-stone.yaml"), SCENE);
+        StringWriter lines = new StringWriter();
+        assertEquals(ExitCode.DONE, gallery(folder, lines), lines.toString());
+        assertTrue(Files.readString(folder.resolve("README.md")).contains("**A thrown stone**<br>A parabola."));
+        BufferedImage image = ImageIO.read(folder.resolve("pictures/01-stone.png").toFile());
+        int leftmost = image.getWidth();
+        int rightmost = 0;
+        for (int x = 0; x < image.getWidth(); x++) {
+            for (int y = 0; y < image.getHeight(); y++) {
+                int rgb = image.getRGB(x, y);
+                if ((rgb >> 16 & 255) > (rgb >> 8 & 255) + 60) {
+                    leftmost = Math.min(leftmost, x);
+                    rightmost = Math.max(rightmost, x);
+                }
+            }
+        }
+        assertTrue(rightmost > image.getWidth() / 2 + 20, "the stone is at " + rightmost);
+        assertTrue(leftmost < image.getWidth() / 2, "its trail begins at " + leftmost);
+    }
+
+    @Test
+    void aSceneWithAMistakeIsNamedAndNothingIsWritten(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("01-stone.yaml"), SCENE.replace("duration: 1", "duration: long"));
+        StringWriter lines = new StringWriter();
+        assertEquals(ExitCode.BAD_INPUT, gallery(folder, lines));
+        assertTrue(lines.toString().contains("01-stone.yaml:5:"), lines.toString());
+        assertFalse(Files.exists(folder.resolve("README.md")));
+        assertFalse(Files.exists(folder.resolve("pictures")));
+    }
+}

@@ -1,0 +1,308 @@
+package particles.app.run;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.cli.ProgramCommand;
+import particles.app.cli.Version;
+
+/** A run through the program: what is in the folder afterwards, what was printed, and how it ended. */
+class RunCommandTest {
+    /** A block on a spring, omega = 10 rad/s; pictures as small as they can be read. */
+    private static final String SCENE = """
+            title: A block
+            teaches: Nothing but that it runs.
+            solver: rk4
+            deltaT: 0.01
+            duration: 0.5
+            particles:
+              - {id: wall, position: [0, 0, 0], fixed: true}
+              - {id: block, position: [1.5, 0, 0], mass: 2}
+            springs:
+              - {from: wall, to: block, stiffness: 200, restLength: 1}
+            output:
+              {frameRate: 10, width: 64, height: 48, phase: {particle: block, axis: x}}
+            """;
+
+    @TempDir
+    Path top;
+    private Path scenes;
+    private Path out;
+    private final StringWriter lines = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        scenes = Files.createDirectory(top.resolve("scenes"));
+        Files.writeString(scenes.resolve("01-block.yaml"), SCENE);
+        out = top.resolve("out");
+    }
+
+    private ExitCode run(String... options) {
+        return run(new StopRequest(), options);
+    }
+
+    private ExitCode run(StopRequest stop, String... options) {
+        List<String> args = new ArrayList<>(List.of("run", "--scene=block", "--out=" + out));
+        for (String option : options) {
+            args.removeIf(arg -> arg.startsWith(option.replaceFirst("=.*", "=")));
+            args.add(option);
+        }
+        lines.getBuffer().setLength(0);
+        errors.getBuffer().setLength(0);
+        List<ProgramCommand> commands = List.of(new RunCommand(scenes, OptionStyle.GRADLE, stop),
+                new ScenesCommand(scenes));
+        return new Program(commands, OptionStyle.GRADLE, new PrintWriter(lines), new PrintWriter(errors))
+                .execute(args.toArray(String[]::new));
+    }
+
+    private void assertEnds(ExitCode code, String error, String... options) {
+        assertEquals(code, run(options), errors.toString());
+        assertEquals(error, errors.toString().strip());
+    }
+
+    private Set<String> files() throws IOException {
+        try (Stream<Path> files = Files.walk(out)) {
+            return files.filter(Files::isRegularFile).map(file -> out.relativize(file).toString().replace('\\', '/'))
+                    .filter(name -> !name.equals(".desolver-made")).collect(Collectors.toCollection(TreeSet::new));
+        }
+    }
+
+    private byte[] trajectory() throws IOException {
+        return Files.readAllBytes(out.resolve("trajectory.csv"));
+    }
+
+    private void replaceInScene(String old, String replacement) throws IOException {
+        assertTrue(SCENE.contains(old), old);
+        Files.writeString(scenes.resolve("01-block.yaml"), SCENE.replace(old, replacement));
+    }
+
+    private static final Set<String> NUMBERS_AND_PLOTS = Set.of("energy.png", "phase.png", "run.json",
+            "trajectory.csv");
+
+    @Test
+    void aRunLeavesWhatIsPromisedAndSaysWhere() throws IOException {
+        assertEnds(ExitCode.DONE, "");
+        Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
+        expected.add("animation.gif");
+        for (int frame = 0; frame <= 5; frame++) {
+            expected.add("frames/frame-0000" + frame + ".png");
+        }
+        assertEquals(expected, files());
+        for (String name : files()) {
+            if (name.endsWith(".png") || name.endsWith(".gif")) {
+                assertTrue(ImageIO.read(out.resolve(name).toFile()).getWidth() >= 64, name);
+            }
+        }
+        List<String> rows = Files.readAllLines(out.resolve("trajectory.csv"));
+        assertEquals(1 + 51 * 2, rows.size());
+        assertTrue(rows.get(102).startsWith("0.5,block,"), rows.get(102));
+        assertTrue(lines.toString().contains("0.5 s in 50 steps with 200 evaluations"), lines.toString());
+        String where = "in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json";
+        assertTrue(lines.toString().contains(where), lines.toString());
+        String json = Files.readString(out.resolve("run.json"));
+        for (String part : List.of("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
+                "\"evaluations\" : 200",
+                "\"version\" : \"" + Version.CURRENT + "\"", "\"endTime\" : 0.5")) {
+            assertTrue(json.contains(part), part + " in " + json);
+        }
+    }
+
+    @Test
+    void aFilmIsMadeWhereItIsAskedFor() throws IOException {
+        assertEnds(ExitCode.DONE, "", "--video=mp4");
+        assertTrue(files().containsAll(Set.of("film.mp4", "animation.gif")), files().toString());
+        assertTrue(lines.toString().contains("animation.gif, film.mp4, energy.png"), lines.toString());
+        assertEnds(ExitCode.DONE, "");
+        assertTrue(files().stream().noneMatch("film.mp4"::equals), "the next run removes it");
+        replaceInScene("{frameRate: 10", "{video: mp4, animation: false, frameRate: 10");
+        assertEnds(ExitCode.DONE, "");
+        assertTrue(files().contains("film.mp4") && !files().contains("animation.gif"), files().toString());
+        assertEnds(ExitCode.DONE, "", "--video=none");
+        assertTrue(files().stream().noneMatch("film.mp4"::equals), "an option goes before the scene");
+        assertEnds(ExitCode.DONE, "", "--frames=false");
+        assertEquals(NUMBERS_AND_PLOTS, files());
+    }
+
+    @Test
+    void aFilmThatCannotBeIsOneLine() {
+        assertEnds(ExitCode.BAD_INPUT, "option -Pvideo: 'avi' is no kind of film; allowed: none, mp4", "--video=avi");
+        assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; leave -Pframes=false away", "--video=mp4",
+                "--frames=false");
+    }
+
+    @Test
+    void aSceneIsFoundByNumberNameAndPath() throws IOException {
+        Path elsewhere = Files.writeString(top.resolve("a scene of mine.yaml"), SCENE);
+        for (String name : List.of("1", "01", "block", "01-block", "01-block.yaml", elsewhere.toString())) {
+            assertEnds(ExitCode.DONE, "", "--scene=" + name, "--frames=false");
+        }
+        assertTrue(Files.readString(out.resolve("run.json")).contains("\"a scene of mine\""));
+    }
+
+    @Test
+    void aShorterRunIntoTheSameFolderLeavesNoStaleFrame() throws IOException {
+        run();
+        Files.writeString(out.resolve("notes.txt"), "mine");
+        run("--duration=0.2");
+        assertEquals(3, files().stream().filter(name -> name.startsWith("frames/")).count());
+        run("--frames=false");
+        Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
+        expected.add("notes.txt");
+        assertEquals(expected, files());
+    }
+
+    @Test
+    void theTrajectoryIsTheSameWithAndWithoutFramesAtAnyRate() throws IOException {
+        run();
+        byte[] first = trajectory();
+        run();
+        assertArrayEquals(first, trajectory());
+        run("--frames=false");
+        assertArrayEquals(first, trajectory());
+        replaceInScene("frameRate: 10", "frameRate: 333.3");
+        run();
+        assertArrayEquals(first, trajectory());
+        assertEquals(167, files().stream().filter(name -> name.startsWith("frames/")).count());
+        run("--solver=verlet");
+        assertFalse(java.util.Arrays.equals(first, trajectory()));
+    }
+
+    @Test
+    void optionsGoBeforeTheScene() throws IOException {
+        assertEnds(ExitCode.DONE, "", "--frames=false", "--solver=euler", "--deltaT=0.004", "--duration=0.01");
+        String json = Files.readString(out.resolve("run.json"));
+        for (String part : List.of("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" : 0.01",
+                "\"steps\" : 3")) {
+            assertTrue(json.contains(part), part + " in " + json);
+        }
+    }
+
+    @Tag("slow")
+    @Test
+    void theTrajectoryIsThinnedByTheScenesWordOrByItsLength() throws IOException {
+        replaceInScene("{frameRate: 10", "{trajectoryStride: 20, frameRate: 10");
+        run("--frames=false");
+        List<Double> thinned = times().stream().map(Double::valueOf).toList();
+        assertEquals(4, thinned.size());
+        assertEquals(0.4, thinned.get(2), 1e-14);               // the clock adds 0.01 forty times
+        assertEquals(0.5, thinned.get(3));
+        Files.writeString(scenes.resolve("01-block.yaml"), SCENE);
+        // 150,001 times of two particles: every second step
+        run("--frames=false", "--deltaT=1e-6", "--duration=0.15");
+        List<String> times = times();
+        assertEquals(75_001, times.size());
+        assertEquals("2.0E-6", times.get(1));
+    }
+
+    private List<String> times() throws IOException {
+        try (Stream<String> rows = Files.lines(out.resolve("trajectory.csv"))) {
+            return rows.skip(1).map(row -> row.substring(0, row.indexOf(','))).distinct().toList();
+        }
+    }
+
+    @Test
+    void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
+        assertEnds(ExitCode.BAD_INPUT,
+                "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
+                + " -Pduration, -Pthreads, -Pout, -Pframes, -Pvideo, -Phelp", "--deltat=1");
+        assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
+                "--deltaT=soon");
+        assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
+        assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64",
+                "--threads=0");
+        assertEnds(ExitCode.BAD_INPUT, "option -Pframes: 'maybe' is not a boolean", "--frames=maybe");
+        assertEnds(ExitCode.BAD_INPUT, "-Pout needs the name of a folder", "--out= ");
+        assertEquals(ExitCode.BAD_INPUT, run("--solver=rk5"));
+        assertTrue(errors.toString().startsWith("-Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler,"),
+                errors.toString());
+        assertEquals(ExitCode.BAD_INPUT, run("--scene=blok"));
+        assertTrue(errors.toString().contains("'blok'; did you mean 'block'?"), errors.toString());
+        assertFalse(Files.exists(out));
+    }
+
+    @Test
+    void aBrokenSceneIsRefusedWithEveryPlace() throws IOException {
+        Path file = scenes.resolve("01-block.yaml");
+        Files.writeString(file, SCENE.replace("solver: rk4", "solvr: rk4").replace("mass: 2", "mass: -2"));
+        assertEquals(ExitCode.BAD_INPUT, run());
+        assertEquals(3, errors.toString().lines().count(), errors.toString());
+        String place = file.toString().replace('\\', '/') + ":";
+        assertTrue(errors.toString().lines().allMatch(line -> line.startsWith(place)), errors.toString());
+        assertFalse(Files.exists(out));
+    }
+
+    @Test
+    void aFolderThatCannotBeIsOneLineAndCode1() throws IOException {
+        Files.writeString(out, "a file");
+        assertEnds(ExitCode.TROUBLE, "cannot create the folder " + out + ": a file is where a folder should be");
+        assertEnds(ExitCode.TROUBLE,
+                "cannot create the folder " + out.resolve("below") + ": a file is where a folder should be",
+                "--out=" + out.resolve("below"));
+        assertEquals("a file", Files.readString(out));
+    }
+
+    @Test
+    void aFileThatNoRunMadeIsNotOverwritten() throws IOException {
+        Files.createDirectory(out);
+        Files.writeString(out.resolve("energy.png"), "mine");
+        assertEnds(ExitCode.TROUBLE, "cannot write " + out.resolve("energy.png")
+                + ": it is there and no run made it; move it away or choose another folder");
+        assertEquals("mine", Files.readString(out.resolve("energy.png")));
+    }
+
+    @Test
+    void aBlowUpKeepsWhatWasSeenAndEndsWithCode3() throws IOException {
+        assertEquals(ExitCode.STOPPED, run("--deltaT=0.5", "--duration=100"));
+        assertEquals(1, errors.toString().lines().count(), errors.toString());
+        assertTrue(files().containsAll(NUMBERS_AND_PLOTS) && files().contains("frames/frame-00000.png"),
+                files().toString());
+        assertTrue(files().stream().noneMatch(name -> name.endsWith(".part")), files().toString());
+        assertTrue(lines.toString().contains(" s of 100 s in "), lines.toString());
+        String end = times().get(times().size() - 1);
+        assertTrue(Files.readString(out.resolve("run.json")).contains("\"endTime\" : " + end), end);
+    }
+
+    @Test
+    void aRunThatIsStoppedKeepsWholeFilesAndEndsWithCode3() throws IOException {
+        StopRequest stop = new StopRequest();
+        stop.request();
+        assertEquals(ExitCode.STOPPED, run(stop));
+        assertEquals("the run was stopped at t = 0.01 s of 0.5 s", errors.toString().strip());
+        Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
+        expected.addAll(Set.of("animation.gif", "frames/frame-00000.png"));
+        assertEquals(expected, files());
+        assertEquals(List.of("0.0", "0.01"), times());
+    }
+
+    @Test
+    void scenesAreListedWithWhatTheyTeach() {
+        List<ProgramCommand> commands = List.of(new ScenesCommand(scenes));
+        assertEquals(ExitCode.DONE, new Program(commands, OptionStyle.SHELL, new PrintWriter(lines),
+                new PrintWriter(errors))
+                .execute("scenes"));
+        assertEquals(List.of("01  block: A block (rk4)", "    Nothing but that it runs."),
+                lines.toString().lines().toList());
+    }
+}

@@ -1,0 +1,65 @@
+package particles.app.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.experiments.energy.EnergyHistory;
+import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+
+/** What a run says of itself at its end. */
+class SummaryTest {
+
+    /** The lines for a mass on a spring, x'' = -x from x = 1: 0.5 J for ever. */
+    private static List<String> lines(String solver, double deltaT, double duration) throws IOException {
+        Path file = Path.of("scenes/02-one-spring.yaml");
+        String text = Files.readString(file).replaceFirst("solver: \\S+", "solver: " + solver)
+                .replaceFirst("deltaT: \\S+", "deltaT: " + deltaT).replaceFirst("duration: \\S+",
+                "duration: " + duration);
+        Scene scene = SceneBuilder.build(SceneReader.read(file.toString(), text.getBytes()), new Overrides());
+        EnergyHistory energy = new EnergyHistory();
+        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
+        scene.simulation().addObserver(energy);
+        scene.simulation().addObserver(books);
+        scene.simulation().run();
+        return new Summary("02-one-spring", "ab12", scene, energy, books, 0).lines();
+    }
+
+    /**
+     * Euler multiplies the energy by 1 + h^2 in each step: 0.5 J (1 + 0.01)^100 = 1.352 J, of which 0.8524 J are its
+     * error.
+     */
+    @Test
+    void aGrowingRunTellsTheChangeAndTheErrorInJoulesAndWarns() throws IOException {
+        List<String> lines = lines("euler", 0.1, 10);
+        assertEquals(5, lines.size(), lines.toString());
+        assertEquals("energy 0.5 J at the start, 1.352 J at the end, at most 0.8524 J from the start", lines.get(2));
+        assertEquals("numerical error, what no physics explains of that: at most 0.8524 J, 0.6303 of the energy scale"
+                + " of 1.352 J",
+                lines.get(3));
+        assertEquals("that is too much to trust the motion; a smaller deltaT or another solver does better",
+                lines.get(4));
+    }
+
+    @Test
+    void aGoodRunDoesNotWarn() throws IOException {
+        List<String> lines = lines("rk4", 0.1, 20);
+        assertEquals(4, lines.size(), lines.toString());
+        assertTrue(lines.get(3).startsWith("numerical error, what no physics explains of that: at most 0.00000"),
+                lines.get(3));
+    }
+
+    @Test
+    void aStepThatIsCutShortIsSaid() throws IOException {
+        assertEquals("the run is shorter than deltaT: its only step was 0.2 s long", lines("rk4", 0.5, 0.2).get(2));
+        assertEquals(4, lines("rk4", 0.2, 0.2).size(), "it is as long as deltaT");
+    }
+}

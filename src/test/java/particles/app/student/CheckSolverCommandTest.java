@@ -1,0 +1,168 @@
+package particles.app.student;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.DEStateSource;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.app.CheckProcess;
+import particles.app.Main;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.run.StopRequest;
+
+/** The check of a solver through the program: its screen, its report, and a class that ends the program. */
+class CheckSolverCommandTest {
+
+    /** Euler without the clock. */
+    public static final class NoClock extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            double[] state = new double[source.getStateSize()];
+            double[] dSdt = new double[source.getStateSize()];
+            source.getState(state);
+            source.getStateDerivative(dSdt);
+            for (int i = 0; i < state.length; i++) {
+                state[i] += deltaT * dSdt[i];
+            }
+            source.setState(state);
+        }
+    }
+
+    /** Euler that gives up at one deltaT, after all of the contract was looked at. */
+    public static final class GivesUp extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            if (deltaT == 0.1) {
+                throw new IllegalStateException("not with 0.1");
+            }
+            new deSolvers.EulerSolver().stepState(source, deltaT);
+        }
+    }
+
+    /** Ends everything. */
+    public static final class Exits extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            System.exit(0);
+        }
+    }
+
+    /** Never ends. */
+    public static final class Loops extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            double t = 0;
+            while (t < source.getTime() + 1) {
+                t += 0 * deltaT;
+            }
+        }
+    }
+
+    /** Calls itself. */
+    public static final class Overflows extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            stepState(source, deltaT);
+        }
+    }
+
+    /** Asks for more than there is. */
+    public static final class Hoards extends DESolver {
+        private final java.util.List<double[]> kept = new java.util.ArrayList<>();
+
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            while (source.getTime() < 1) {
+                kept.add(new double[100_000_000]);
+            }
+        }
+    }
+
+    private static String here(ExitCode expected, String solver, Path folder) {
+        StringWriter out = new StringWriter();
+        PrintWriter both = new PrintWriter(out);
+        ExitCode code = new Program(Main.commands(OptionStyle.SHELL, new StopRequest()), OptionStyle.SHELL, both, both)
+                .execute("checkSolver", "--solver=" + solver, "--inThisProcess", "--out=" + folder.resolve("report"));
+        assertEquals(expected, code, out.toString());
+        return out.toString();
+    }
+
+    @Test
+    void aRightSolverGetsItsNameNumbersAndPictures(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.DONE, "midpoint", folder);
+        assertTrue(screen.startsWith("MidpointSolver: This is the midpoint method."), screen);
+        assertTrue(screen.contains("Nothing is wrong."), screen);
+        String report = Files.readString(folder.resolve("report/checkSolver.md"));
+        for (String picture : List.of("order.png", "region.png", "energy.png", "work-precision.png")) {
+            assertTrue(report.contains("(" + picture + ")"), picture);
+            assertTrue(Files.size(folder.resolve("report").resolve(picture)) > 1000, picture);
+        }
+    }
+
+    @Test
+    void aWrongSolverGetsItsMistakeAndAnExitCode(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.BAD_INPUT, NoClock.class.getName(), folder);
+        String mistake = "the clock never moves: incTime(deltaT) is missing";
+        assertTrue(screen.contains("  time: " + mistake), screen);
+        assertTrue(screen.strip().endsWith("one thing is wrong"), screen);
+        assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **time**: " + mistake));
+    }
+
+    @Test
+    void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.BAD_INPUT, GivesUp.class.getName(), folder);
+        assertTrue(screen.startsWith("GivesUp: This is the Euler method."), screen);
+        String mistake = "while it was measured on springs, stepState ended in an exception:"
+                + " java.lang.IllegalStateException: not with 0.1, in GivesUp.";
+        assertTrue(screen.contains("  failure: " + mistake), screen);
+        assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
+    }
+
+    @Test
+    void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
+        assertTrue(here(ExitCode.BAD_INPUT, "HeunSolver",
+                folder).contains("no class is called 'exercises.HeunSolver', and no solver; known"));
+    }
+
+    private static String failure(Class<?> solver, Path folder) throws IOException, InterruptedException {
+        return CheckProcess.failureOf("checkSolver", "--solver=", solver, folder);
+    }
+
+    @Test
+    void aClassThatEndsTheProgramIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
+        assertTrue(failure(Exits.class,
+                folder).startsWith(
+                "failure: the class ends the whole program (System.exit), in Exits.stepState, line "));
+    }
+
+    @Tag("slow")
+    @Test
+    void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
+        assertTrue(failure(Loops.class,
+                folder).startsWith(
+                "failure: it did not come back within 8 s: an endless loop, in Loops.stepState, line "));
+    }
+
+    @Test
+    void aMethodThatCallsItselfIsFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
+        assertTrue(failure(Overflows.class, folder)
+                .startsWith("failure: the stack overflows: a method calls itself without end, in Overflows."));
+    }
+
+    @Test
+    void hugeArraysAreFoundOut(@TempDir Path folder) throws IOException, InterruptedException {
+        assertTrue(failure(Hoards.class, folder)
+                .startsWith("failure: it asks for more memory than the 256 MB that there are, in Hoards.stepState"));
+    }
+}

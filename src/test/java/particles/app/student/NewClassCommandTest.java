@@ -1,0 +1,144 @@
+package particles.app.student;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.ParticleSystem;
+import particles.app.cli.ExitCode;
+import particles.app.cli.OptionStyle;
+import particles.app.cli.Program;
+import particles.app.cli.ProgramCommand;
+import particles.law.Effect;
+import particles.law.Particles;
+import particles.teaching.Finding;
+import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectSample;
+import particles.teaching.solvers.SolverCheck;
+
+/** Skeletons compile without a warning, do nothing yet, say how to go on, and never replace what is there. */
+class NewClassCommandTest {
+    @TempDir
+    private Path folder;
+
+    private String run(ExitCode expected, String command, String name, String... options) {
+        StringWriter out = new StringWriter();
+        PrintWriter both = new PrintWriter(out);
+        List<ProgramCommand> commands = List.of(new NewClassCommand.NewSolver(folder.resolve("exercises"),
+                OptionStyle.GRADLE),
+                new NewClassCommand.NewEffect(folder.resolve("exercises"), OptionStyle.GRADLE));
+        List<String> args = new ArrayList<>(List.of(command, "--class=" + name));
+        args.addAll(List.of(options));
+        assertEquals(expected, new Program(commands, OptionStyle.GRADLE, both,
+                both).execute(args.toArray(new String[0])),
+                out.toString());
+        return out.toString();
+    }
+
+    private Class<?> compiled(String name) throws ReflectiveOperationException, IOException {
+        Path file = folder.resolve("exercises").resolve(name + ".java");
+        // without the warning that Gradle's class path names a folder for resources that no one needs
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, "-Xlint:all,-path", "-Werror",
+                "-proc:none",
+                "-cp", System.getProperty("java.class.path"), "-d", folder.toString(), file.toString()),
+                Files.readString(file));
+        try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
+            return loader.loadClass("exercises." + name);
+        }
+    }
+
+    @Test
+    void aSolverCompilesAndIsToldWhatIsMissing() throws ReflectiveOperationException, IOException {
+        assertTrue(run(ExitCode.DONE, "newSolver",
+                "MyRK4Solver").contains("gradle checkSolver -Psolver=exercises.MyRK4Solver"));
+        assertTrue(Files.readString(folder.resolve("exercises/MyRK4Solver.java"))
+                .contains("// 4. k4 = deltaT * derivative at (s + k3, t + deltaT)"));
+        Class<?> solver = compiled("MyRK4Solver");
+        List<String> wrong = SolverCheck.check(() -> make(solver),
+                "MyRK4Solver").wrong().stream().map(Finding::toString).toList();
+        assertEquals(List.of("state: the step does nothing yet: setState with the new state and incTime(deltaT) are "
+                + "missing"),
+                wrong);
+    }
+
+    /** The formula is all that is missing: clock and state are the base class's part. */
+    @Test
+    void aSolverOnFixedStepSolverCompilesAndMissesOnlyItsFormula() throws ReflectiveOperationException, IOException {
+        run(ExitCode.DONE, "newSolver", "HeunSolver", "--from=FixedStepSolver");
+        Class<?> solver = compiled("HeunSolver");
+        List<String> wrong = SolverCheck.check(() -> make(solver),
+                "HeunSolver").wrong().stream().map(Finding::toString).toList();
+        assertFalse(wrong.isEmpty());
+        assertTrue(wrong.stream().noneMatch(line -> line.startsWith("time: ") || line.contains("setState")),
+                wrong.toString());
+    }
+
+    @Test
+    void aSolverExtendsOneOfTwoClasses() {
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver", "HeunSolver",
+                "--from=RK4Solver").startsWith("option -Pfrom: 'RK4Solver'"
+                + " cannot be extended here; allowed are: DESolver, FixedStepSolver"));
+        assertFalse(Files.exists(folder.resolve("exercises/HeunSolver.java")));
+    }
+
+    private static DESolver make(Class<?> solver) {
+        try {
+            return solver.asSubclass(DESolver.class).getConstructor().newInstance();
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
+    void everySlidesOutlineIsThere() throws IOException {
+        for (String[] pair : new String[][] {{"MidpointSolver", "gMid"}, {"SymplecticEulerSolver", "v += a * deltaT"},
+                {"HeunSolver", "weights add up to 1"}}) {
+            run(ExitCode.DONE, "newSolver", pair[0]);
+            assertTrue(Files.readString(folder.resolve("exercises").resolve(pair[0] + ".java")).contains(pair[1]),
+                    pair[0]);
+        }
+    }
+
+    @Test
+    void anEffectCompilesAndIsToldThatItAddsNoForce() throws ReflectiveOperationException, IOException {
+        assertTrue(run(ExitCode.DONE, "newEffect", "MyGravity").contains("- exercises.MyGravity: {strength: 2}"));
+        ParticleSystem system = EffectSample.system();
+        Effect effect = compiled("MyGravity").asSubclass(Effect.class).getConstructor(Particles.class, double.class)
+                .newInstance(system.getParticles(), 2);
+        List<Finding> wrong = EffectCheck.check(system, effect);
+        assertEquals(1, wrong.size(), wrong.toString());
+        assertTrue(wrong.get(0).toString().startsWith("method: there is no force on any particle"), wrong.toString());
+    }
+
+    @Test
+    void whatIsThereIsLeftAlone() throws IOException {
+        run(ExitCode.DONE, "newSolver", "HeunSolver");
+        Path file = folder.resolve("exercises/HeunSolver.java");
+        Files.writeString(file, "my work");
+        assertTrue(run(ExitCode.BAD_INPUT, "newSolver",
+                "HeunSolver").contains("is there already, and is left as it is"));
+        assertTrue(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver").contains("is there already"));
+        assertEquals("my work", Files.readString(file));
+    }
+
+    @Test
+    void namesThatAreNoneAreRefused() {
+        for (String name : List.of("3rd", "class", "My Solver", "../Up", "a.B")) {
+            assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name).startsWith("option -Pclass: '" + name
+                    + "' is no name for a class"), name);
+        }
+    }
+}

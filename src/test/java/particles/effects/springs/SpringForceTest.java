@@ -1,0 +1,134 @@
+package particles.effects.springs;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.ParticleSystem;
+import particles.law.Vector3;
+
+/** A spring's force at lengths where squares overflow, underflow or vanish, and what no spring can be. */
+class SpringForceTest {
+    private ParticleSystem system;
+    private SpringForce springs;
+
+    @BeforeEach
+    void twoParticles() {
+        system = new ParticleSystem();
+        system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
+        system.addParticle("b", 1, Vector3.ZERO, Vector3.ZERO, false);
+        springs = new SpringForce(system.getParticles());
+    }
+
+    private double[] force(double... state) {
+        double[] force = new double[12];
+        springs.addForces(state, 0, force);
+        return force;
+    }
+
+    /** r = (3, 4, 0) length: |r| = 5 length, force k (|r| - l) and damping along (0.6, 0.8, 0). */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-300, 1e-200, 1e-141, 1e-139, 1e-20, 1, 1e20, 1e138, 1e141, 1e200, 1e300})
+    void forceAtAllLengths(double length) {
+        double k = 2;
+        springs.addSpring(0, 1, k, 2 * length, 0.5);
+        double[] force = force(0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, length, 0, 0);
+        double tension = k * 3 * length + 0.5 * 0.6 * length;
+        assertEquals(0.6 * tension, force[3], 1e-14 * tension);
+        assertEquals(0.8 * tension, force[4], 1e-14 * tension);
+        assertEquals(0, force[5]);
+        assertEquals(-force[3], force[9]);
+        assertEquals(-force[4], force[10]);
+        assertEquals(5 * length, springs.length(new double[] {0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, 0, 0, 0}, 0),
+                1e-15 * 5 * length);
+        double[] apart = {0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, 3, 2, 5};
+        assertEquals(0.5 * 3.4 * 3.4, springs.getDissipatedPower(apart, 0), 1e-14, "they part with 0.6 * 3 + 0.8 * 2");
+        double[] across = {0, 0, 0, 0, 0, 0, 0, 4 * length, 3 * length, 7, 1, 2};
+        assertEquals(0.5 * 2 * 2, springs.getDissipatedPower(across, 0), 1e-14, "0.8 * 1 + 0.6 * 2");
+    }
+
+    @Test
+    void coincidentParticlesFeelNoForce() {
+        springs.addSpring(0, 1, 100, 1, 3);
+        double[] state = new double[12];
+        state[3] = 1;
+        assertArrayEquals(new double[12], force(state));
+        assertEquals(50, springs.getPotentialEnergy(state, 0), "the energy of a spring compressed to a point");
+        assertEquals(0, springs.getDissipatedPower(state, 0));
+    }
+
+    @Test
+    void impossibleSpringsAreRefused() {
+        assertTrue(assertThrows(IllegalArgumentException.class, () -> springs.addSpring(1, 1, 1, 1, 0)).getMessage()
+                .contains("'b' to itself"));
+        for (int[] ends : new int[][] {{0, 2}, {2, 0}, {-1, 0}, {0, -1}}) {
+            Exception e = assertThrows(IllegalArgumentException.class, () -> springs.addSpring(ends[0], ends[1], 1, 1,
+                    0));
+            assertTrue(e.getMessage().contains("there are 2"), e.getMessage());
+        }
+        assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, -1, 1, 0));
+        assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, Double.NaN, 0));
+        assertThrows(IllegalArgumentException.class, () -> springs.addSpring(0, 1, 1, 1, Double.POSITIVE_INFINITY));
+        assertEquals(0, springs.springCount());
+    }
+
+    @Test
+    void arraysGrowAndKeepWhatTheyHold() {
+        for (int s = 0; s < 100; s++) {
+            springs.addSpring(s % 2, 1 - s % 2, s, s + 1, s + 2);
+        }
+        assertEquals(100, springs.springCount());
+        assertEquals(1, springs.from(77));
+        assertEquals(0, springs.to(77));
+        assertEquals(0, springs.from(78));
+        assertEquals(1, springs.to(78));
+        assertEquals(77, springs.stiffness(77));
+        assertEquals(78, springs.restLength(77));
+        assertEquals(79, springs.damping(77));
+    }
+
+    /** Four springs between three particles, the second of which begin before the first. */
+    private void addFour() {
+        system.addParticle("c", 1, Vector3.ZERO, Vector3.ZERO, false);
+        springs.addSpring(2, 1, 1, 1, 0);
+        springs.addSpring(0, 1, 2, 1, 0);
+        springs.addSpring(2, 0, 3, 1, 0);
+        springs.addSpring(0, 2, 4, 1, 0);
+    }
+
+    private List<Double> stiffnesses() {
+        return IntStream.range(0, springs.springCount()).mapToObj(springs::stiffness).toList();
+    }
+
+    /** By the particle where they begin, as soon as they are evaluated or divided. */
+    @Test
+    void springsAreNumberedAnewWhenTheyAreEvaluated() {
+        addFour();
+        assertEquals(List.of(1.0, 2.0, 3.0, 4.0), stiffnesses());
+        springs.addForces(new double[18], 0, new double[18]);
+        assertEquals(List.of(2.0, 4.0, 1.0, 3.0), stiffnesses());
+        springs.addSpring(0, 1, 5, 1, 0);
+        assertEquals(1, springs.countBlocks(), "so few");
+        assertEquals(List.of(2.0, 4.0, 5.0, 1.0, 3.0), stiffnesses());
+        assertEquals(0, springs.getPartStart(0));
+        assertEquals(5, springs.getPartStart(1), "none joins two blocks");
+    }
+
+    @Test
+    void springsGoByThemselvesOrWithTheirParticles() {
+        addFour();
+        springs.removeSprings(new boolean[] {false, false, true, false});
+        assertEquals(List.of(1.0, 2.0, 4.0), stiffnesses());
+        springs.reindex(new int[] {1, -1, 0});
+        assertEquals(List.of(4.0), stiffnesses());
+        assertEquals(1, springs.from(0));
+        assertEquals(0, springs.to(0));
+    }
+}

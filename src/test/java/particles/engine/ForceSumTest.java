@@ -1,0 +1,91 @@
+package particles.engine;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import particles.ParticleSystem;
+import particles.effects.Gravity;
+import particles.effects.GustyWind;
+import particles.effects.LinearDrag;
+import particles.effects.QuadraticDrag;
+import particles.effects.Wind;
+import particles.law.ParticleForce;
+import particles.law.Particles;
+import particles.law.Vector3;
+
+/** A system's derivative is (v, F/m), with F the sum of what its effects add. */
+class ForceSumTest {
+    private static final int N = 1100;                  // three of the stretches in which a system takes its particles
+    private static final Vector3 G = new Vector3(0.3, -9.81, 1.7);
+
+    private final ParticleSystem system = new ParticleSystem();
+    private final Particles particles = system.getParticles();
+    private final double[] state = new double[6 * N];
+
+    ForceSumTest() {
+        Random random = new Random(11);
+        for (int i = 0; i < N; i++) {
+            boolean fixed = i % 7 == 0;
+            Vector3 velocity = new Vector3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+            system.addParticle("p" + i, 0.1 + random.nextDouble(), velocity, fixed ? Vector3.ZERO : velocity, fixed);
+        }
+        system.getState(state);
+    }
+
+    /** (v, F/m), with F by the effects' own loops. */
+    private double[] byLoops() {
+        double[] dSdt = new double[6 * N];
+        system.addUpEffects(state, 0, dSdt);
+        for (int e = 0; e < dSdt.length; e++) {
+            dSdt[e] = e % 6 < 3 ? state[e + 3] : dSdt[e] * particles.inverseMasses()[e / 6];
+        }
+        return dSdt;
+    }
+
+    private double[] derivative() {
+        double[] dSdt = new double[6 * N];
+        system.getStateDerivative(dSdt);
+        return dSdt;
+    }
+
+    /** To the bit: what a system takes in stretches is what the effects' own loops give. */
+    @Test
+    void theDerivativeIsTheSumOfTheEffects() {
+        assertArrayEquals(byLoops(), derivative(), "free flight");
+        system.addEffect(new LinearDrag(particles, 0.25, Wind.STILL));
+        assertArrayEquals(byLoops(), derivative(), "drag alone, added after an evaluation");
+        system.addEffect(new Gravity(particles, G));
+        assertArrayEquals(byLoops(), derivative(), "drag and gravity");
+        double[] dSdt = derivative();
+        assertEquals(G.y() - 0.25 * state[6 + 4] / particles.mass(1), dSdt[6 + 4], 1e-14,
+                "by hand; the quotient is rounded once more");
+        assertTrue(dSdt[4] == 0, "a fixed particle");
+        system.addEffect(new QuadraticDrag(particles, 0.5, Wind.STILL));
+        system.addEffect(new LinearDrag(particles, 0.5, new GustyWind(new Vector3(1, 0, 0), new Vector3(0, 1, 0), 3)));
+        system.addEffect(new Gravity(particles, G));
+        assertArrayEquals(byLoops(), derivative(), "several of each");
+    }
+
+    /** Laws that take no ranges come after those that do: three terms are rounded in another order. */
+    @Test
+    void otherLawsComeAfterwards() {
+        system.addEffect(new ParticleForce(particles) {
+            @Override
+            protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                return position.times(-mass);
+            }
+        });
+        system.addEffect(new Gravity(particles, G));
+        system.addEffect(new QuadraticDrag(particles, 0.5, Wind.STILL));
+        double[] loops = byLoops();
+        double[] dSdt = derivative();
+        double largest = 0;
+        for (int e = 0; e < loops.length; e++) {
+            largest = Math.max(largest, Math.abs(loops[e] - dSdt[e]) / Math.max(1, Math.abs(loops[e])));
+        }
+        assertTrue(largest < 1e-14, "differs by " + largest);
+    }
+}

@@ -1,0 +1,147 @@
+package particles.experiments.energy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.experiments.energy.EnergyDrift.Comparison;
+import particles.experiments.energy.EnergyDrift.Drift;
+import particles.experiments.energy.EnergyDrift.Kind;
+import particles.experiments.runs.EqualWork;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.stability.StabilityPolynomial;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+import particles.view.ChartData;
+
+/** On the oscillator x'' = -x, whose energy each method multiplies by |R(ih)| squared in each step. */
+class EnergyDriftTest {
+    private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
+
+    private static SceneDescription spring(double deltaT, double duration) {
+        return SPIRAL.solvedBy("euler", Optional.empty(), deltaT, duration);
+    }
+
+    private static Comparison compare(SceneDescription scene, String solvers, boolean equalWork) {
+        return EnergyDrift.compare(scene, SolverChoice.list(solvers), equalWork, (part, what) -> { });
+    }
+
+    @Test
+    void endDriftIsThatOfTheStabilityFunction() {
+        Comparison comparison = compare(spring(0.125, 25), "euler, midpoint, rk4, backward-euler", false);
+        assertEquals(0.5, comparison.scale(), 1e-6);                // the energy at the start, by a run to 1e-9
+        for (Drift drift : comparison.drifts()) {
+            double amplitude = StabilityPolynomial.of(drift.setting().solver().name(),
+                    0.125).orElseThrow().amplitude(200);
+            assertEquals(amplitude * amplitude - 1, drift.end(), 1e-7 * amplitude * amplitude,
+                    drift.setting().solver().name());
+            assertEquals(Kind.SECULAR, drift.kind());
+        }
+    }
+
+    /** Midpoint gains h^4/4 of the energy in a step: h^3/4 a second, and the exponential makes it a little more. */
+    @Test
+    void slopeOfASmallDriftIsTheGainASecond() {
+        Drift drift = compare(spring(0.05, 25), "midpoint", false).drifts().get(0);
+        assertEquals(1, drift.slope() / (0.05 * 0.05 * 0.05 / 4), 0.001);       // measured 1.0008
+    }
+
+    @Test
+    void symplecticErrorsAreBoundedByTheStep() {
+        for (Drift drift : compare(spring(0.125, 100), "symplectic-euler, verlet, yoshida4", false).drifts()) {
+            assertEquals(Kind.BOUNDED, drift.kind(), drift.setting().solver().name());
+        }
+        // of symplectic Euler E + h x v / 2 is constant: the error is at most h/4 of the scale 1/2
+        assertEquals(0.125 / 2, compare(spring(0.125, 100), "symplectic-euler", false).drifts().get(0).largest(),
+                0.005);
+    }
+
+    @Test
+    void dampingIsPhysicsAndNoDrift() {
+        SceneDescription damped = SceneReader.read(Path.of("scenes/03-damped-spring.yaml"));
+        Drift drift = compare(damped, "rk4", false).drifts().get(0);
+        assertTrue(drift.largest() < 1e-4, "measured " + drift.largest());
+    }
+
+    /**
+     * Bounces that take nine tenths of the energy are physics, and free fall is exact for methods of order 2.
+     * Symplectic Euler
+     * loses m g^2 h^2 / 2 in each step of a fall, whatever the floor does: m g^2 h / 2 a second.
+     */
+    @Test
+    void bouncesArePhysicsAndNoDrift() {
+        SceneDescription ball = SceneReader.read(Path.of("scenes/06-bouncing-ball.yaml"));
+        Comparison comparison = compare(ball.solvedBy("rk4", Optional.empty(), 0.002, 1.5),
+                "rk4, verlet, symplectic-euler",
+                false);
+        for (Drift drift : comparison.drifts().subList(0, 2)) {
+            assertEquals(Kind.ROUNDING, drift.kind(), drift.setting().solver().name());
+            assertTrue(drift.largest() < 2e-13, "measured 2.2e-14, now " + drift.largest());
+        }
+        Drift euler = comparison.drifts().get(2);
+        assertEquals(Kind.SECULAR, euler.kind());
+        double mass = SceneBuilder.build(ball, new Overrides()).system().getParticles().mass(0);
+        // measured 1.000
+        assertEquals(1, euler.slope() / (-mass * 9.81 * 9.81 * 0.002 / 2 / comparison.scale()), 0.02);
+    }
+
+    /** Drops that come with energy and take it away again: the books change with each, and rk4 does not. */
+    @Test
+    void birthsAndDeathsArePhysicsAndNoDrift() {
+        SceneDescription fountain = SceneReader.read(Path.of("scenes/27-fountain.yaml"));
+        Comparison comparison = compare(fountain.solvedBy("rk4", Optional.empty(), 0.01, 2), "rk4, backward-euler",
+                false);
+        assertTrue(comparison.drifts().get(0).largest() < 2e-10, "measured 2.2e-11, now "
+                + comparison.drifts().get(0).largest());
+        assertEquals(-0.05, comparison.drifts().get(1).slope(), 0.01, "what backward Euler does is seen");
+    }
+
+    @Test
+    void failureIsDrawnWhereItHappens() {
+        Comparison comparison = compare(spring(3, 60), "euler, implicit-midpoint", false);
+        Drift failed = comparison.drifts().get(0);
+        assertEquals(Kind.FAILED, failed.kind());
+        assertTrue(failed.outcome().endTime() < 60);
+        ChartData logarithmic = DriftCharts.charts(comparison).get(0);
+        ChartData.Series crosses = logarithmic.series().get(2);
+        assertEquals(ChartData.Mark.FAILURES, crosses.mark());
+        assertEquals(failed.outcome().endTime(), crosses.x()[0], 3);
+        assertTrue(DriftCharts.finding(comparison).contains("euler fails"), DriftCharts.finding(comparison));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "adams", "verlet", "yoshida4", "backward-euler"})
+    void equalWorkIsEqualToWithinAStep(String solver) {
+        SceneDescription scene = spring(0.1, 20);
+        EqualWork.Match match = new EqualWork(scene, 20, 800).find(SolverChoice.of(solver));
+        assertEquals(800, match.evaluations(), match.aStep());
+        EqualWork.Match again = new EqualWork(scene, 20, 800).find(SolverChoice.of(solver));
+        assertEquals(match, again, "evaluations are the same in two runs");
+    }
+
+    @Test
+    void adaptiveSolversGetATolerance() {
+        EqualWork.Match match = new EqualWork(spring(0.1, 20), 20, 1600).find(SolverChoice.of("dormand-prince"));
+        assertEquals(1600, match.evaluations(), 12);                // a sub-step is 6 evaluations
+        assertTrue(match.setting().tolerance().isPresent());
+    }
+
+    @Test
+    void listsOfSolversAreChecked() {
+        assertEquals(List.of("rk4", "euler"),
+                SolverChoice.list(" rk4, euler,rk4").stream().map(SolverChoice::label).toList());
+        assertEquals(13, SolverChoice.list("all").size());
+        String message = assertThrows(NoSuchElementException.class, () -> SolverChoice.list("rk4,eular")).getMessage();
+        assertTrue(message.contains("did you mean 'euler'"), message);
+        assertThrows(IllegalArgumentException.class, () -> SolverChoice.list(" ,"));
+    }
+}

@@ -1,0 +1,188 @@
+package particles.experiments.energy;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.EulerSolver;
+import deSolvers.RK4Solver;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.Simulation;
+import particles.effects.Gravity;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
+import particles.view.ChartData;
+import particles.view.ChartData.Series;
+
+/** The energy curves of motions whose energies are known. */
+class EnergyHistoryTest {
+    private static final double G = 9.81;
+
+    /** m = k = 1, stretched by 1 at the start: E = 1/2, kinetic sin^2(t)/2, potential cos^2(t)/2. */
+    private static Simulation spring(DESolver solver, double deltaT, double duration) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("anchor", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("bob", 1, new Vector3(4, 0, 0), Vector3.ZERO, false);
+        SpringForce springs = new SpringForce(system.getParticles());
+        springs.addSpring(0, 1, 1, 3, 0);
+        system.addEffect(springs);
+        return new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * A ball that falls from a height above the origin, and has its velocity turned at one metre above the start of
+     * all.
+     */
+    private static Simulation falling(double height) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("ball", 2, new Vector3(0, height, 0), Vector3.ZERO, false);
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
+        Simulation simulation = new Simulation(system, new RK4Solver(), 0.125, 1, Double.POSITIVE_INFINITY);
+        simulation.addRule(new Rule() {
+            @Override
+            public String getName() {
+                return "bounce at 0.5 s";
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem system, double deltaT) {
+                if (system.getTime() != 0.5) {
+                    return false;
+                }
+                system.getOwnState()[4] *= -0.5;
+                return true;
+            }
+        });
+        return simulation;
+    }
+
+    private static EnergyHistory observe(Simulation simulation, long stride) {
+        EnergyHistory energy = new EnergyHistory(stride);
+        simulation.addObserver(energy);
+        simulation.run();
+        return energy;
+    }
+
+    private static Series series(ChartData chart, String name) {
+        return chart.series().stream().filter(s -> s.name().equals(name)).findFirst().orElseThrow();
+    }
+
+    @Test
+    void aSpringsEnergiesAreSquaresOfSineAndCosine() {
+        EnergyHistory energy = observe(spring(new RK4Solver(), 0.01, 10), 1);
+        ChartData chart = energy.chart("spring");
+        assertEquals(List.of("total", "kinetic", "potential: springs"),
+                chart.series().stream().map(Series::name).toList());
+        Series kinetic = series(chart, "kinetic");
+        Series potential = series(chart, "potential: springs");
+        assertEquals(1001, kinetic.x().length);
+        double largest = 0;
+        for (int k = 0; k < kinetic.x().length; k++) {
+            double sine = StrictMath.sin(kinetic.x()[k]);
+            largest = Math.max(largest, Math.abs(kinetic.y()[k] - sine * sine / 2));
+            largest = Math.max(largest, Math.abs(potential.y()[k] - (1 - sine * sine) / 2));
+        }
+        assertTrue(largest < 1e-9, "off by " + largest);    // measured 3.8e-10: half of RK4's phase error h^4 t / 120
+        assertEquals(0.5, energy.getScale());
+        assertEquals(0.5, energy.getStart());
+    }
+
+    @Test
+    void euler_sDriftIsItsGrowth() {
+        EnergyHistory energy = observe(spring(new EulerSolver(), 0.125, 1), 1);
+        double growth = StrictMath.pow(1 + 0.125 * 0.125, 8);       // of the energy, in each of 8 steps
+        assertEquals(0.5 * growth, energy.getEnd(), 1e-15);         // measured 0, as the next
+        assertEquals(0.5 * (growth - 1), energy.getLargestDrift(), 1e-15);
+    }
+
+    @Test
+    void aBounceIsAVerticalLine() {
+        Series kinetic = series(observe(falling(10), 1).chart(""), "kinetic");
+        assertArrayEquals(new double[] {0, 0.125, 0.25, 0.375, 0.5, 0.5, 0.625, 0.75, 0.875, 1}, kinetic.x());
+        double before = 0.5 * 2 * (G * 0.5) * (G * 0.5);
+        assertEquals(before, kinetic.y()[4], 1e-13);             // measured 1.1e-14
+        assertEquals(before / 4, kinetic.y()[5], 2.5e-14);       // measured 2.7e-15
+    }
+
+    /** The potential of gravity has its zero at the lowest point of the run, wherever the origin is. */
+    @Test
+    void theZeroOfHeightsChangesNoCurve() {
+        EnergyHistory here = observe(falling(2), 1);
+        EnergyHistory there = observe(falling(-30), 1);
+        List<Series> a = here.chart("").series();
+        List<Series> b = there.chart("").series();
+        for (int s = 0; s < a.size(); s++) {
+            // measured 1.2e-13, of 600 J: their rounding
+            assertArrayEquals(a.get(s).y(), b.get(s).y(), 1e-12, a.get(s).name());
+        }
+        Series gravity = series(here.chart(""), "potential: gravity, from its lowest");
+        assertEquals(0, java.util.Arrays.stream(gravity.y()).min().orElse(1));
+        assertEquals(here.getScale(), there.getScale());
+        assertTrue(Math.abs(here.getStart() - there.getStart()) > 600);     // the energies themselves do differ
+    }
+
+    /** Nothing moves: the scale is weight times height, 2 kg on 9.81 m/s^2 over the 3 m between the two particles. */
+    @Test
+    void aSceneAtRestHasAScale() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("low", 2, Vector3.ZERO, Vector3.ZERO, false);
+        system.addParticle("high", 1, new Vector3(5, 3, 0), Vector3.ZERO, true);
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
+        EnergyHistory energy = observe(new Simulation(system, new RK4Solver(), 0.1, 0, Double.POSITIVE_INFINITY), 1);
+        assertEquals(2 * G * 3, energy.getScale(), 1e-14);          // measured 0
+        assertEquals(0, energy.getLargestDrift());
+    }
+
+    @Test
+    void everySoManySteps() {
+        Series total = observe(spring(new RK4Solver(), 0.125, 1.25), 4).chart("").series().get(0);
+        assertArrayEquals(new double[] {0, 0.5, 1, 1.25}, total.x());
+        assertThrows(IllegalArgumentException.class, () -> new EnergyHistory(0));
+        assertThrows(IllegalStateException.class, () -> new EnergyHistory().chart(""));
+    }
+
+    private static EnergyLedgerRecorder keepBooks(Simulation simulation) {
+        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
+        simulation.addObserver(books);
+        simulation.run();
+        return books;
+    }
+
+    /** Undamped, so that all that Euler adds is his error: the energy grows by 1 + h^2 in each of 8 steps. */
+    @Test
+    void withoutWorkTheNumericalErrorIsTheDrift() {
+        EnergyLedgerRecorder books = keepBooks(spring(new EulerSolver(), 0.125, 1));
+        double growth = StrictMath.pow(1 + 0.125 * 0.125, 8);
+        assertEquals(0.5 * (growth - 1), books.getNumericalError(), 1e-15);             // measured 0, as the others
+        assertEquals(0.5 * (growth - 1), books.getLargestNumericalError(), 1e-15);
+        List<ChartData> charts = books.charts(0.5);
+        assertEquals(1, charts.size());
+        assertEquals(growth - 1, charts.get(0).series().get(0).y()[8], 1e-15);
+        assertEquals(0, charts.get(0).series().get(0).y()[0]);
+    }
+
+    /** Three quarters of what the ball had at the ground, and nothing of it is taken for an error. */
+    @Test
+    void aBounceIsWorkAndNoError() {
+        EnergyLedgerRecorder books = keepBooks(falling(10));
+        double before = 0.5 * 2 * (G * 0.5) * (G * 0.5);
+        // measured 1.4e-14
+        assertEquals(-0.75 * before, books.getWork().values().stream().mapToDouble(w -> w).sum(), 1e-13);
+        assertTrue(books.getLargestNumericalError() < 3e-14 * before,
+                "8.5e-14 J and not " + books.getLargestNumericalError());
+        Series work = books.charts(before).get(0).series().get(0);
+        for (int k = 0; work.x()[k] < 0.5; k++) {
+            assertEquals(0, work.y()[k]);                   // level until the bounce, and then a vertical line
+        }
+        assertEquals(0.5,
+                work.x()[IntStream.range(0, work.y().length).filter(k -> work.y()[k] < 0).findFirst().orElse(0)]);
+        assertTrue(IntStream.range(0, work.y().length).anyMatch(k -> work.x()[k] == 0.5 && work.y()[k] == 0));
+        assertEquals(-0.75 * before, work.y()[work.y().length - 1], 1e-13);
+    }
+}

@@ -1,0 +1,131 @@
+package particles.experiments.lecture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.experiments.lecture.LectureFigures.Figure;
+import particles.experiments.lecture.LectureFigures.Result;
+import particles.view.ChartData;
+import particles.view.DataTable;
+import particles.view.VectorField;
+
+class LectureFiguresTest {
+
+    /**
+     * The values are the stability functions', to six digits; measured and theory differ by rounding, 8e-12 at most.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "midpoint, 1,   11,   3.411969, 11.641532, 1.178636,  22",
+        "midpoint, 0.5, 100,  2.171047, 4.713443,  1.914611,  200",
+        "midpoint, 0.1, 5000, 1.064494, 1.133147,  0.830824,  10000",
+        "rk4,      1,   8,    0.952268, 0.906814,  -0.044631, 32",
+        "rk4,      1,   100,  0.542612, 0.294427,  -0.557889, 400",
+        "rk4,      0.4, 1250, 0.965755, 0.932682,  -0.100637, 5000"})
+    void figuresHaveTheNumbersOfTheory(String solver, double deltaT, int steps, double amplitude, double energy,
+            double phase, long evaluations) {
+        Figure figure = new Figure(solver, deltaT, steps);
+        assertTrue(LectureFigures.onSlides().contains(figure), "it is one of the slides' figures");
+        Result result = LectureFigures.run(figure);
+        assertEquals(amplitude, result.amplitude(), 0.5e-6);
+        assertEquals(energy, result.amplitude() * result.amplitude(), 0.5e-6);
+        assertEquals(phase, result.phaseError(), 0.5e-6);
+        assertEquals(evaluations, result.evaluations());
+        // measured 2.2e-13
+        assertEquals(result.theory().orElseThrow().amplitude(), result.amplitude(), 2e-12);
+        // measured 7.7e-12
+        assertEquals(result.theory().orElseThrow().phaseError(), result.phaseError(), 3e-11);
+    }
+
+    /**
+     * The table has measured values and theory side by side; as people are shown them, to six digits or more, they are
+     * equal.
+     */
+    @Test
+    void tableHasEveryFigureOfTheSlidesBesideTheory() {
+        List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
+        DataTable table = LectureFigures.table(results);
+        assertEquals(7, table.rows().size());
+        for (List<Object> row : table.rows()) {
+            for (int c = 4; c < 10; c += 2) {
+                assertEquals((Double) row.get(c + 1), (Double) row.get(c), 5e-11,
+                        table.columns().get(c).name());   // measured 7.7e-12
+                assertTrue(table.columns().get(c).digits() >= 6);
+            }
+        }
+    }
+
+    /**
+     * What the heading says of each solver is what the table has: who grows by more than threefold grows not slowly.
+     */
+    @Test
+    void theFindingIsThatOfTheTable() {
+        List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
+        assertEquals("euler and midpoint spiral outwards, rk4 spirals inwards; how fast depends on the step: midpoint"
+                + " \u00d7\u00a03.41 in 11 s with 1 s, \u00d7\u00a01.06 in 500 s with 0.1 s",
+                LectureFigures.finding(results));
+        assertEquals("rk4 spirals inwards", LectureFigures.finding(results.subList(4, 7)));
+    }
+
+    /** The angle between both ends is the phase error, clockwise where it is positive. */
+    @ParameterizedTest
+    @CsvSource({"midpoint, 1, 11, 1.178636", "rk4, 0.4, 1250, -0.100637"})
+    void bothEndsAreMarked(String solver, double deltaT, int steps, double phase) {
+        ChartData chart = LectureFigures.chart(LectureFigures.run(new Figure(solver, deltaT, steps)), "a title");
+        ChartData.Series end = chart.series().get(3);
+        ChartData.Series exactEnd = chart.series().get(4);
+        assertEquals(List.of("end", "exact end"), List.of(end.name(), exactEnd.name()));
+        double angle = Math.atan2(exactEnd.y()[0], exactEnd.x()[0]) - Math.atan2(end.y()[0], end.x()[0]);
+        assertEquals(phase, Math.IEEEremainder(angle, 2 * Math.PI), 0.5e-6);
+    }
+
+    @Test
+    void eulerHasNineTimesTheEnergyAfterThreeOscillations() {
+        Result result = LectureFigures.run(LectureFigures.onSlides().get(0));
+        // after 161 steps; 3 periods are 160.6
+        assertEquals(9.050, result.amplitude() * result.amplitude(), 0.0005);
+        assertEquals(3, result.figure().steps() * result.figure().deltaT() / (2 * Math.PI), 0.01);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"backward-euler, 0.1, 0.99503719", "implicit-midpoint, 0.1, 1"})
+    void implicitSolversHaveTheirStabilityFunctions(String solver, double deltaT, double amplitude) {
+        Result result = LectureFigures.run(new Figure(solver, deltaT, 1));
+        assertEquals(amplitude, result.amplitude(), 1e-8);
+        assertEquals(result.theory().orElseThrow().phaseError(), result.phaseError(), 1e-9);    // Newton stops at 1e-10
+    }
+
+    @Test
+    void solversWithoutAWrittenStabilityFunctionHaveNoTheory() {
+        Result result = LectureFigures.run(new Figure("verlet", 0.1, 63));
+        assertTrue(result.theory().isEmpty());
+        assertEquals(Double.NaN, LectureFigures.table(List.of(result)).rows().get(0).get(5));
+        assertNotEquals(0, result.phaseError());
+    }
+
+    @Test
+    void chartsShowEveryStateAndTheExactCircle() {
+        Result result = LectureFigures.run(new Figure("midpoint", 0.1, 5000));
+        ChartData chart = LectureFigures.chart(result, "a title");
+        assertEquals(5001, chart.series().get(0).x().length);
+        assertEquals("midpoint", chart.series().get(0).name(), "it has the solver's colour");
+        ChartData.Series exact = chart.series().get(1);
+        for (int k = 0; k < exact.x().length; k++) {
+            assertEquals(1, Math.hypot(exact.x()[k], exact.y()[k]), 4e-16);
+        }
+        double reach = LectureFigures.reach(result);
+        VectorField field = LectureFigures.field(reach);
+        for (int k = 0; k < field.x().length; k++) {
+            assertEquals(field.v()[k], field.dx()[k]);
+            assertEquals(-field.x()[k], field.dv()[k]);
+        }
+        for (double x : result.x()) {
+            assertTrue(Math.abs(x) < reach);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package particles.experiments.phase;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.RK4Solver;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import particles.ParticleSystem;
+import particles.Simulation;
+import particles.effects.Gravity;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.VectorField;
+
+/** Paths in state space and the field that they follow. */
+class PhaseHistoryTest {
+
+    /** x'' = -4 (x - 3) along z, started at rest one metre away from there: an ellipse with half axes 1 m and 2 m/s. */
+    private static Simulation oscillator(double deltaT, double duration) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("anchor", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("bob", 0.5, new Vector3(0, 0, 4), Vector3.ZERO, false);
+        SpringForce springs = new SpringForce(system.getParticles());
+        springs.addSpring(0, 1, 2, 3, 0);
+        system.addEffect(springs);
+        return new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+    }
+
+    private static PhaseHistory observe(Simulation simulation) {
+        PhaseHistory phase = new PhaseHistory("bob");
+        simulation.addObserver(phase);
+        simulation.run();
+        return phase;
+    }
+
+    @Test
+    void theOscillatorsPathIsAnEllipse() {
+        PhaseHistory phase = observe(oscillator(0.02, 4));
+        assertEquals(Axis.Z, phase.widestAxis());
+        ChartData chart = phase.chart(Axis.Z, "an ellipse");
+        Series path = chart.series().get(0);
+        assertEquals(201, path.x().length);
+        assertEquals(Mark.LINE, path.mark());
+        for (int k = 0; k < path.x().length; k++) {
+            double x = path.x()[k] - 3;
+            double v = path.y()[k] / 2;
+            assertEquals(1, x * x + v * v, 5e-8);       // measured 1.1e-8: RK4 loses (h omega)^6 / 72 a step, times 200
+        }
+        assertEquals("position z of 'bob' (m)", chart.xLabel());
+        assertArrayEquals(new double[] {4}, chart.series().get(1).x());
+        assertArrayEquals(new double[] {0}, chart.series().get(1).y());
+    }
+
+    @Test
+    void fewStatesAreMarkedAndManyAreThinnedToPoints() {
+        assertEquals(Mark.LINE_AND_POINTS, observe(oscillator(0.25, 4)).chart(Axis.Z, "").series().get(0).mark());
+        Series thinned = observe(oscillator(1.0 / 64, 1000)).chart(Axis.Z, "").series().get(0);
+        assertEquals(Mark.POINTS, thinned.mark());
+        assertEquals(32_001, thinned.x().length);      // every second of 64,001 states
+        Series all = observe(oscillator(1.0 / 64, 2)).chart(Axis.Z, "").series().get(0);
+        assertEquals(all.x()[100], thinned.x()[50]);
+    }
+
+    @Test
+    void theFieldIsVelocityAndAcceleration() {
+        Simulation simulation = oscillator(0.02, 4);
+        Series path = observe(simulation).chart(Axis.Z, "").series().get(0);
+        long evaluations = simulation.getSystem().getEvaluations();
+        VectorField field = VectorFields.around(simulation.getSystem(), Axis.Z, path.x(), path.y()).orElseThrow();
+        for (int k = 0; k < field.x().length; k++) {
+            assertEquals(field.v()[k], field.dx()[k]);
+            assertEquals(-4 * (field.x()[k] - 3), field.dv()[k], 1e-13);
+        }
+        assertTrue(java.util.Arrays.stream(field.x()).max().orElse(0) > 4.1);
+        assertEquals(evaluations, simulation.getSystem().getEvaluations());
+    }
+
+    /**
+     * Along x, the spring that lies along z pulls across: no single degree of freedom; nor do two particles have one.
+     */
+    @Test
+    void moreDegreesOfFreedomHaveNoField() {
+        Simulation simulation = oscillator(0.02, 4);
+        double[] range = {-1, 1};
+        assertEquals(Optional.empty(), VectorFields.around(simulation.getSystem(), Axis.X, range, range));
+        assertTrue(VectorFields.around(simulation.getSystem(), Axis.Z, range, range).isPresent());
+        simulation.getSystem().addEffect(new Gravity(simulation.getSystem().getParticles(), new Vector3(0, -1, 0)));
+        assertEquals(Optional.empty(), VectorFields.around(simulation.getSystem(), Axis.Z, range, range));
+        Simulation two = oscillator(0.02, 4);
+        two.getSystem().addParticle("other", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
+        assertEquals(Optional.empty(), VectorFields.around(two.getSystem(), Axis.Z, range, range));
+    }
+
+    @Test
+    void aParticleThatIsNotThereHasNoPath() {
+        PhaseHistory phase = new PhaseHistory("bop");
+        Simulation simulation = oscillator(0.25, 1);
+        simulation.addObserver(phase);
+        simulation.run();
+        assertThrows(IllegalStateException.class, () -> phase.chart(Axis.X, ""));
+    }
+}

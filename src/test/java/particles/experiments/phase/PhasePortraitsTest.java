@@ -1,0 +1,108 @@
+package particles.experiments.phase;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import particles.experiments.phase.PhasePortraits.Portrait;
+import particles.experiments.phase.PhasePortraits.Portraits;
+import particles.experiments.runs.SolverChoice;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+
+class PhasePortraitsTest {
+    private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
+
+    private static Portraits compare(SceneDescription scene, String solvers) {
+        return PhasePortraits.compare(scene, SolverChoice.list(solvers), List.of("block"), List.of(Axis.X),
+                (part, what) ->
+                { });
+    }
+
+    /**
+     * The reference stays on the unit circle and returns after three periods; Euler's path ends three times as far out.
+     */
+    @Test
+    void eachSolverIsOverTheReferenceInAChartOfItsOwn() {
+        Portraits portraits = compare(SPIRAL, "euler,symplectic-euler,rk4");
+        assertEquals(List.of("euler", "symplectic-euler", "rk4"),
+                portraits.portraits().stream().map(Portrait::solver).toList());
+        for (Portrait portrait : portraits.portraits()) {
+            ChartData.Series reference = portrait.chart().series().get(0);
+            assertEquals(Mark.BAND, reference.mark());
+            for (int k = 0; k < reference.x().length; k++) {
+                assertEquals(1, Math.hypot(reference.x()[k], reference.y()[k]), 1e-8);      // measured 6e-10
+            }
+            ChartData.Series path = portrait.chart().series().get(1);
+            assertEquals(portrait.solver(), path.name());
+            assertEquals(162, path.x().length, "the start and 161 steps");
+        }
+        List<Object> euler = portraits.table().rows().get(0);
+        assertEquals(3, Math.hypot((Double) euler.get(3), (Double) euler.get(4)), 0.02);
+        assertEquals(1, (Double) portraits.table().rows().get(3).get(3), 1e-8);
+        assertTrue((Double) portraits.table().rows().get(2).get(5) < 1e-3, "rk4");
+    }
+
+    /**
+     * Euler's last state is 3.0 from the centre of the unit circle. Symplectic Euler moves on the ellipse x^2 - h x v +
+     * v^2 = 1
+     * with h = 0.117, whose farthest point from the circle is at 1 / sqrt(1 - h / 2): 3.07 % off; measured a little
+     * more, since
+     * the start is at the beginning of a step.
+     */
+    @Test
+    void titlesSayHowFarAPathIsFromTheCurve() {
+        List<Portrait> portraits = compare(SPIRAL, "euler,symplectic-euler,rk4").portraits();
+        assertEquals(2.0, portraits.get(0).off(), 0.01);
+        assertEquals(0.0307, portraits.get(1).off(), 0.0015);
+        assertTrue(portraits.get(2).off() < 3e-6, "rk4: measured 1.9e-6, and not " + portraits.get(2).off());
+        assertEquals("euler: 200 % off the curve", portraits.get(0).chart().title());
+        assertEquals("Spiral: euler leaves the curve, symplectic-euler and rk4 stay on it to 3.2 %",
+                PhasePortraits.finding("Spiral", portraits));
+    }
+
+    @Test
+    void whatFliesAwayIsMarked() {
+        List<Portrait> portraits = compare(SPIRAL.solvedBy("euler", Optional.empty(), 1, 12), "euler").portraits();
+        List<ChartData.Series> series = portraits.get(0).chart().series();
+        assertEquals(Mark.FAILURES, series.get(3).mark());
+        assertTrue(series.get(1).x().length < 13, "it is drawn as far as the picture goes");
+        assertTrue(portraits.get(0).whole(), "but the run came to its end");
+        List<Portrait> longer = compare(SPIRAL.solvedBy("euler", Optional.empty(), 2, 200), "euler").portraits();
+        assertFalse(longer.get(0).whole());
+        assertEquals("Spiral: euler blows up", PhasePortraits.finding("Spiral", longer));
+    }
+
+    @Test
+    void withoutAxesEachParticleIsSeenAlongItsWidest() {
+        SceneDescription ball = SceneReader.read(Path.of("scenes/06-bouncing-ball.yaml"));
+        Portraits portraits = PhasePortraits.compare(ball.solvedBy("rk4", Optional.empty(), ball.deltaT(), 0.5),
+                SolverChoice.list("rk4"), List.of("ball"), List.of(), (part, what) -> { });
+        assertEquals(List.of(Axis.Y), portraits.portraits().stream().map(Portrait::axis).toList());
+        Portraits both = PhasePortraits.compare(ball.solvedBy("rk4", Optional.empty(), ball.deltaT(), 0.5),
+                SolverChoice.list("rk4,verlet"), List.of("ball"), List.of(Axis.Z, Axis.Y), (part, what) -> { });
+        assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), both.portraits().stream().map(Portrait::axis).toList());
+        assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
+        assertEquals("'ball', rk4: at rest along z", both.portraits().get(0).chart().title());
+        assertTrue(PhasePortraits.finding("Ball",
+                both.portraits()).startsWith("Ball: rk4 and verlet stay on the curve to "),
+                PhasePortraits.finding("Ball", both.portraits()));
+    }
+
+    /** A square of side 2, and points in it, on it and off it, half its width being 1. */
+    @Test
+    void distancesAreFromTheNearestLine() {
+        CurveDistance square = new CurveDistance(new double[] {-1, 1, 1, -1, -1}, new double[] {-10, -10, 10, 10, -10});
+        assertEquals(0.5, square.largest(new double[] {0.5}, new double[] {0}), 1e-15);
+        assertEquals(0, square.largest(new double[] {1}, new double[] {3}), 1e-15);
+        assertEquals(5, square.largest(new double[] {4, 0.5}, new double[] {50, 0}), 1e-15);    // 3 and 4 from a corner
+        assertEquals(4, square.outwards(4, 20), 1e-15);
+        assertTrue(new CurveDistance(new double[] {1, 1}, new double[] {0, 0}).isDegenerate());
+    }
+}

@@ -1,0 +1,251 @@
+package particles.experiments.race;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import particles.experiments.race.Race.Lane;
+import particles.experiments.race.Race.Result;
+import particles.experiments.runs.EqualTime;
+import particles.experiments.runs.FrameStates;
+import particles.experiments.runs.SolverChoice;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.DataTable;
+
+class RaceTest {
+    private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
+    private static final SceneDescription CHAIN = SceneReader.read(Path.of("scenes/16-soft-chain.yaml"));
+    private static final Race.Audience NOBODY = (scene, solver, extent) -> List.of();
+
+    private static SceneDescription lasting(SceneDescription scene, double duration) {
+        return scene.solvedBy("rk4", Optional.empty(), scene.deltaT(), duration);
+    }
+
+    private static Result run(SceneDescription scene, String solvers, int frames, Race.Audience audience) {
+        return new Race(scene, SolverChoice.list(solvers), frames).run(audience, (part, what) -> { });
+    }
+
+    @Test
+    void evaluationsDifferByLessThanAStep() {
+        Result race = run(lasting(CHAIN, 3), "midpoint, rk4, adams, verlet, yoshida4, dormand-prince", 30, NOBODY);
+        assertFalse(race.equalTime());
+        assertEquals(300, race.shares().work());                             // 75 steps of rk4
+        for (Lane lane : race.lanes()) {
+            long evaluations = lane.drift().outcome().evaluations();
+            assertEquals(lane.match().evaluations(), evaluations, "what was measured is what ran");
+            assertTrue(Math.abs(evaluations - 300) < lane.match().aStep(),
+                    lane.match().setting().solver().label() + ": " + evaluations + ", a step has "
+                    + lane.match().aStep());
+        }
+        assertTrue(RaceCharts.title(race).contains("equal work, 300 evaluations each"), RaceCharts.title(race));
+    }
+
+    @Test
+    void allPanelsHaveTheSameFrameTimes() {
+        Result race = run(lasting(CHAIN, 3), "midpoint, rk4, verlet, dormand-prince", 37, NOBODY);
+        assertEquals(38, race.times().length);
+        for (int k = 0; k <= 37; k++) {
+            assertEquals(k * 3 / 37.0, race.times()[k], 1e-15 * 3);
+        }
+        assertEquals(38, race.reference().size());
+        race.lanes().forEach(lane -> assertEquals(38, lane.states().size(), lane.match().setting().solver().label()));
+    }
+
+    /** x = cos t, v = -sin t. */
+    @Test
+    void referenceIsTheExactMotion() {
+        Result race = run(lasting(SPIRAL, 10), "rk4, midpoint", 77, NOBODY);
+        Lane midpoint = race.lanes().get(1);
+        double worst = 0;
+        for (int k = 0; k < race.times().length; k++) {                 // distances measured off by 4.3e-19
+            double x = race.reference().get(k)[6];
+            worst = Math.max(worst, Math.abs(x - StrictMath.cos(race.times()[k])));
+            assertEquals(Math.abs(x - midpoint.states().get(k)[6]) / Math.sqrt(2), midpoint.distance()[k], 4e-18,
+                    "root mean square over two particles, one of them fixed");
+        }
+        assertTrue(worst < 1e-10, "now " + worst);              // 1.7e-11: frames are ends of its steps
+        assertTrue(midpoint.distance()[77] > 1e-3, "midpoint is not exact");
+    }
+
+    /** Who makes pictures sees, at the frames' times, what was measured: the ghost is the reference, bit for bit. */
+    @Test
+    void audienceSeesWhatIsMeasured() {
+        List<Optional<SolverChoice>> order = new ArrayList<>();
+        List<FrameStates> seen = new ArrayList<>();
+        SceneDescription scene = lasting(CHAIN, 2);
+        Result race = run(scene, "euler, rk4", 20, (built, solver, extent) -> {
+            order.add(solver);
+            FrameStates states = new FrameStates(20 / scene.duration());
+            seen.add(states);
+            return List.of(states);
+        });
+        assertTrue(order.get(0).isEmpty(), "the reference comes first");
+        assertEquals(List.of("euler", "rk4"), order.subList(1,
+                3).stream().map(solver -> solver.orElseThrow().label()).toList());
+        for (int k = 0; k < 3; k++) {
+            List<double[]> measured = k == 0 ? race.reference() : race.lanes().get(k - 1).states();
+            assertEquals(21, measured.size());
+            for (int f = 0; f < 21; f++) {
+                assertArrayEquals(measured.get(f), seen.get(k).states().get(f));
+            }
+        }
+    }
+
+    @Test
+    void whoLeavesIsShownAsSuch() {
+        Result race = run(lasting(CHAIN, 4), "euler, verlet", 40, NOBODY);
+        Lane euler = race.lanes().get(0);
+        double left = euler.left().orElseThrow();
+        assertTrue(left > 1 && left < 4, "left at " + left);
+        assertEquals((int) (left * 10) + 1, euler.states().size(), "frames until then");
+        assertTrue(race.lanes().get(1).left().isEmpty());
+        String finding = RaceCharts.finding(race);
+        assertTrue(finding.startsWith("verlet stays nearest") && finding.contains("euler leaves at t = "), finding);
+        for (ChartData chart : List.of(RaceCharts.distance(race), RaceCharts.energy(race))) {
+            ChartData.Series crosses = chart.series().get(2);
+            assertEquals(Mark.FAILURES, crosses.mark());
+            assertEquals(left, crosses.x()[0], 0.1, "within a frame");
+        }
+        DataTable table = RaceCharts.table(race);
+        assertEquals(left, table.rows().get(0).get(8));
+        double step = euler.match().setting().deltaT();
+        assertEquals(left / step, (Long) table.rows().get(0).get(3), 1, "evaluations until then, and not those of"
+                + " its share: " + euler.match().evaluations());
+        assertTrue(table.rows().get(0).get(9).toString().contains("went where the reference never comes near"));
+    }
+
+    /** Means of 0.0698 m and 0.0734 m, of lines that cross, are no victory. */
+    @Test
+    void whoIsAsNearIsNamedToo() {
+        Result race = run(CHAIN, "euler, midpoint, rk4, symplectic-euler, verlet", 240, NOBODY);
+        String finding = RaceCharts.finding(race);
+        assertTrue(finding.startsWith("symplectic-euler and verlet stay nearest to the reference; "), finding);
+        List<List<Object>> rows = RaceCharts.table(race).rows();
+        double ratio = (Double) rows.get(4).get(5) / (Double) rows.get(3).get(5);
+        assertEquals(1.051, ratio, 0.005);                      // measured 1.0511
+    }
+
+    /** By a clock on which a step takes a microsecond for each evaluation and two for itself. */
+    @Test
+    void implicitSolversGetEqualTime() {
+        Race race = new Race(lasting(CHAIN, 3), SolverChoice.list("rk4, implicit-midpoint, verlet"), 10,
+                outcome -> 1e-6 * (outcome.evaluations() + 2 * outcome.steps()));
+        Result result = race.run(NOBODY, (part, what) -> { });
+        assertTrue(result.equalTime());
+        assertTrue(result.shares().slowest().isEmpty(), "all can do with what rk4 takes");
+        assertEquals(450e-6, result.shares().work(), 1e-18, "rk4: 75 steps of 4 + 2");
+        for (Lane lane : result.lanes()) {
+            assertEquals(450e-6, lane.match().seconds().orElseThrow(), EqualTime.CLOSE * 450e-6,
+                    lane.match().setting().solver().label());
+        }
+        assertEquals(150, Math.round(3 / result.lanes().get(2).match().setting().deltaT()), 1.5,
+                "verlet: steps of 1 + 2");
+        assertTrue(RaceCharts.title(result).contains("equal time, 0.450 ms each"), RaceCharts.title(result));
+    }
+
+    /** Radau's loosest tolerance needs more than rk4 at the scene's step: now all take as long as that. */
+    @Test
+    void whoCannotDoWithLessSetsTheTimeOfAll() {
+        // rk4 makes 240 evaluations, radau 304
+        SceneDescription scene = CHAIN.solvedBy("rk4", Optional.empty(), 0.05, 3);
+        Result result = new Race(scene, SolverChoice.list("rk4, backward-euler, radau, verlet"), 30,
+                outcome -> 1e-6 * outcome.evaluations()).run(NOBODY, (part, what) -> { });
+        assertEquals("radau", result.shares().slowest().orElseThrow().label());
+        Lane radau = result.lanes().get(2);
+        assertEquals(0.1, radau.match().setting().tolerance().orElseThrow(), "the loosest there is");
+        assertEquals(1e-6 * radau.drift().outcome().evaluations(), result.shares().work(), 1e-18);
+        assertTrue(result.shares().work() > 1.05 * 240e-6,
+                "more than rk4 at the scene's step: " + result.shares().work());
+        for (Lane lane : result.lanes()) {
+            assertEquals(result.shares().work(), 1e-6 * lane.drift().outcome().evaluations(),
+                    EqualTime.CLOSE * result.shares().work(), lane.match().setting().solver().label());
+        }
+        assertTrue(RaceCharts.finding(result).contains(" stays nearest") && !RaceCharts.finding(result)
+                .contains("cannot"), RaceCharts.finding(result));
+    }
+
+    /** By a clock on which radau's cheap-looking loose runs take long: the cheapest is one with a tighter tolerance. */
+    @Test
+    void aLooserToleranceMayTakeLonger() {
+        Result result = new Race(lasting(CHAIN, 3), SolverChoice.list("rk4, radau"), 30, outcome -> 1e-6
+                * (outcome.steps() <= 30 && outcome.evaluations() < 400 ? 400_000.0 / outcome.evaluations()
+                        : outcome.evaluations())).run(NOBODY, (part, what) -> { });
+        assertEquals("radau", result.shares().slowest().orElseThrow().label());
+        assertTrue(result.lanes().get(1).match().setting().tolerance().orElseThrow() < 0.05);
+        assertTrue(result.shares().work() >= 400e-6 && result.shares().work() < 600e-6,
+                "now " + result.shares().work());
+        assertTrue(EqualTime.spread(result.shares()) < EqualTime.CLOSE, "spread " + EqualTime.spread(result.shares()));
+    }
+
+    /**
+     * A machine on which every fifth run takes thrice as long, and all others up to 10 % more: medians are what counts.
+     */
+    @Test
+    void aNoisyMachineDoesNotMatter() {
+        Random random = new Random(5);
+        Result result = new Race(lasting(CHAIN, 3), SolverChoice.list("rk4, backward-euler, radau"), 30, outcome ->
+                1e-6 * (outcome.evaluations() + 2 * outcome.steps())
+                        * (random.nextInt(5) == 0 ? 3 : 1 + 0.1 * random.nextDouble()))
+                .run(NOBODY, (part, what) -> { });
+        assertTrue(EqualTime.spread(result.shares()) < EqualTime.CLOSE, "spread " + EqualTime.spread(result.shares()));
+        double[] pure = result.lanes().stream().mapToDouble(lane -> lane.drift().outcome().evaluations()
+                + 2 * lane.drift().outcome().steps()).toArray();
+        double most = Arrays.stream(pure).max().orElseThrow();
+        double least = Arrays.stream(pure).min().orElseThrow();
+        assertTrue(most / least < 1.15, "without the noise they differ by " + (most / least - 1));     // 0.016
+    }
+
+    /**
+     * By a clock that charges an implicit solver's evaluations hundredfold nothing can be equal, and the title says so.
+     */
+    @Test
+    void whatCannotBeEqualIsSaid() {
+        double[] most = {0};
+        Result result = new Race(lasting(CHAIN, 3), SolverChoice.list("rk4, radau"), 30, outcome -> {
+            most[0] = Math.max(most[0], outcome.evaluations());
+            return outcome.steps() == 30 || outcome.steps() == 15 ? 1 : 1e-6 * outcome.evaluations();
+        }).run(NOBODY, (part, what) -> { });
+        assertTrue(RaceCharts.title(result).contains("no equal time, up to"), RaceCharts.title(result));
+        assertTrue(RaceCharts.finding(result).contains("radau cannot do with less than"), RaceCharts.finding(result));
+    }
+
+    /** By evaluations too: bulirsch-stoer needs more than the 800 of rk4 with a step of 0.06 s. */
+    @Test
+    void whoNeedsMoreEvaluationsSetsThoseOfAll() {
+        Result race = run(CHAIN.solvedBy("rk4", Optional.empty(), 0.06, 12),
+                "midpoint, rk4, step-doubling, bulirsch-stoer, verlet", 240, NOBODY);
+        assertEquals("bulirsch-stoer", race.shares().slowest().orElseThrow().label());
+        assertTrue(race.shares().work() > 800, "now " + race.shares().work());
+        for (Lane lane : race.lanes()) {
+            assertTrue(Math.abs(lane.drift().outcome().evaluations() - race.shares().work()) < lane.match().aStep()
+                    || lane.left().isPresent(),
+                    lane.match().setting().solver().label() + ": " + lane.match().evaluations());
+        }
+    }
+
+    /** An adaptive solver is compared at the ends of its steps; the cubic between them is 1e-3 off. */
+    @Test
+    void whatIsInterpolatedIsNoError() {
+        SceneDescription fine = CHAIN.solvedBy("rk4", Optional.empty(), 0.002, 3);
+        Result race = run(fine, "dormand-prince, rk4", 300, NOBODY);
+        Lane lane = race.lanes().get(0);
+        int known = (int) Arrays.stream(lane.distance()).filter(d -> d >= 0).count();
+        assertEquals(151, known, "150 steps and the start");
+        assertEquals(301, lane.distance().length);
+        double worst = Arrays.stream(lane.distance()).filter(d -> d >= 0).max().orElseThrow();
+        assertTrue(worst < 5e-9, "now " + worst);               // 5.3e-10, as rk4 too
+        assertEquals(150, RaceCharts.distance(race).series().get(0).x().length, "no gaps, and 0 is not on the axis");
+        assertEquals(300, RaceCharts.distance(race).series().get(1).x().length, "rk4 has no steps within steps");
+    }
+}

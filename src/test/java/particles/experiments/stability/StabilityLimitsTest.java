@@ -1,0 +1,101 @@
+package particles.experiments.stability;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import particles.experiments.runs.ProgressListener;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
+
+/** Limits and outlines on the solvers' real code, against theory. */
+class StabilityLimitsTest {
+    private static final ProgressListener NOBODY = (part, what) -> { };
+
+    private static void assertLimit(double theory, StabilityLimit measured, String what) {
+        if (!Double.isNaN(theory)) {
+            // the catalogue gives four digits and adams two; an unbounded limit is met exactly
+            assertEquals(theory, measured.value(), theory > 1.2 && theory < 1.3 ? 0.005 : theory == 0 ? 0 : 6e-5, what);
+        }
+    }
+
+    @Test
+    void everyLimitThatTheCatalogueStatesIsMeasured() {
+        for (SolverInfo info : SolverCatalog.all()) {
+            assertLimit(info.realLimit(), StabilityLimits.real(info), info.name() + ", real");
+            assertLimit(info.imaginaryLimit(), StabilityLimits.imaginary(info), info.name() + ", imaginary");
+        }
+    }
+
+    /** (1 + h^2)^(1/2) - 1, (1 + h^4/4)^(1/2) - 1, and reference-values.md's 1.6e-7, at h = 0.1. */
+    @ParameterizedTest
+    @CsvSource({"euler, 4.987562e-3, 1e-9", "midpoint, 1.249992e-5, 1e-10", "adams, 1.6e-7, 2e-9"})
+    void whatAlwaysGrowsSaysByHowMuch(String solver, double growth, double digits) {
+        StabilityLimit limit = StabilityLimits.imaginary(SolverCatalog.info(solver));
+        assertEquals(growth, limit.growth(), digits);
+        assertTrue(limit.text().startsWith("none: grows by"), limit.text());
+    }
+
+    /**
+     * With h^8: too little to see at 0.1, 9.3e-14, and not stable for all that. No threshold may turn it into a limit.
+     */
+    @Test
+    void theGrowthOfBulirschStoerIsTinyAndNotNone() {
+        SolverInfo info = SolverCatalog.info("bulirsch-stoer");
+        assertEquals(0, StabilityLimits.imaginary(info).value());
+        Amplification amplification = Amplification.of(info);
+        assertEquals(256, (amplification.at(0, 0.4) - 1) / (amplification.at(0, 0.2) - 1), 10);     // measured 250
+    }
+
+    /**
+     * Damping takes from symplectic-euler's step: 4 - q - 2g = 0, q = h^2, g = 2h gives 2 (sqrt 2 - 1). Measured 2.8e-9
+     * off.
+     */
+    @Test
+    void criticalDampingLimitsSymplecticEuler() {
+        assertEquals(2 * (Math.sqrt(2) - 1), StabilityLimits.real(SolverCatalog.info("symplectic-euler")).value(),
+                2e-8);
+    }
+
+    /**
+     * The last kick's iteration contracts by deltaT c/2 = h omega: 100 times that is 1e-13 at 0.741,
+     * less what it starts with.
+     */
+    @Test
+    void verletRefusesStrongDamping() {
+        assertEquals(0.7403, StabilityLimits.real(SolverCatalog.info("verlet")).value(), 1e-4);    // measured 2.0e-5
+    }
+
+    @Test
+    void theTableHasEverySolverAndSaysUnbounded() {
+        DataTable table = StabilityLimits.measure(NOBODY);
+        assertEquals(SolverCatalog.names(), table.rows().stream().map(row -> row.get(0)).toList());
+        List<Object> implicit = table.rows().get(SolverCatalog.names().indexOf("backward-euler"));
+        assertEquals(List.of("unbounded", "unbounded", "unbounded", "unbounded"), implicit.subList(1, 5));
+    }
+
+    /**
+     * Circles of radius 1 about -1 and 1, and |z| = 1 has no point farther off than the grid's straight pieces allow.
+     */
+    @ParameterizedTest
+    @CsvSource({"euler, -1", "backward-euler, 1"})
+    void theOutlinesOfTheTwoEulersAreCircles(String solver, double centre) {
+        Series outline = new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at,
+                new StabilityRegion.Window(-3, 3, 2, 0.05), true)
+                .outline(solver);
+        int points = 0;
+        for (int k = 0; k < outline.x().length; k++) {
+            if (!Double.isNaN(outline.x()[k])) {
+                points++;
+                double x = outline.x()[k] - centre;
+                assertEquals(1, Math.sqrt(x * x + outline.y()[k] * outline.y()[k]), 1e-3);      // measured 4e-4
+            }
+        }
+        assertTrue(points > 120, "points " + points);      // measured 164, with a net of 0.05
+    }
+}

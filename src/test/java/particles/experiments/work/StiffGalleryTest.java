@@ -1,0 +1,112 @@
+package particles.experiments.work;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.problems.StiffSpringPair;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.work.StiffGallery.Sweep;
+import particles.view.ChartData;
+
+class StiffGalleryTest {
+    private static Sweep sweep(String solver, int decades) {
+        return StiffGallery.sweep(SolverChoice.of(solver), decades);
+    }
+
+    /** The limits of h omega are the catalogue's; 10 s of omega = sqrt(1 + 4e8) take 10 omega / limit steps. */
+    @Tag("slow")
+    @ParameterizedTest
+    @CsvSource({"rk4, 4", "verlet, 1"})
+    void explicitCostGrowsAsTheRootOfTheStiffnessOverEightDecades(String solver, int evaluations) {
+        Sweep sweep = sweep(solver, 8);
+        assertFalse(sweep.neverStable());
+        assertEquals(9, sweep.costs().size());
+        assertEquals(0.5, sweep.stableExponent(), 0.005);       // measured 0.5001 and 0.4991
+        assertEquals(0.5, sweep.preciseExponent(), 0.005);
+        double steps = 10 * Math.sqrt(1 + 4e8) / SolverChoice.of(solver).info().orElseThrow().imaginaryLimit();
+        assertEquals(1, sweep.costs().get(8).toBeStable() / (steps * evaluations), 0.03);
+    }
+
+    /**
+     * Also where a run has few steps, the step of a run that counts as stable is within the limit, 1 % and a step at
+     * most from it. What is left of rk4's vibration there is less than at the start; a symplectic solver's energy
+     * oscillates by up to (1 + h omega / 2) / (1 - h omega / 2), which is 400 for symplectic Euler 1 % from its limit.
+     */
+    @ParameterizedTest
+    @CsvSource({"rk4, 4, 1", "symplectic-euler, 1, 1000", "verlet, 1, 1000", "yoshida4, 3, 1000"})
+    void whatCountsAsStableIsWithinTheLimit(String solver, int evaluations, double most) {
+        double limit = SolverChoice.of(solver).info().orElseThrow().imaginaryLimit();
+        for (StiffGallery.Cost cost : sweep(solver, 5).costs()) {
+            double fewest = 10 * new StiffSpringPair(cost.stiffness()).omega() / limit;
+            double steps = Math.floor(cost.toBeStable() / evaluations);
+            assertTrue(steps > fewest * (1 - 5e-4) && steps < 1.01 * fewest + 2,
+                    cost + ": " + fewest + " steps at the limit");
+            assertTrue(cost.toOnePercent() > evaluations * fewest * (1 - 5e-4), cost + ": 1 % needs stability");
+            assertTrue(cost.vibrationLeft() <= most, cost.toString());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"backward-euler", "implicit-midpoint", "radau"})
+    void implicitCostIsFlatOverEightDecades(String solver) {
+        Sweep sweep = sweep(solver, 8);
+        if (!sweep.solver().adaptive()) {
+            assertEquals(0, sweep.stableExponent(), 0.05);      // measured 0.001 and 0.012
+        }
+        assertEquals(0, sweep.preciseExponent(), 0.05);         // measured 1e-6, 0.007 and 0.021
+    }
+
+    /** At the cheapest step that is precise, far beyond the stiff spring's period. */
+    @Test
+    void backwardEulerAndRadauPayWithDampingAndImplicitMidpointDoesNot() {
+        assertTrue(sweep("backward-euler", 4).costs().get(4).vibrationLeft() < 1e-20, "measured 2e-21 or less");
+        assertTrue(sweep("radau", 4).costs().get(4).vibrationLeft() < 1e-20);
+        assertEquals(1, sweep("implicit-midpoint", 4).costs().get(4).vibrationLeft(), 1e-6);
+        assertEquals(1, sweep("verlet", 4).costs().get(4).vibrationLeft(), 0.1);
+    }
+
+    /**
+     * What grows as (h omega)^q / c a step stays small over a time as long as h^(q-1) omega^q does: steps as k^(q / (2q
+     * - 2)).
+     */
+    @Tag("slow")
+    @ParameterizedTest
+    @CsvSource({"midpoint, 4, 0.01", "adams, 5, 0.02"})
+    void theRaceOfThoseThatGrowIsDearerThanStability(String solver, int q, double bound) {
+        assertEquals(q / (2.0 * q - 2), sweep(solver, 7).preciseExponent(), bound);     // measured 0.667 and 0.618
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"euler", "midpoint", "adams"})
+    void undampedVibrationGrowsAtAnyStep(String solver) {
+        Sweep sweep = sweep(solver, 5);
+        assertTrue(sweep.neverStable());
+        assertTrue(sweep.costs().stream().allMatch(cost -> Double.isNaN(cost.toBeStable())));
+        List<ChartData> charts = StiffCharts.charts(List.of(sweep, sweep("rk4", 5)));
+        assertEquals(List.of("rk4"), charts.get(1).series().stream().map(ChartData.Series::name).toList());
+        ChartData never = charts.get(3);
+        assertEquals(List.of(solver), never.rows());
+        assertEquals(ChartData.Mark.FAILURES, never.series().get(0).mark());
+        assertEquals(6, never.series().get(0).x().length);
+        assertEquals("Stability costs k^0.50 (explicit); " + solver + " never has it", charts.get(0).title());
+    }
+
+    /** The 1 % is of the slow swing alone: the stiff spring adds a millionth of it, and is at rest but for that. */
+    @Test
+    void theStiffModeIsAtRest() {
+        StiffSpringPair pair = new StiffSpringPair(1e8);
+        assertEquals(1, pair.vibration(), 1e-9);
+        assertEquals(1, pair.centre());
+        assertEquals(1e-6, StiffSpringPair.SEED);
+        double[] dSdt = new double[4];
+        pair.getStateDerivative(dSdt);
+        assertEquals(-1, (dSdt[2] + dSdt[3]) / 2, 1e-12, "the swing does not feel it");
+    }
+}

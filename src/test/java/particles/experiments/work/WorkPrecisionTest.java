@@ -1,0 +1,230 @@
+package particles.experiments.work;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DEStateSource;
+import deSolvers.catalog.SolverCatalog;
+import java.util.List;
+import java.util.NoSuchElementException;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.hipparchus.special.elliptic.jacobi.CopolarN;
+import org.hipparchus.special.elliptic.jacobi.JacobiEllipticBuilder;
+import org.hipparchus.special.elliptic.legendre.LegendreEllipticIntegral;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.experiments.lecture.CostExercise;
+import particles.experiments.lecture.CostExercise.Cost;
+import particles.experiments.runs.PowerLaw;
+import particles.experiments.runs.SolverChoice;
+import particles.experiments.work.WorkPrecision.Curve;
+import particles.experiments.work.WorkPrecision.Failure;
+import particles.experiments.work.WorkPrecision.Point;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+
+class WorkPrecisionTest {
+    private static final List<String> FIXED_STEP = List.of("euler", "midpoint", "rk4", "adams", "symplectic-euler",
+            "verlet",
+            "yoshida4", "backward-euler", "implicit-midpoint");
+
+    private static Curve curve(String problem, String solver) {
+        return curve(WorkProblems.of(problem), solver);
+    }
+
+    private static Curve curve(WorkProblem problem, String solver) {
+        return WorkPrecision.measure(problem, SolverChoice.of(solver), 0);
+    }
+
+    /** All that the catalogue has: those that are not adaptive. */
+    @Test
+    void noFixedStepSolverIsMissing() {
+        assertEquals(Set.copyOf(FIXED_STEP), SolverChoice.list("all").stream().filter(choice -> !choice.adaptive())
+                .map(SolverChoice::label).collect(Collectors.toSet()));
+    }
+
+    /** Measured: at most 0.07 off (adams on the pendulum, 3.93). No end time is a multiple of a period. */
+    @Tag("slow")
+    @ParameterizedTest
+    @ValueSource(strings = {"oscillator", "pendulum", "kepler", "network"})
+    void slopesOfFixedStepsAreTheOrders(String problem) {
+        WorkProblem solved = WorkProblems.of(problem);
+        for (String solver : FIXED_STEP) {
+            Curve curve = curve(solved, solver);
+            assertEquals(SolverChoice.of(solver).order(), curve.fit().slope(), 0.1, solver + " on " + problem);
+            assertEquals(curve.expected(), SolverChoice.of(solver).order());
+            assertTrue(curve.fit().last() - curve.fit().first() >= 2, "three points or more");
+            for (int k = curve.fit().first(); k <= curve.fit().last(); k++) {
+                double error = curve.points().get(k).error();
+                assertTrue(error > solved.floor() && error < SlopeFit.SMALL, "each is in range: " + error);
+            }
+        }
+    }
+
+    /**
+     * Theory: E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, table IV.15.1; measured 2.98, 2.00,
+     * 1.01.
+     */
+    @Test
+    void theStiffChainReducesTheOrderOfRadauToThatOfItsStages() {
+        Curve radau = curve("stiff-chain", "radau");
+        assertEquals(3, radau.expected());
+        assertEquals(3, radau.fit().slope(), 0.1);
+        assertEquals(2, curve("stiff-chain", "implicit-midpoint").fit().slope(), 0.05);
+        assertEquals(1, curve("stiff-chain", "backward-euler").fit().slope(), 0.05);
+        // steps as short as the springs' time have the whole order again: from n = 512 to 1024 steps
+        assertEquals(5, Math.log(radau.points().get(7).error() / radau.points().get(8).error()) / Math.log(2), 0.2);
+        assertTrue(WorkCharts.slope(radau).matches(", 2[.]9\\d \\(theory 3, order 5\\)"), WorkCharts.slope(radau));
+    }
+
+    /** Solvers of different kinds at 1e-13 differ by less than a tenth of what fits begin at. */
+    @ParameterizedTest
+    @ValueSource(strings = {"network", "cloth", "stiff-chain"})
+    void referencesAreWhatAnotherSolverFinds(String problem) {
+        WorkProblem solved = WorkProblems.of(problem);
+        DEStateSource source = solved.start().get();
+        SolverCatalog.create("dormand-prince", 1e-13, 1e-13).stepState(source, solved.duration());
+        double error = solved.error(source);                // measured 2e-13, 1e-13, and 2e-16 of a floor of 1e-14
+        assertTrue(error < solved.floor() / 10, "measured " + error);
+    }
+
+    /** Jacobi's functions of another library; the pendulum passes its lowest point a third time before the end. */
+    @Test
+    void pendulumIsJacobisFunction() {
+        double k = StrictMath.sin(0.75);
+        double quarter = LegendreEllipticIntegral.bigK(k * k);
+        CopolarN there = JacobiEllipticBuilder.build(k * k).valuesN(quarter + 10);
+        double[] reference = WorkProblems.of("pendulum").reference();
+        assertEquals(2 * Math.asin(k * there.sn()), reference[0], 1e-14);
+        assertEquals(2 * k * there.cn(), reference[1], 1e-14);
+    }
+
+    @Tag("slow")
+    @Test
+    void evaluationsAndErrorsAreTheSameInTwoRuns() {
+        for (String problem : List.of("network", "stiff-chain")) {
+            WorkProblem solved = WorkProblems.of(problem);
+            for (String solver : List.of("rk4", "adams", "dormand-prince", "backward-euler")) {
+                List<Point> once = curve(solved, solver).points();
+                List<Point> again = curve(solved, solver).points();
+                assertEquals(once.stream().map(Point::evaluations).toList(),
+                        again.stream().map(Point::evaluations).toList());
+                assertEquals(once.stream().map(Point::error).toList(), again.stream().map(Point::error).toList());
+            }
+        }
+    }
+
+    @Test
+    void timesAreMedians() {
+        for (Point point : WorkPrecision.measure(WorkProblems.of("network"), SolverChoice.of("rk4")).points()) {
+            assertTrue(point.least() <= point.seconds() && point.seconds() <= point.most() && point.least() > 0);
+        }
+    }
+
+    @Test
+    void failuresAreDrawnByKindBelowTheErrors() {
+        WorkProblem chain = WorkProblems.of("stiff-chain");
+        Curve rk4 = curve(chain, "rk4");
+        assertEquals(Optional.of(Failure.UNSTABLE), rk4.points().get(0).failure(),
+                "a step of 0.125 s for omega = 1407 1/s");
+        assertTrue(rk4.points().get(rk4.points().size() - 1).failure().isEmpty());
+        Curve verlet = curve(chain, "verlet");
+        assertEquals(Optional.of(Failure.NOT_CONVERGED), verlet.points().get(0).failure(),
+                verlet.points().get(0).why());
+        Curve implicit = curve(chain, "backward-euler");
+        assertTrue(implicit.points().stream().allMatch(point -> point.failure().isEmpty()));
+        for (List<ChartData> charts : List.of(WorkCharts.byEvaluations(chain, List.of(rk4, implicit, verlet)),
+                WorkCharts.byTime(chain, List.of(rk4, implicit, verlet)))) {
+            ChartData below = charts.get(1);
+            assertEquals(List.of("rk4", "verlet"), below.rows());
+            assertEquals(List.of(Mark.FAILURES, Mark.GIVEN_UP),
+                    below.series().stream().map(ChartData.Series::mark).toList());
+            assertEquals(failed(rk4) + failed(verlet),
+                    below.series().stream().mapToLong(series -> series.x().length).sum());
+        }
+        assertEquals(1, WorkCharts.byEvaluations(chain, List.of(implicit)).size(), "nothing failed");
+    }
+
+    private static long failed(Curve curve) {
+        return curve.points().stream().filter(point -> point.failure().isPresent()).count();
+    }
+
+    /** Filled points are the fitted ones, on top of the hollow ones of the same line. */
+    @Test
+    void fittedPointsAreMarked() {
+        WorkProblem network = WorkProblems.of("network");
+        Curve rk4 = curve(network, "rk4");
+        List<ChartData.Series> series = WorkCharts.byEvaluations(network, List.of(rk4)).get(0).series();
+        assertEquals(List.of(Mark.LINE_AND_OPEN_POINTS, Mark.POINTS), series.subList(0,
+                2).stream().map(ChartData.Series::mark).toList());
+        assertEquals(rk4.fit().last() - rk4.fit().first() + 1, series.get(1).x().length);
+        assertEquals(rk4.points().get(rk4.fit().last()).error(), series.get(1).y()[series.get(1).y().length - 1]);
+        assertTrue(series.get(1).x().length < series.get(0).x().length, "the coarsest and the finest are not fitted");
+    }
+
+    /** A line of slope 2 that rounding bends at its fine end, and one that is nowhere straight. */
+    @Test
+    void slopesAreOfStraightPiecesOrNone() {
+        WorkProblem problem = WorkProblems.of("oscillator");
+        SlopeFit bent = SlopeFit.byStep(points(0.5, 0.3, 1e-2, 2.5e-3, 6.25e-4, 1.5625e-4, 1.4e-4), problem, false, 2);
+        assertEquals(2, bent.slope(), 1e-12);
+        assertEquals(2, bent.first());
+        assertEquals(5, bent.last());
+        SlopeFit none = SlopeFit.byStep(points(1e-2, 5e-3, 1e-3, 4e-4, 0.2e-4), problem, false, 2);
+        assertTrue(Double.isNaN(none.slope()) && !none.contains(0) && none.whyNot().contains("straight"),
+                none.whyNot());
+        SlopeFit other = SlopeFit.byStep(points(1e-2, 2.5e-3, 6.25e-4, 1.5625e-4), problem, false, 4);
+        assertTrue(Double.isNaN(other.slope()) && !other.contains(1), other.toString());
+        assertEquals("a straight piece of slope 2.00, which is not the method's", other.whyNot());
+        assertEquals(2, SlopeFit.byStep(points(1e-2, 2.5e-3, 6.25e-4), problem, false, Double.NaN).slope(), 1e-12);
+        SlopeFit few = SlopeFit.byStep(points(1e-2, 2.5e-3, 1e-14), problem, false, 2);
+        assertTrue(Double.isNaN(few.slope()) && few.whyNot().startsWith("2 errors"), few.whyNot());
+    }
+
+    /** On the stiff chain the error falls with the 8.39th power of the work where sub-steps become stable: no order. */
+    @Test
+    void whatFallsAtTheEdgeOfStabilityIsNoOrder() {
+        Curve curve = curve("stiff-chain", "dormand-prince");
+        assertTrue(curve.fit().whyNot().startsWith("a straight piece of slope 8.39"), curve.fit().toString());
+        assertEquals(", no slope", WorkCharts.slope(curve));
+        assertEquals(List.of(),
+                IntStream.range(0, curve.points().size()).filter(curve.fit()::contains).boxed().toList());
+    }
+
+    private static List<Point> points(double... errors) {
+        return IntStream.range(0, errors.length).mapToObj(k -> new Point(Math.pow(2, -k), Double.NaN, 1L << k,
+                errors[k], 1,
+                1, 1,
+                Optional.empty(), "")).toList();
+    }
+
+    /** The counts of the reference are good to about 1 %. */
+    @Test
+    void exerciseHasItsAnswer() {
+        List<Cost> costs = CostExercise.solve();
+        long[][] known = {{2608, 680}, {8166, 1208}, {25848, 2152}, {82178, 3860}, {819326, 12180}};
+        for (int k = 0; k < known.length; k++) {
+            assertEquals(1, (double) costs.get(k).midpoint() / known[k][0], 0.03);
+            assertEquals(1, (double) costs.get(k).rk4() / known[k][1], 0.03);
+        }
+        assertEquals(67.3, (double) CostExercise.table(costs).rows().get(4).get(3), 2);
+    }
+
+    @Test
+    void fitIsAPowerLaw() {
+        assertEquals(3, PowerLaw.exponent(new double[] {1, 2, 4, 8}, new double[] {5, 40, 320, 2560}), 1e-12);
+        assertTrue(Double.isNaN(PowerLaw.exponent(new double[] {1, 2}, new double[] {1, 2})));
+    }
+
+    @Test
+    void unknownProblemIsMet() {
+        String message = assertThrows(NoSuchElementException.class, () -> WorkProblems.of("keplar")).getMessage();
+        assertTrue(message.contains("did you mean 'kepler'"), message);
+    }
+}

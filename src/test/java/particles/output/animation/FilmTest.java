@@ -1,0 +1,186 @@
+package particles.output.animation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jcodec.codecs.h264.H264Decoder;
+import org.jcodec.common.DemuxerTrack;
+import org.jcodec.common.io.NIOUtils;
+import org.jcodec.common.io.SeekableByteChannel;
+import org.jcodec.common.model.Packet;
+import org.jcodec.common.model.Picture;
+import org.jcodec.common.model.Size;
+import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFile;
+import particles.output.files.OutputFolder;
+
+/** What is read back from a film is what went into it. */
+class FilmTest {
+    private static final int W = 100;
+    private static final int H = 58;
+
+    @TempDir
+    Path top;
+
+    private record Read(Size size, double duration, List<Picture> pictures, List<Double> times) {
+    }
+
+    /** A red square on a ground of blue and green stripes that goes 2 pixels to the right from frame to frame. */
+    private static int[] frame(int width, int height, int index) {
+        int[] rgb = new int[width * height];
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                boolean square = x >= 2 * index && x < 2 * index + 24 && y >= 16 && y < 40;
+                rgb[y * width + x] = square ? 0xd02010 : y / 16 % 2 == 0 ? 0x2050c0 : 0x90c040;
+            }
+        }
+        return rgb;
+    }
+
+    private void write(int width, int height, double fps, int first, int count) {
+        try (OutputFolder folder = OutputFolder.open(top, Film.FILE); Film film = new Film(folder, width, height,
+                fps)) {
+            for (int k = 0; k < count; k++) {
+                film.add(first + k, frame(width, height, k));
+            }
+        }
+    }
+
+    private Read read() throws IOException {
+        try (SeekableByteChannel channel = NIOUtils.readableFileChannel(top.resolve(Film.FILE).toString());
+                MP4Demuxer demuxer = MP4Demuxer.createMP4Demuxer(channel)) {
+            DemuxerTrack track = demuxer.getVideoTrack();
+            H264Decoder decoder = H264Decoder.createH264DecoderFromCodecPrivate(track.getMeta().getCodecPrivate());
+            Size size = track.getMeta().getVideoCodecMeta().getSize();
+            List<Picture> pictures = new ArrayList<>();
+            List<Double> times = new ArrayList<>();
+            for (Packet packet = track.nextFrame(); packet != null; packet = track.nextFrame()) {
+                int width = size.getWidth() + 15 & ~15;
+                int height = size.getHeight() + 15 & ~15;
+                byte[][] planes = {new byte[width * height], new byte[width * height / 4],
+                        new byte[width * height / 4]};
+                pictures.add(decoder.decodeFrame(ByteBuffer.wrap(NIOUtils.toArray(packet.getData())), planes));
+                times.add(packet.getPtsD());
+            }
+            return new Read(size, track.getMeta().getTotalDuration(), pictures, times);
+        }
+    }
+
+    /**
+     * The inverse of what {@link FilmColours} does, in floating point, from the standard's definition (BT.709, 3.2 to
+     * 3.5).
+     */
+    private static int[] rgb(Picture picture, int x, int y) {
+        double luma = ((picture.getPlaneData(0)[y * picture.getPlaneWidth(0) + x] + 128) - 16) / 219.0;
+        int chroma = y / 2 * picture.getPlaneWidth(1) + x / 2;
+        double blue = luma + 1.8556 * picture.getPlaneData(1)[chroma] / 224.0;
+        double red = luma + 1.5748 * picture.getPlaneData(2)[chroma] / 224.0;
+        double green = (luma - 0.2126 * red - 0.0722 * blue) / 0.7152;
+        return new int[] {(int) Math.round(255 * red), (int) Math.round(255 * green), (int) Math.round(255 * blue)};
+    }
+
+    @Test
+    void sizeFramesTimesAndColoursAreThose() throws IOException {
+        write(W, H, 25, 0, 30);
+        Read film = read();
+        assertEquals(W, film.size().getWidth());
+        assertEquals(H, film.size().getHeight());
+        assertEquals(30, film.pictures().size());
+        assertEquals(1.2, film.duration(), 1e-9);
+        double worst = 0;
+        double sum = 0;
+        int count = 0;
+        for (int k = 0; k < 30; k++) {
+            assertEquals(k / 25.0, film.times().get(k), 1e-9);
+            int[] drawn = frame(W, H, k);
+            for (int y = 0; y < H; y++) {
+                for (int x = 0; x < W; x++) {
+                    int[] seen = rgb(film.pictures().get(k), x, y);
+                    for (int c = 0; c < 3; c++) {
+                        int error = Math.abs(seen[c] - (drawn[y * W + x] >> 16 - 8 * c & 255));
+                        worst = Math.max(worst, error);
+                        sum += error;
+                        count++;
+                    }
+                }
+            }
+        }
+        // of 255; the quantiser of the encoder leaves them: measured 0.46 and 3 (read as BT.601: 5.9 and 18)
+        assertTrue(sum / count < 1, "mean error " + sum / count);
+        assertTrue(worst < 8, "worst error " + worst);
+    }
+
+    /** Greys stay grey, and the primaries are the numbers of the standard's colour bars. */
+    @Test
+    void coloursAreThoseOfTheStandard() {
+        int[][] known = {{0x000000, 16, 128, 128}, {0xffffff, 235, 128, 128}, {0xff0000, 63, 102, 240},
+            {0x00ff00, 173, 42, 26}, {0x0000ff, 32, 240, 118}, {0x808080, 126, 128, 128}};
+        for (int[] colour : known) {
+            Picture picture = Picture.create(2, 2, org.jcodec.common.model.ColorSpace.YUV420J);
+            FilmColours.convert(new int[] {colour[0], colour[0], -1, colour[0], colour[0], -1}, 3, picture);
+            for (int plane = 0; plane < 3; plane++) {
+                assertEquals(colour[1 + plane], picture.getPlaneData(plane)[0] + 128, Integer.toHexString(colour[0]));
+            }
+        }
+    }
+
+    /** A frame rate that is no whole number adds up no error, and a run may begin with any frame. */
+    @Test
+    void oddSizesAndRatesAreFilmedToo() throws IOException {
+        write(W + 1, H + 1, 29.97, 7, 50);
+        Read film = read();
+        assertEquals(W, film.size().getWidth());
+        assertEquals(H, film.size().getHeight());
+        assertEquals(50, film.pictures().size());
+        assertEquals(50 / 29.97, film.duration(), 1.0 / 15_345);
+        assertEquals(49 / 29.97, film.times().get(49), 1.0 / 15_345);
+    }
+
+    @Test
+    void aSlowFilmIsAsLongAsTheRun() throws IOException {
+        write(W, H, 0.01, 0, 3);
+        assertEquals(300, read().duration(), 1);
+    }
+
+    /** Nothing of a film is seen before it is whole, and nothing is left of one that fails. */
+    @Test
+    void aFilmIsWholeOrNotThere() throws IOException {
+        try (OutputFolder folder = OutputFolder.open(top, Film.FILE)) {
+            Film film = new Film(folder, W, H, 25);
+            film.add(0, frame(W, H, 0));
+            assertFalse(Files.exists(top.resolve(Film.FILE)));
+            film.close();
+            assertTrue(Files.exists(top.resolve(Film.FILE)));
+        }
+        Files.delete(top.resolve(Film.FILE));
+        OutputFile.Opener full = file -> file.getFileName().toString().contains("film") ? new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        } : OutputFile.ON_DISK.open(file);
+        OutputException e = assertThrows(OutputException.class, () -> {
+            try (OutputFolder folder = OutputFolder.open(top, full, Film.FILE);
+                    Film film = new Film(folder, W, H, 25)) {
+                film.add(0, frame(W, H, 0));
+            }
+        });
+        assertTrue(e.getMessage().contains("film.mp4") && e.getMessage().contains("the disk is full"), e.getMessage());
+        assertFalse(e.getMessage().contains("\n"));
+        try (var files = Files.list(top)) {
+            assertTrue(files.noneMatch(file -> file.getFileName().toString().contains("film")));
+        }
+    }
+}

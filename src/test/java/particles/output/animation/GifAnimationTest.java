@@ -1,0 +1,162 @@
+package particles.output.animation;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.FileImageInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.law.Vector3;
+import particles.output.files.OutputFolder;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSetup;
+import particles.output.painters.FrameState;
+import particles.view.Camera;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+
+/** The animation, read back by ImageIO and put together as a viewer does. */
+class GifAnimationTest {
+    private static final int W = 160;
+    private static final int H = 120;
+
+    @TempDir
+    Path top;
+
+    private static FrameRenderer renderer() {
+        Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+        return new FrameRenderer(new FrameSetup(camera, RenderOptions.STANDARD, Scenery.NONE, "", ""), W, H, 2);
+    }
+
+    private static FrameState ball(int k) {
+        FrameState state = new FrameState();
+        state.particles = 1;
+        state.positions = new double[] {0.8 * k - 4, 0, 0};
+        state.fixed = new boolean[1];
+        return state;
+    }
+
+    private void write(double fps, int frames, int width) {
+        FrameRenderer renderer = renderer();
+        try (OutputFolder folder = OutputFolder.open(top);
+                GifAnimation animation = new GifAnimation(folder, renderer, width, fps)) {
+            for (int k = 0; k < frames; k++) {
+                animation.add(k, renderer.render(ball(k)));
+            }
+        }
+    }
+
+    private record Frame(int[] rgb, int width, int delay, IIOMetadataNode metadata) {
+    }
+
+    private List<Frame> read() throws IOException {
+        ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+        List<Frame> frames = new ArrayList<>();
+        try (FileImageInputStream in = new FileImageInputStream(new File(top.toFile(), "animation.gif"))) {
+            reader.setInput(in);
+            BufferedImage screen = null;
+            for (int k = 0; k < reader.getNumImages(true); k++) {
+                BufferedImage part = reader.read(k);
+                IIOMetadataNode root = (IIOMetadataNode) reader.getImageMetadata(k)
+                        .getAsTree("javax_imageio_gif_image_1.0");
+                IIOMetadataNode place = (IIOMetadataNode) root.getElementsByTagName("ImageDescriptor").item(0);
+                if (screen == null) {
+                    screen = new BufferedImage(part.getWidth(), part.getHeight(), BufferedImage.TYPE_INT_RGB);
+                }
+                Graphics2D g = screen.createGraphics();
+                g.drawImage(part, Integer.parseInt(place.getAttribute("imageLeftPosition")),
+                        Integer.parseInt(place.getAttribute("imageTopPosition")), null);
+                g.dispose();
+                IIOMetadataNode control = (IIOMetadataNode) root.getElementsByTagName("GraphicControlExtension")
+                        .item(0);
+                frames.add(new Frame(screen.getRGB(0, 0, screen.getWidth(), screen.getHeight(), null, 0,
+                        screen.getWidth()),
+                        screen.getWidth(), Integer.parseInt(control.getAttribute("delayTime")), root));
+            }
+        }
+        return frames;
+    }
+
+    /** At 30 frames a second delays are 3, 4, 3, 3, 4 ... hundredths: the sum, not each, is right. */
+    @Test
+    void delaysAddUpToTheTime() throws IOException {
+        write(30, 31, W);
+        List<Frame> frames = read();
+        assertEquals(31, frames.size());
+        assertEquals(100, frames.stream().limit(30).mapToInt(Frame::delay).sum());
+        assertTrue(frames.stream().allMatch(f -> f.delay() == 3 || f.delay() == 4));
+        IIOMetadataNode loop =
+                (IIOMetadataNode) frames.get(0).metadata().getElementsByTagName("ApplicationExtension").item(0);
+        assertEquals("NETSCAPE", loop.getAttribute("applicationID"));
+        assertArrayEquals(new byte[] {1, 0, 0}, (byte[]) loop.getUserObject());
+    }
+
+    @Test
+    void framesTooFastForViewersAreLeftOut() throws IOException {
+        write(200, 41, W);
+        List<Frame> frames = read();
+        assertTrue(frames.stream().allMatch(f -> f.delay() >= 2));
+        assertEquals(20, frames.stream().limit(frames.size() - 1).mapToInt(Frame::delay).sum(), 2);
+    }
+
+    /** Each frame, put together from what changed, is the picture that was drawn, to within palette and dither. */
+    @Test
+    void everyFrameIsThePictureThatWasDrawn() throws IOException {
+        write(25, 11, W);
+        List<Frame> frames = read();
+        FrameRenderer renderer = renderer();
+        for (int k = 0; k < 11; k++) {
+            int[] drawn = renderer.render(ball(k));
+            int[] read = frames.get(k).rgb();
+            double sum = 0;
+            int worst = 0;
+            for (int p = 0; p < drawn.length; p++) {
+                for (int shift = 0; shift < 24; shift += 8) {
+                    int off = Math.abs((drawn[p] >> shift & 255) - (read[p] >> shift & 255));
+                    sum += off / 3.0 / drawn.length;
+                    worst = Math.max(worst, off);
+                }
+            }
+            assertTrue(sum < 3, "frame " + k + " is off by " + sum);        // measured 2.05 of 255
+            assertTrue(worst < 60, "frame " + k + " is off by " + worst);   // measured 42
+        }
+    }
+
+    @Test
+    void widePicturesAreShrunkByAWholeNumber() throws IOException {
+        write(25, 2, 100);
+        assertEquals(80, read().get(0).width());
+    }
+
+    @Test
+    void aPaletteOfFewColoursIsThoseColours() {
+        int[] rgb = new int[6400];
+        for (int p = 0; p < rgb.length; p++) {
+            rgb[p] = 0x101010 + p % 64 * 0x030202;
+        }
+        Palette palette = Palette.of(rgb, new int[] {0xff0000}, 255);
+        int[] colours = palette.colours();
+        assertTrue(colours.length <= 65);
+        for (int colour : new int[] {rgb[0], rgb[30], rgb[63], 0xff0000}) {
+            int nearest = Arrays.stream(colours).map(c -> difference(c, colour)).min().orElseThrow();
+            assertTrue(nearest <= 3, Integer.toHexString(colour) + " is off by " + nearest);        // cells are 4 wide
+        }
+    }
+
+    private static int difference(int a, int b) {
+        return Math.max(Math.abs((a >> 16 & 255) - (b >> 16 & 255)),
+                Math.max(Math.abs((a >> 8 & 255) - (b >> 8 & 255)), Math.abs((a & 255) - (b & 255))));
+    }
+}

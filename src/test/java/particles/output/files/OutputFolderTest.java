@@ -1,0 +1,188 @@
+package particles.output.files;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files that come whole or not at all, in a folder where nobody else's file is harmed. */
+class OutputFolderTest {
+    @TempDir
+    Path top;
+
+    private static void put(OutputFile file, String text) {
+        try (file) {
+            byte[] bytes = text.getBytes();
+            file.write(bytes, 0, bytes.length);
+            file.commit();
+        }
+    }
+
+    private static TreeSet<String> filesOf(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(f -> !f.equals(folder)).map(f -> folder.relativize(f).toString().replace('\\', '/'))
+                    .collect(Collectors.toCollection(TreeSet::new));
+        }
+    }
+
+    @Test
+    void aNewRunRemovesWhatTheOldOneMadeAndNothingElse() throws IOException {
+        Path out = top.resolve("a b/größe");
+        try (OutputFolder folder = OutputFolder.open(out, OutputFolder.FRAMES)) {
+            put(folder.create("energy.png"), "old");
+            for (int i = 0; i < 12; i++) {
+                put(folder.createFrame(i), "old");
+            }
+        }
+        assertTrue(Files.exists(out.resolve("frames/frame-00011.png")));
+        Files.writeString(out.resolve("notes.txt"), "mine");
+        Files.writeString(out.resolve("frames/best-frame.png"), "mine");
+        Files.writeString(out.resolve("frames/.frame-00012.png.part"), "left by a killed run");
+        Files.writeString(out.resolve(".energy.png.part"), "left by a killed run");
+        try (OutputFolder folder = OutputFolder.open(out, OutputFolder.FRAMES)) {
+            put(folder.createFrame(0), "new");
+        }
+        assertEquals(new TreeSet<>(List.of(".desolver-made", "notes.txt", "frames", "frames/best-frame.png",
+                "frames/frame-00000.png")), filesOf(out));
+        assertEquals("new", Files.readString(out.resolve("frames/frame-00000.png")));
+    }
+
+    @Test
+    void anEmptyFramesFolderGoesWithItsFrames() throws IOException {
+        try (OutputFolder folder = OutputFolder.open(top)) {
+            put(folder.createFrame(0), "old");
+        }
+        OutputFolder.open(top).close();
+        assertFalse(Files.exists(top.resolve("frames")));
+    }
+
+    @Test
+    void aFileThatNoRunMadeIsRefusedBeforeTheRun() throws IOException {
+        Files.writeString(top.resolve("energy.png"), "mine");
+        OutputException e = assertThrows(OutputException.class, () -> OutputFolder.open(top, "energy.png"));
+        assertEquals("cannot write " + top.resolve("energy.png")
+                + ": it is there and no run made it; move it away or choose another folder", e.getMessage());
+        OutputFolder folder = OutputFolder.open(top);
+        assertThrows(OutputException.class, () -> folder.create("energy.png"));
+        assertEquals("mine", Files.readString(top.resolve("energy.png")));
+        Files.createDirectory(top.resolve("frames"));
+        assertThrows(OutputException.class, () -> folder.createFrame(0));
+    }
+
+    @Test
+    void aLinkThatTookTheNameOfAFileIsNotFollowed() throws IOException {
+        try (OutputFolder folder = OutputFolder.open(top.resolve("out"))) {
+            put(folder.createFrame(0), "old");
+            put(folder.create("run.json"), "old");
+        }
+        Path elsewhere = Files.createDirectory(top.resolve("elsewhere"));
+        Files.writeString(elsewhere.resolve("frame-00000.png"), "mine");
+        Files.delete(top.resolve("out/frames/frame-00000.png"));
+        Files.delete(top.resolve("out/frames"));
+        Files.createSymbolicLink(top.resolve("out/frames"), elsewhere);
+        Files.delete(top.resolve("out/run.json"));
+        Files.createSymbolicLink(top.resolve("out/run.json"), elsewhere.resolve("frame-00000.png"));
+        assertThrows(OutputException.class, () -> OutputFolder.open(top.resolve("out"), OutputFolder.FRAMES));
+        assertThrows(OutputException.class, () -> OutputFolder.open(top.resolve("out"), "run.json"));
+        assertEquals("mine", Files.readString(elsewhere.resolve("frame-00000.png")));
+    }
+
+    @Test
+    void aFileIsThereAsAWholeOrNotAtAll() throws IOException {
+        OutputFolder folder = OutputFolder.open(top);
+        put(folder.create("run.json"), "first");
+        OutputFile second = folder.create("run.json");
+        second.write("seco".getBytes());
+        assertEquals("first", Files.readString(top.resolve("run.json")));
+        second.close();
+        assertEquals("first", Files.readString(top.resolve("run.json")));
+        OutputFile third = folder.create("run.json");
+        third.write("third".getBytes());
+        folder.close();                                             // as a program does that is being stopped
+        assertThrows(OutputException.class, third::commit);
+        assertThrows(OutputException.class, () -> folder.create("late.txt"));
+        assertEquals(new TreeSet<>(List.of(".desolver-made", "run.json")), filesOf(top));
+    }
+
+    @Test
+    void aFullDiskLeavesNothingAndSaysSo() throws IOException {
+        int[] room = {1000};
+        OutputFile.Opener disk = path -> new OutputStream() {
+            private final OutputStream stream = OutputFile.ON_DISK.open(path);
+
+            @Override
+            public void write(int b) throws IOException {
+                if (room[0]-- <= 0) {
+                    throw new IOException("No space left on device");
+                }
+                stream.write(b);
+            }
+
+            @Override
+            public void close() throws IOException {
+                stream.close();
+            }
+        };
+        OutputFolder folder = OutputFolder.open(top, disk);
+        put(folder.create("small.txt"), "fits");
+        OutputFile big = folder.create("big.txt");
+        OutputException e = assertThrows(OutputException.class, () -> {
+            big.write(new byte[2000]);
+            big.commit();
+        });
+        assertEquals("cannot write " + top.resolve("big.txt") + ": the disk is full", e.getMessage());
+        assertEquals(new TreeSet<>(List.of(".desolver-made", "small.txt")), filesOf(top));
+    }
+
+    @Test
+    void aFolderThatCannotBeOrVanishesIsOneClearLine() throws IOException {
+        Path file = Files.writeString(top.resolve("file"), "mine");
+        OutputException e = assertThrows(OutputException.class, () -> OutputFolder.open(file));
+        assertEquals("cannot create the folder " + file + ": a file is where a folder should be", e.getMessage());
+        assertThrows(OutputException.class, () -> OutputFolder.open(file.resolve("below")));
+        Path out = top.resolve("out");
+        OutputFolder folder = OutputFolder.open(out, "run.json", OutputFolder.FRAMES);
+        OutputFile frame = folder.createFrame(0);
+        Files.delete(out.resolve("frames/.frame-00000.png.part"));
+        Files.delete(out.resolve("frames"));
+        Files.delete(out.resolve(".desolver-made"));
+        Files.delete(out);
+        e = assertThrows(OutputException.class, frame::commit);
+        assertEquals("cannot write " + out.resolve("frames/frame-00000.png") + ": its folder is not there",
+                e.getMessage());
+        assertThrows(OutputException.class, () -> folder.create("run.json"));
+        assertFalse(Files.exists(out));
+    }
+
+    @Test
+    void namesStayInTheFolder() {
+        OutputFolder folder = OutputFolder.open(top.resolve("out"));
+        for (String name : List.of("../x", "a/b", "", ".hidden", "/tmp/x", "..")) {
+            assertThrows(IllegalArgumentException.class, () -> folder.create(name), name);
+        }
+    }
+
+    @Test
+    void frameNumbersHaveTheSameDigitsEverywhere() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
+            put(OutputFolder.open(top).createFrame(7), "x");
+        } finally {
+            Locale.setDefault(before);
+        }
+        assertTrue(Files.exists(top.resolve("frames/frame-00007.png")));
+    }
+}

@@ -1,0 +1,45 @@
+package particles.output.files;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.Random;
+import java.util.function.IntBinaryOperator;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+
+/** What the encoder writes, read by another's decoder. */
+class PngEncoderTest {
+
+    private static void assertReadsBack(PngEncoder encoder, int width, int height, IntBinaryOperator colour)
+            throws IOException {
+        int[] rgb = new int[width * height];
+        for (int p = 0; p < rgb.length; p++) {
+            rgb[p] = colour.applyAsInt(p % width, p / width) & 0xffffff;
+        }
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        encoder.write(rgb, out);
+        BufferedImage read = ImageIO.read(new ByteArrayInputStream(out.toByteArray()));
+        assertEquals(width, read.getWidth());
+        assertEquals(height, read.getHeight());
+        for (int p = 0; p < rgb.length; p++) {
+            assertEquals(rgb[p], read.getRGB(p % width, p / width) & 0xffffff, "pixel " + p);
+        }
+    }
+
+    /** Noise needs more room than the buffer has at first; the smooth pictures after it take both kinds of filter. */
+    @Test
+    void everyPixelReadsBack() throws IOException {
+        PngEncoder encoder = new PngEncoder(317, 211);
+        Random random = new Random(715);
+        assertReadsBack(encoder, 317, 211, (x, y) -> random.nextInt());
+        assertReadsBack(encoder, 317, 211, (x, y) -> x << 16 | y << 8 | 255 - y);
+        assertReadsBack(encoder, 317, 211, (x, y) -> y * 0x010203);
+        assertReadsBack(encoder, 317, 211, (x, y) -> x / 7 * 0x030201);
+        encoder.close();
+        assertReadsBack(new PngEncoder(1, 1), 1, 1, (x, y) -> 0x123456);
+    }
+}

@@ -1,0 +1,186 @@
+package particles.output.files;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import deSolvers.RK4Solver;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.Simulation;
+import particles.SimulationException;
+import particles.law.Vector3;
+import particles.output.TestEffects;
+
+/** The trajectory file against what the solver's states were. */
+class TrajectoryWriterTest {
+    private static final String HEADER = "time,particle,x,y,z,vx,vy,vz";
+
+    @TempDir
+    Path top;
+
+    /** Two particles, one thrown sideways, under gravity; one bounces by hand at the end of the third step. */
+    private static Simulation thrown(double duration, boolean jump) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("a", 1, new Vector3(0, 1, 0), new Vector3(0.3, 0, -0.0), false);
+        system.addParticle("b, \"the\" second", 2, new Vector3(1.0 / 3, 2, 0), Vector3.ZERO, false);
+        system.addEffect(TestEffects.gravity(system, 9.81));
+        Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, duration, Double.POSITIVE_INFINITY);
+        if (jump) {
+            simulation.addRule(new Rule() {
+                private int steps;
+
+                @Override
+                public String getName() {
+                    return "jump";
+                }
+
+                @Override
+                public boolean afterStep(ParticleSystem system, double deltaT) {
+                    if (++steps != 3) {
+                        return false;
+                    }
+                    system.getOwnState()[4] = 5;
+                    return true;
+                }
+            });
+        }
+        return simulation;
+    }
+
+    private List<String> linesOf(Simulation simulation, long stride, String folder) throws IOException {
+        try (OutputFolder out = OutputFolder.open(top.resolve(folder));
+                TrajectoryWriter writer = new TrajectoryWriter(out, stride)) {
+            simulation.addObserver(writer);
+            simulation.run();
+        }
+        return Files.readAllLines(top.resolve(folder).resolve("trajectory.csv"));
+    }
+
+    @Test
+    void holdsTheSolversOwnStatesBitForBit() throws IOException {
+        List<double[]> states = new ArrayList<>();
+        List<Double> times = new ArrayList<>();
+        Simulation simulation = thrown(0.55, false);
+        simulation.addObserver(new Observer() {
+            @Override
+            public void started(ParticleSystem system) {
+                keep(system);
+            }
+
+            @Override
+            public void moved(Motion motion) {
+                keep(motion.getSystem());
+            }
+
+            private void keep(ParticleSystem system) {
+                double[] state = new double[system.getStateSize()];
+                system.getState(state);
+                states.add(state);
+                times.add(system.getTime());
+            }
+        });
+        List<String> lines = linesOf(simulation, 1, "out");
+        assertEquals(HEADER, lines.get(0));
+        assertEquals(7, states.size());                         // five whole steps and a half one
+        assertEquals(1 + 2 * states.size(), lines.size());
+        for (int k = 0; k < states.size(); k++) {
+            for (int i = 0; i < 2; i++) {
+                String line = lines.get(1 + 2 * k + i);
+                String id = i == 0 ? "a" : "\"b, \"\"the\"\" second\"";
+                String start = times.get(k) + "," + id + ",";
+                assertEquals(start, line.substring(0, start.length()));
+                String[] fields = line.substring(start.length()).split(",");
+                double[] read = new double[6];
+                double[] expected = new double[6];
+                for (int c = 0; c < 6; c++) {
+                    read[c] = Double.parseDouble(fields[c]);
+                    expected[c] = states.get(k)[6 * i + c];
+                }
+                assertArrayEquals(expected, read, line);
+            }
+        }
+        assertEquals("0.0,a,0.0,1.0,0.0,0.3,0.0,-0.0", lines.get(1));
+    }
+
+    @Test
+    void everySecondStateAndTheLast() throws IOException {
+        List<String> all = linesOf(thrown(0.55, false), 1, "all");
+        List<String> second = linesOf(thrown(0.55, false), 2, "second");
+        List<String> expected = new ArrayList<>(List.of(HEADER));
+        for (int k : new int[] {0, 2, 4, 6}) {
+            expected.addAll(all.subList(1 + 2 * k, 3 + 2 * k));
+        }
+        assertEquals(expected, second);
+        List<String> third = linesOf(thrown(0.45, false), 3, "third");
+        assertEquals("0.45", third.get(third.size() - 1).split(",")[0]);
+        assertEquals(1 + 2 * 3, third.size());                  // t = 0, 0.3 and 0.45
+    }
+
+    @Test
+    void aStateIsWrittenAsRulesLeftIt() throws IOException {
+        List<String> lines = linesOf(thrown(0.5, true), 1, "out");
+        String[] fields = lines.get(1 + 2 * 3).split(",");
+        assertEquals("5.0", fields[6]);
+    }
+
+    /** Byte for byte the same, whatever else looks on. */
+    @Test
+    void otherObserversChangeNoByte() throws IOException {
+        linesOf(thrown(0.55, true), 1, "alone");
+        Simulation watched = thrown(0.55, true);
+        watched.addObserver(new Observer() {
+            private double next;
+
+            @Override
+            public double getNextTime() {
+                return next;
+            }
+
+            @Override
+            public void moved(Motion motion) {
+                for (; next <= motion.getEndTime(); next += 1 / 30.0) {
+                    motion.interpolate(next, new double[motion.getEndState().length]);
+                }
+            }
+        });
+        linesOf(watched, 1, "watched");
+        assertArrayEquals(Files.readAllBytes(top.resolve("alone/trajectory.csv")),
+                Files.readAllBytes(top.resolve("watched/trajectory.csv")));
+    }
+
+    @Test
+    void aRunThatEndsEarlyKeepsWhatItReached() throws IOException {
+        Simulation simulation = thrown(1, false);
+        simulation.getSystem().addEffect(TestEffects.failingAt(0.35));
+        assertThrows(SimulationException.class, () -> linesOf(simulation, 1, "out"));
+        List<String> lines = Files.readAllLines(top.resolve("out/trajectory.csv"));
+        assertEquals(1 + 2 * 4, lines.size());
+        assertEquals(linesOf(thrown(1, false), 1, "whole").subList(0, lines.size()), lines);
+    }
+
+    @Test
+    void aRunWithoutAStepHasOneState() throws IOException {
+        assertEquals(3, linesOf(thrown(0, false), 1, "out").size());
+    }
+
+    @Test
+    void strideKeepsTheLinesBelowTheLimit() {
+        assertEquals(1, TrajectoryWriter.strideFor(100, 10, 1000));
+        assertEquals(2, TrajectoryWriter.strideFor(101, 10, 1000));
+        assertEquals(1000, TrajectoryWriter.strideFor(1e6, 1, 1000));
+        assertEquals(1, TrajectoryWriter.strideFor(0, 0, 1000));
+        assertThrows(IllegalArgumentException.class, () -> new TrajectoryWriter(OutputFolder.open(top), 0));
+        assertFalse(Files.exists(top.resolve("trajectory.csv")));
+    }
+}

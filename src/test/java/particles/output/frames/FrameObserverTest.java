@@ -1,0 +1,183 @@
+package particles.output.frames;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.RK4Solver;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.ParticleSystem;
+import particles.Simulation;
+import particles.SimulationException;
+import particles.law.Vector3;
+import particles.output.TestEffects;
+import particles.output.animation.GifAnimation;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+import particles.view.Camera;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+
+/** Frames at regular times, drawn by another thread. */
+class FrameObserverTest {
+    private static final int W = 64;
+    private static final int H = 400;
+
+    @TempDir
+    Path top;
+
+    /** Notes each frame's number and the height of the ball in it, in pixels from the top. */
+    private static final class Notes implements FrameSink {
+        private final List<Integer> frames = new ArrayList<>();
+        private final List<Double> heights = new ArrayList<>();
+        private int closed;
+        private OutputException failure;
+
+        @Override
+        public void add(int index, int[] rgb) {
+            if (failure != null && index == 3) {
+                throw failure;
+            }
+            frames.add(index);
+            double sum = 0;
+            int count = 0;
+            for (int p = 0; p < rgb.length; p++) {
+                if ((rgb[p] >> 8 & 255) > 60 + (rgb[p] & 255)) {
+                    sum += p / W + 0.5;
+                    count++;
+                }
+            }
+            heights.add(sum / count);
+        }
+
+        @Override
+        public void close() {
+            closed++;
+        }
+    }
+
+    private static FrameRenderer renderer() {
+        Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3, 0.1,
+                0x00ff00, 0, 0, 0, ParticleStyle.STANDARD);
+        return new FrameRenderer(new FrameSetup(camera, look, Scenery.NONE, "", ""), W, H, 2);
+    }
+
+    /** Thrown up from y = -4 m with 8 m/s under 8 m/s^2: y = -4 + 8 t - 4 t^2, which Hermite's cubic gives exactly. */
+    private static Simulation thrown(double deltaT, double duration) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("ball", 1, new Vector3(0, -4, 0), new Vector3(0, 8, 0), false);
+        system.addEffect(TestEffects.gravity(system, 8));
+        return new Simulation(system, new RK4Solver(), deltaT, duration, Double.POSITIVE_INFINITY);
+    }
+
+    private static Notes watch(Simulation simulation, double fps) {
+        Notes notes = new Notes();
+        try (FrameObserver frames = new FrameObserver(renderer(), fps, List.of(notes))) {
+            simulation.addObserver(frames);
+            simulation.run();
+        }
+        return notes;
+    }
+
+    @Test
+    void framesStandAtTheirTimesWhateverTheSteps() {
+        for (double deltaT : new double[] {0.001, 0.03, 0.7}) {
+            Notes notes = watch(thrown(deltaT, 2), 25);
+            assertEquals(IntStream.rangeClosed(0, 50).boxed().toList(), notes.frames, "deltaT " + deltaT);
+            for (int k = 0; k <= 50; k++) {
+                double t = k / 25.0;
+                double y = -4 + 8 * t - 4 * t * t;
+                // pixels, 40 a metre: measured 0.39, since the ball is darker below
+                assertEquals(H / 2.0 - 40 * y, notes.heights.get(k), 0.7, "t = " + t);
+            }
+            assertEquals(1, notes.closed);
+        }
+    }
+
+    @Test
+    void theLastTimeHasAFrameWhenItIsOnTheGrid() {
+        assertEquals(8, watch(thrown(0.01, 0.7), 10).frames.size());         // 0.1 is no binary number
+        assertEquals(8, watch(thrown(0.01, 0.75), 10).frames.size());
+        assertEquals(1, watch(thrown(0.01, 0), 10).frames.size());
+    }
+
+    /** The clock ends a rounding error early; a frame that is really still to come is not drawn. */
+    @Test
+    void theLastFrameIsDrawnDespiteRounding() {
+        for (double end : new double[] {Math.nextDown(1.0), 0.999}) {
+            Notes notes = new Notes();
+            ParticleSystem system = thrown(0.1, 1).getSystem();
+            try (FrameObserver frames = new FrameObserver(renderer(), 1, List.of(notes))) {
+                frames.started(system);
+                system.incTime(end);
+                frames.finished(system);
+            }
+            assertEquals(end == 0.999 ? List.of(0) : List.of(0, 1), notes.frames);
+        }
+    }
+
+    @Test
+    void framesChangeNoStateAndCostNoEvaluation() {
+        Simulation alone = thrown(0.03, 1);
+        alone.run();
+        Simulation watched = thrown(0.03, 1);
+        watch(watched, 60);
+        assertArrayEquals(alone.getSystem().getOwnState(), watched.getSystem().getOwnState());
+        assertEquals(alone.getSystem().getEvaluations(), watched.getSystem().getEvaluations());
+    }
+
+    @Test
+    void whatFailsOnTheThreadReachesTheCallerOnce() {
+        Notes notes = new Notes();
+        notes.failure = new OutputException(top.resolve("frame"), "write", "the disk is full", null);
+        OutputException thrown = assertThrows(OutputException.class, () -> {
+            try (FrameObserver frames = new FrameObserver(renderer(), 25, List.of(notes))) {
+                Simulation simulation = thrown(0.01, 1);
+                simulation.addObserver(frames);
+                simulation.run();
+            }
+        });
+        assertSame(notes.failure, thrown);
+        assertEquals(List.of(0, 1, 2), notes.frames);
+        assertEquals(1, notes.closed);
+    }
+
+    @Test
+    void aRunThatEndsEarlyKeepsItsFrames() throws IOException {
+        Simulation simulation = thrown(0.01, 1);
+        simulation.getSystem().addEffect(TestEffects.failingAt(0.35));
+        FrameRenderer renderer = renderer();
+        assertThrows(SimulationException.class, () -> {
+            try (OutputFolder folder = OutputFolder.open(top, OutputFolder.FRAMES);
+                    FrameObserver frames = new FrameObserver(renderer, 10,
+                            List.of(new PngFrames(folder, W, H), new GifAnimation(folder, renderer, 32, 10)))) {
+                simulation.addObserver(frames);
+                simulation.run();
+            }
+        });
+        try (Stream<Path> files = Files.list(top.resolve("frames"))) {
+            assertEquals(List.of("frame-00000.png", "frame-00001.png", "frame-00002.png", "frame-00003.png"),
+                    files.map(f -> f.getFileName().toString()).sorted().toList());
+        }
+        assertTrue(Files.size(top.resolve("animation.gif")) > 0);
+    }
+
+    @Test
+    void framesASecondArePositive() {
+        for (double fps : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+            assertThrows(IllegalArgumentException.class, () -> new FrameObserver(renderer(), fps, List.of()));
+        }
+    }
+}

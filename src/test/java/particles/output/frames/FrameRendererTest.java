@@ -1,0 +1,209 @@
+package particles.output.frames;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.output.painters.FrameState;
+import particles.output.painters.IntactTriangles;
+import particles.output.painters.VisibilityFilter;
+import particles.view.Camera;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+import particles.view.Surface;
+
+/** Pictures by what can be computed of them: where things are, what hides what, where shadows fall. */
+class FrameRendererTest {
+    private static final int W = 320;
+    private static final int H = 200;
+    /** 20 pixels a metre, the origin in the middle. */
+    private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0,
+            10);
+    private static final RenderOptions LOOK = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS,
+            0.5, 0.1, 0x00ff00, 0x000000,
+            0xff0000, 0x0000ff, ParticleStyle.STANDARD);
+
+    private static FrameState state(double... positions) {
+        FrameState state = new FrameState();
+        state.positions = positions;
+        state.particles = positions.length / 3;
+        state.fixed = new boolean[state.particles];
+        return state;
+    }
+
+    private static FrameRenderer renderer(Camera camera, RenderOptions look,
+            List<Surface> surfaces, List<Plane> planes) {
+        return new FrameRenderer(new FrameSetup(camera, look, new Scenery(surfaces, planes, List.of(), List.of()), "",
+                ""), W, H, 2);
+    }
+
+    private static boolean isGreen(int rgb) {
+        return (rgb >> 8 & 255) > 60 + (rgb >> 16 & 255) && (rgb >> 8 & 255) > 60 + (rgb & 255);
+    }
+
+    /** A ball of radius 0.5 m at (2, 1) m: its pixels are a disc of 10 pixels around (200, 80). */
+    @Test
+    void aBallIsWhereItIsAndAsLargeAsItIs() {
+        int[] rgb = renderer(FRONT, LOOK, List.of(), List.of()).render(state(2, 1, 0));
+        int count = 0;
+        double x = 0;
+        double y = 0;
+        for (int p = 0; p < rgb.length; p++) {
+            if (isGreen(rgb[p])) {
+                count++;
+                x += p % W + 0.5;
+                y += p / W + 0.5;
+            }
+        }
+        assertEquals(200, x / count, 0.2);
+        assertEquals(80, y / count, 0.2);
+        assertEquals(Math.PI * 100, count, 25);         // the highlight is white and edges are mixed: measured 320
+    }
+
+    @Test
+    void theNearerHidesTheFarther() {
+        FrameState state = state(0, 0, 1, 0, 0, 0);
+        state.fixed[1] = true;
+        int[] rgb = renderer(FRONT, LOOK, List.of(), List.of()).render(state);
+        assertTrue(isGreen(rgb[H / 2 * W + W / 2]));
+        state.positions[2] = -1;
+        rgb = renderer(FRONT, LOOK, List.of(), List.of()).render(state);
+        assertTrue((rgb[H / 2 * W + W / 2] & 0xff) < 90, "the fixed particle is black");
+    }
+
+    @Test
+    void aSurfaceHasTwoSides() {
+        Surface surface = new Surface(new int[] {0, 1, 2}, false);
+        FrameRenderer renderer = renderer(FRONT, LOOK, List.of(surface), List.of());
+        int front = renderer.render(state(-4, -4, 0, 4, -4, 0, 0, 4, 0))[H / 2 * W + W / 2];
+        int back = renderer.render(state(4, -4, 0, -4, -4, 0, 0, 4, 0))[H / 2 * W + W / 2];
+        assertTrue((front >> 16) > 150 && (front & 255) < 60, Integer.toHexString(front));
+        assertTrue((back >> 16) < 60 && (back & 255) > 150, Integer.toHexString(back));
+    }
+
+    @Test
+    void springsShowTheirStrain() {
+        FrameState state = state(-3, 0, 0, 3, 0, 0);
+        state.springs = 1;
+        state.rigid = new boolean[1];
+        state.from = new int[] {0};
+        state.to = new int[] {1};
+        RenderOptions springsOnly = new RenderOptions(RenderOptions.Shown.NEVER, RenderOptions.Shown.ALWAYS, 0.5, 0.1,
+                0, 0, 0, 0, ParticleStyle.STANDARD);
+        double[][] middle = new double[2][];
+        for (int k = 0; k < 2; k++) {
+            state.restLength = new double[] {k == 0 ? 7 : 5};
+            int[] rgb = renderer(FRONT, springsOnly, List.of(), List.of()).render(state);
+            int[] background = renderer(FRONT, springsOnly, List.of(), List.of()).render(state());
+            double red = 0;
+            double blue = 0;
+            for (int p = 0; p < H * W * 7 / 10; p++) {             // above the words and the scale
+                if (rgb[p] != background[p]) {
+                    red += rgb[p] >> 16 & 255;
+                    blue += rgb[p] & 255;
+                }
+            }
+            middle[k] = new double[] {red, blue};
+        }
+        assertTrue(middle[0][1] > 1.5 * middle[0][0], "compressed is blue");
+        assertTrue(middle[1][0] > 1.5 * middle[1][1], "stretched is red");
+    }
+
+    /**
+     * A ball at rest lies on the ground that is drawn; one below is hidden; where the lamp does not shine is shadow.
+     */
+    @Test
+    void theGroundHidesAndCarriesShadows() {
+        Camera above = new Camera(new Vector3(0, 20, 20), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+        List<Plane> ground = List.of(Plane.ground(0));
+        int[] empty = renderer(above, LOOK, List.of(), ground).render(state(0, -50, 0)).clone();
+        int[] hovering = renderer(above, LOOK, List.of(), ground).render(state(0, 1, 0));
+        int darker = 0;
+        int green = 0;
+        for (int p = 0; p < hovering.length; p++) {
+            assertTrue(!isGreen(empty[p]), "a ball under the ground is seen");
+            green += isGreen(hovering[p]) ? 1 : 0;
+            darker += !isGreen(hovering[p]) && (hovering[p] >> 16 & 255) < 0.8 * (empty[p] >> 16 & 255) ? 1 : 0;
+        }
+        assertTrue(green > 250, green + " pixels of the ball");
+        assertTrue(darker > 60 && darker < 400, darker + " pixels of shadow");      // measured 220
+        int[] resting = renderer(above, LOOK, List.of(), ground).render(state(0, 0, 0));
+        int whole = 0;
+        for (int rgb : resting) {
+            whole += isGreen(rgb) ? 1 : 0;
+        }
+        assertEquals(green, whole, 25, "the ground cuts into a ball that rests on it");
+    }
+
+    /** A closed surface hides the springs inside, and those that begin on it; an open one those that it contains. */
+    @Test
+    void surfacesStandForWhatTheyContain() {
+        RenderOptions beside = RenderOptions.STANDARD;
+        VisibilityFilter open = new VisibilityFilter(beside, List.of(new Surface(new int[] {0, 1, 2}, false)));
+        assertTrue(!open.particle(0) && open.particle(3));
+        assertTrue(!open.spring(0, 1) && open.spring(0, 3) && open.spring(3, 4));
+        VisibilityFilter closed = new VisibilityFilter(beside,
+                List.of(new Surface(new int[] {0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2}, false)));
+        assertTrue(!closed.particle(3) && closed.particle(4));
+        assertTrue(!closed.spring(0, 4) && closed.spring(4, 5));
+        VisibilityFilter all = new VisibilityFilter(LOOK, List.of(new Surface(new int[] {0, 1, 2}, false)));
+        assertTrue(all.particle(0) && all.spring(0, 1));
+    }
+
+    /** A run that blows up is drawn as long as it lasts. */
+    @Test
+    void anyNumbersCanBeDrawn() {
+        double huge = 1e200;
+        FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
+        state.springs = 4;
+        state.rigid = new boolean[4];
+        state.from = new int[] {0, 1, 2, 3};
+        state.to = new int[] {1, 2, 3, 4};
+        state.restLength = new double[] {1, 0, 1, 1};
+        Surface surface = new Surface(new int[] {0, 1, 2, 2, 3, 4, 7, 8, 9}, false);
+        for (boolean perspective : new boolean[] {true, false}) {
+            Camera camera = new Camera(new Vector3(0, 3, 9), Vector3.ZERO, new Vector3(0, 1, 0), perspective, 40, 9);
+            int[] rgb = renderer(camera, LOOK, List.of(surface), List.of(Plane.ground(0))).render(state);
+            assertTrue(isGreen(rgb[H / 2 * W + W / 2]), "the one at the origin");
+        }
+    }
+
+    /**
+     * A square of two triangles that share a diagonal: with its springs gone one by one it is drawn
+     * until one has fewer than two.
+     */
+    @Test
+    void aTornTriangleIsNotDrawn() {
+        Surface cloth = new Surface(new int[] {0, 1, 2, 0, 2, 3}, true);
+        FrameState state = state(-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0);
+        state.from = new int[] {1, 0, 2, 3};
+        state.to = new int[] {0, 3, 1, 2};
+        state.springs = 4;
+        IntactTriangles whole = new IntactTriangles(cloth);
+        assertArrayEquals(new boolean[] {true, true}, whole.in(state));
+        state.springs = 3;                              // 2-3 is torn: only 3-0 holds the upper triangle
+        state.structure++;
+        assertArrayEquals(new boolean[] {true, false}, whole.in(state));
+        state.springs = 2;
+        state.structure++;
+        assertArrayEquals(new boolean[] {false, false}, whole.in(state));
+        assertArrayEquals(new boolean[] {true, true},
+                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
+        state.particles = 3;
+        assertArrayEquals(new boolean[] {true, false},
+                new IntactTriangles(new Surface(cloth.triangles(), false)).in(state));
+    }
+
+    @Test
+    void sizesHaveBounds() {
+        FrameSetup stage = new FrameSetup(FRONT, LOOK, Scenery.NONE, "", "");
+        assertThrows(IllegalArgumentException.class, () -> new FrameRenderer(stage, 0, 100, 2));
+        assertThrows(IllegalArgumentException.class, () -> new FrameRenderer(stage, 100_000, 100_000, 2));
+    }
+}

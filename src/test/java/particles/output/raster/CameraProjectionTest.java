@@ -1,0 +1,128 @@
+package particles.output.raster;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import particles.ParticleSystem;
+import particles.law.Plane;
+import particles.law.Vector3;
+import particles.view.Camera;
+
+/** Where points of space come to lie in the picture. */
+class CameraProjectionTest {
+    private static final Vector3 UP = new Vector3(0, 1, 0);
+
+    private static double[] project(CameraProjection view, Vector3 p) {
+        double depth = view.depth(p.x(), p.y(), p.z());
+        double scale = view.scale(depth);
+        return new double[] {view.x(p.x(), p.y(), p.z(), scale), view.y(p.x(), p.y(), p.z(), scale), depth};
+    }
+
+    private static Camera camera(boolean perspective) {
+        return new Camera(new Vector3(0, 0, 4), Vector3.ZERO, UP, perspective, 90, 8);
+    }
+
+    /**
+     * At distance 4 under 90 degrees the picture is 8 m high, as the orthographic one is everywhere: 100 pixels a
+     * metre.
+     */
+    @Test
+    void metresBecomePixels() {
+        for (boolean perspective : new boolean[] {true, false}) {
+            CameraProjection view = new CameraProjection(camera(perspective), 1200, 800);
+            assertEquals(8, view.viewHeight, 1e-12);
+            double[] middle = project(view, Vector3.ZERO);
+            assertEquals(600, middle[0], 1e-9);
+            assertEquals(400, middle[1], 1e-9);
+            assertEquals(4, middle[2], 1e-12);
+            double[] rightAndUp = project(view, new Vector3(1, 2, 0));
+            assertEquals(700, rightAndUp[0], 1e-9);
+            assertEquals(200, rightAndUp[1], 1e-9);
+            double[] nearer = project(view, new Vector3(1, 0, 2));
+            assertEquals(perspective ? 800 : 700, nearer[0], 1e-9);
+        }
+    }
+
+    @Test
+    void theLineOfSightThroughAPointsPlaceMeetsThePoint() {
+        Random random = new Random(715);
+        for (int k = 0; k < 200; k++) {
+            Camera camera = new Camera(random(random).times(9), random(random), UP, k % 2 == 0, 50, 3);
+            CameraProjection view = new CameraProjection(camera, 640, 480);
+            Vector3 point = random(random);
+            double[] place = project(view, point);
+            Vector3 met = view.rayStart(place[0], place[1]).plus(view.rayDirection(place[0], place[1]).times(place[2]));
+            assertEquals(0, met.minus(point).length(), 2e-14, camera + " " + point);
+        }
+    }
+
+    private static Vector3 random(Random random) {
+        return new Vector3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+    }
+
+    @Test
+    void whatIsBehindTheCameraIsNotInFront() {
+        CameraProjection view = new CameraProjection(camera(true), 100, 100);
+        assertTrue(view.isInFront(view.depth(0, 0, 0)));
+        assertFalse(view.isInFront(view.depth(0, 0, 4)));
+        assertFalse(view.isInFront(view.depth(0, 0, 5)));
+        assertTrue(view.nearness(1) > view.nearness(2));
+        CameraProjection flat = new CameraProjection(camera(false), 100, 100);
+        assertTrue(flat.nearness(1) > flat.nearness(2));
+    }
+
+    @Test
+    void aCameraThatCannotBeIsRefused() {
+        Vector3 back = new Vector3(0, 0, 1);
+        for (Camera camera : List.of(new Camera(UP, UP, UP, true, 50, 0), new Camera(UP, Vector3.ZERO, UP, true, 50, 0),
+                new Camera(back, Vector3.ZERO, UP, true, 180, 0), new Camera(back, Vector3.ZERO, UP, false, 50, 0))) {
+            assertThrows(IllegalArgumentException.class, () -> new CameraProjection(camera, 9, 9), camera.toString());
+        }
+    }
+
+    /** Every corner is in the picture, and one of them is near its edge: not farther away than need be. */
+    @Test
+    void framingShowsAllAndNotMuchMore() {
+        Random random = new Random(715);
+        for (int k = 0; k < 100; k++) {
+            Vector3 low = random(random).times(20);
+            Vector3 size = new Vector3(random.nextDouble() + 0.01, 3 * random.nextDouble() + 0.01, random.nextDouble());
+            double aspect = k % 3 == 0 ? 0.6 : 16 / 9.0;
+            CameraProjection view = new CameraProjection(CameraFraming.around(low, low.plus(size), aspect),
+                    (int) (aspect * 900), 900);
+            double farthest = 0;
+            for (int c = 0; c < 8; c++) {
+                double[] place = project(view, new Vector3(low.x() + (c & 1) * size.x(),
+                        low.y() + (c >> 1 & 1) * size.y(),
+                        low.z() + (c >> 2) * size.z()));
+                farthest = Math.max(farthest, Math.abs(2 * place[0] / view.width - 1));
+                farthest = Math.max(farthest, Math.abs(2 * place[1] / view.height - 1));
+            }
+            assertEquals(0.74, farthest, 0.001, low + " " + size);
+        }
+    }
+
+    @Test
+    void framingKnowsWhatPointsMayDo() {
+        ParticleSystem pendulum = new ParticleSystem();
+        pendulum.addParticle("peg", 1, Vector3.ZERO, Vector3.ZERO, true);
+        pendulum.addParticle("bob", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
+        CameraProjection view = new CameraProjection(CameraFraming.around(pendulum, List.of(), 1.5), 900, 600);
+        for (Vector3 place : List.of(new Vector3(-1, 0, 0), new Vector3(0, -1, 0), new Vector3(1, 0, 0))) {
+            double[] p = project(view, place);
+            assertTrue(p[0] > 0 && p[0] < 900 && p[1] > 0 && p[1] < 600, place + " is outside");
+        }
+        ParticleSystem ball = new ParticleSystem();
+        ball.addParticle("ball", 1, new Vector3(0, 3, 0), Vector3.ZERO, false);
+        CameraProjection falling = new CameraProjection(CameraFraming.around(ball, List.of(Plane.ground(0)), 1.5), 900,
+                600);
+        double[] landing = project(falling, Vector3.ZERO);
+        assertTrue(landing[1] > 300 && landing[1] < 600);
+        CameraFraming.around(new ParticleSystem(), List.of(), 1.5);         // nothing at all has a camera, too
+    }
+}

@@ -1,0 +1,97 @@
+package particles.output.raster;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Triangles on samples. */
+class RasterTest {
+    private static final double[] NEAR = {1, 1, 1};
+
+    private static int red(Raster raster, int x, int y) {
+        return raster.colour[y * raster.width + x] >> 16;
+    }
+
+    /** A grid with its inner corners moved at random covers its square without a hole. */
+    @Test
+    void neighboursLeaveNoHoles() {
+        Random random = new Random(715);
+        int n = 12;
+        Raster raster = new Raster(50, 50);
+        double[] xs = new double[(n + 1) * (n + 1)];
+        double[] ys = new double[xs.length];
+        double[] ns = new double[xs.length];
+        int[] rgb = new int[xs.length];
+        for (int k = 0; k < xs.length; k++) {
+            int i = k % (n + 1);
+            int j = k / (n + 1);
+            boolean inside = i > 0 && i < n && j > 0 && j < n;
+            xs[k] = 100.0 * i / n + (inside ? 6 * random.nextDouble() - 3 : 0);
+            ys[k] = 100.0 * j / n + (inside ? 6 * random.nextDouble() - 3 : 0);
+            ns[k] = 1;
+            rgb[k] = 0xffffff;
+        }
+        for (int j = 0; j < n; j++) {
+            for (int i = 0; i < n; i++) {
+                int a = j * (n + 1) + i;
+                raster.triangle(a, a + 1, a + n + 1, xs, ys, ns, rgb);
+                raster.triangle(a + 1, a + n + 2, a + n + 1, xs, ys, ns, rgb);
+            }
+        }
+        for (int p = 0; p < raster.near.length; p++) {
+            assertEquals(1, raster.near[p], "sample " + p % 100 + ", " + p / 100);
+            assertEquals(0xffffff, raster.colour[p]);
+        }
+        raster.clear();
+        for (float near : raster.near) {
+            assertEquals(Float.NEGATIVE_INFINITY, near);
+        }
+    }
+
+    @Test
+    void coloursAndNearnessChangeEvenly() {
+        Raster raster = new Raster(50, 50);
+        double[] near = {0, 1, 0};
+        raster.triangle(0, 1, 2, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
+                new int[] {0, 0xff0000, 0x00ff00});
+        for (int x = 0; x < 99; x++) {
+            assertEquals(255 * (x + 0.5) / 100, red(raster, x, 0), 1);
+            assertEquals((x + 0.5) / 100, raster.near[x], 1e-6);
+        }
+        assertEquals(255 * 0.505, raster.colour[50 * 100] >> 8 & 255, 1);
+        assertEquals(Float.NEGATIVE_INFINITY, raster.near[60 * 100 + 60], "outside of the triangle");
+    }
+
+    @Test
+    void theNearerOneIsSeenInWhateverOrder() {
+        for (int order = 0; order < 2; order++) {
+            Raster raster = new Raster(50, 50);
+            for (int k = 0; k < 2; k++) {
+                boolean front = k == order;
+                double[] near = front ? new double[] {2, 2, 2} : NEAR;
+                int colour = front ? 0xff0000 : 0x0000ff;
+                raster.triangle(0, 1, 2, new double[] {0, 100, 0}, new double[] {0, 0, 100}, near,
+                        new int[] {colour, colour, colour});
+            }
+            assertEquals(0xff0000, raster.colour[10 * 100 + 10]);
+        }
+    }
+
+    @Test
+    void whatIsFarOutsideOrNoNumberIsNotDrawn() {
+        Raster raster = new Raster(50, 50);
+        int[] rgb = {-1, -1, -1};
+        raster.triangle(0, 1, 2, new double[] {1e300, -1e300, 0}, new double[] {1e300, 0, -1e300}, NEAR, rgb);
+        raster.triangle(0, 1, 2, new double[] {Double.NaN, 1, 2}, new double[] {5, 8, 2}, NEAR, rgb);
+        raster.triangle(0, 1, 2, new double[] {5, 5, 5}, new double[] {5, 5, 5}, NEAR, rgb);
+        for (float near : raster.near) {
+            assertEquals(Float.NEGATIVE_INFINITY, near);
+        }
+        raster.triangle(0, 1, 2, new double[] {-1e6, 1e6, 0}, new double[] {-1e6, -1e6, 1e6}, NEAR, rgb);
+        assertTrue(raster.firstColumn() == 0 && raster.endColumn() == 50 && raster.firstRow() == 0
+                && raster.endRow() == 50);
+        assertEquals(1, raster.near[0]);
+    }
+}

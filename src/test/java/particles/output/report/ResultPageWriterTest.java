@@ -1,0 +1,87 @@
+package particles.output.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.output.files.OutputFolder;
+import particles.output.text.TableText;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
+
+class ResultPageWriterTest {
+    private static final DataTable TABLE = new DataTable("cost", "What it costs", List.of(DataTable.column("solver"),
+            DataTable.column("error (m)"), DataTable.column("evaluations")),
+            List.of(List.of("rk4, \"old\"", 1.23456789e-7, 400L), List.of("a|b", Double.NaN, 12_345_678L)));
+
+    @Test
+    void tablesHaveAllDigitsInFilesAndFewForPeople() {
+        assertEquals(List.of("solver,error (m),evaluations", "\"rk4, \"\"old\"\"\",1.23456789E-7,400",
+                "a|b,NaN,12345678"),
+                TableText.csv(TABLE));
+        assertEquals(List.of("solver      error (m)  evaluations", "rk4, \"old\"   1.235e-7          400",
+                "a|b                 \u2013     12345678"), TableText.plain(TABLE));
+        assertEquals(List.of("| solver | error (m) | evaluations |", "| --- | ---: | ---: |",
+                "| rk4, \"old\" | 1.235e-7 | 400 |",
+                "| a\\|b | \u2013 | 12345678 |"), TableText.markdown(TABLE));
+    }
+
+    @Test
+    void numbersArePlainWhereThatIsShort() {
+        DataTable numbers = new DataTable("n", "n", List.of(new DataTable.Column("x", 3)),
+                List.of(List.of(1234567.0), List.of(12.3456), List.of(0.0), List.of(-2.0), List.of(1e22),
+                List.of(1.0 / 0)));
+        assertEquals(List.of("x", "1230000", "12.3", "0", "-2", "1e22", "\u221e"),
+                TableText.plain(numbers).stream().map(String::strip).toList());
+    }
+
+    @Test
+    void longTablesAreFilesOnly(@TempDir Path path) throws IOException {
+        List<List<Object>> rows = Collections.nCopies(101, List.of("many"));
+        try (OutputFolder folder = OutputFolder.open(path)) {
+            ResultPageWriter.write(folder, new ResultPage("long", "Long", List.of(), List.of(),
+                    List.of(new DataTable("all", "All", List.of(DataTable.column("a")), rows))));
+        }
+        String text = Files.readString(path.resolve("long.md"));
+        assertTrue(text.contains("All 101 rows: [all.csv](all.csv).") && !text.contains("| many |"), text);
+        assertEquals(102, Files.readAllLines(path.resolve("all.csv")).size());
+    }
+
+    @Test
+    void rowsHaveACellForEachColumn() {
+        assertThrows(IllegalArgumentException.class,
+                () -> new DataTable("t", "t", List.of(DataTable.column("a")), List.of(List.of(1, 2))));
+    }
+
+    @Test
+    void pageIsPicturesTheirNumbersTablesAndText(@TempDir Path path) throws IOException {
+        ChartData data = new ChartData("falls", "time (s)", "height (m)", false, false,
+                List.of(new Series("ball", Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25})));
+        ResultPage page = new ResultPage("fall", "It falls", List.of("As all does."), List.of(
+                ResultPage.Picture.chart("height", "Height over time.", data),
+                ResultPage.Picture.panels("both", "Twice.", "Two", 2,
+                List.of(new ResultPage.Panel(data, false, Optional.empty()),
+                        new ResultPage.Panel(data, true, Optional.empty())))), List.of(TABLE));
+        try (OutputFolder folder = OutputFolder.open(path.resolve("fall"))) {
+            ResultPageWriter.write(folder, page);
+        }
+        Path made = path.resolve("fall");
+        assertEquals(List.of("chart,series,x quantity,x,y quantity,y", "falls,ball,time (s),0.0,height (m),1.0",
+                "falls,ball,time (s),0.5,height (m),-0.25"), Files.readAllLines(made.resolve("height.csv")));
+        assertEquals(TableText.csv(TABLE), Files.readAllLines(made.resolve("cost.csv")));
+        String text = Files.readString(made.resolve("fall.md"));
+        assertTrue(text.startsWith("# It falls\n\nAs all does.\n\n![Height over time.](height.png)\n"), text);
+        assertTrue(text.contains("| rk4, \"old\" | 1.235e-7 | 400 |"), text);
+        assertTrue(Files.size(made.resolve("height.png")) > 1000 && Files.size(made.resolve("both.png")) > 1000);
+    }
+}

@@ -1,0 +1,88 @@
+package particles.output.text;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import deSolvers.RK4Solver;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.ParticleSystem;
+import particles.Simulation;
+import particles.law.Vector3;
+import particles.output.charts.ChartWriter;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+import particles.output.frames.FrameObserver;
+import particles.output.frames.FrameRenderer;
+import particles.output.frames.FrameSetup;
+import particles.output.frames.PngFrames;
+import particles.output.raster.CameraFraming;
+import particles.view.ChartData;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+
+/** A machine without any font: frames without words, and one clear line for a chart. */
+class FontCheckTest {
+    @TempDir
+    Path top;
+
+    /** What runs in a Java of its own: fonts are looked for once in the life of one. */
+    public static final class Drawing {
+        private Drawing() {
+        }
+
+        /** @param args the output folder */
+        public static void main(String[] args) {
+            try (OutputFolder folder = OutputFolder.open(Path.of(args[0]))) {
+                ParticleSystem system = new ParticleSystem();
+                system.addParticle("ball", 1, Vector3.ZERO, Vector3.ZERO, false);
+                FrameRenderer renderer = new FrameRenderer(new FrameSetup(CameraFraming.around(system, List.of(), 1.5),
+                        RenderOptions.STANDARD, Scenery.NONE, "title", "caption"), 90, 60, 2);
+                Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, 0, Double.POSITIVE_INFINITY);
+                try (FrameObserver frames = new FrameObserver(renderer, 25, List.of(new PngFrames(folder, 90, 60)))) {
+                    simulation.addObserver(frames);
+                    simulation.run();
+                }
+                for (int k = 0; k < 2; k++) {
+                    try {
+                        ChartWriter.write(folder, "chart.png", new ChartData("t", "x", "y", false, false, List.of()));
+                    } catch (OutputException e) {
+                        System.out.println(e.getMessage());
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    void withoutFontsThereAreFramesAndOneClearLine() throws IOException, InterruptedException {
+        assumeTrue(System.getProperty("os.name").equals("Linux"), "fonts are hidden by a setting of fontconfig");
+        Path none = Files.writeString(top.resolve("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
+        Path home = Files.createDirectory(top.resolve("home"));         // Java keeps a list of fonts there
+        ProcessBuilder java = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Djava.awt.headless=true", "-Duser.home=" + home, "-cp", System.getProperty("java.class.path"),
+                Drawing.class.getName(), top.resolve("out").toString());
+        java.environment().put("FONTCONFIG_FILE", none.toString());
+        java.redirectErrorStream(true);
+        Process process = java.start();
+        String output = new String(process.getInputStream().readAllBytes());
+        assertEquals(0, process.waitFor(), output);
+        List<String> lines = output.lines().filter(line -> !line.startsWith("Fontconfig ")).toList();
+        assertEquals(2, lines.size(), output);
+        String chart = top.resolve("out").resolve("chart.png").toString();
+        for (String line : lines) {
+            assertTrue(line.startsWith("cannot draw " + chart + ": Java finds no font on this machine"), line);
+        }
+        assertTrue(Files.size(top.resolve("out/frames/frame-00000.png")) > 0);
+    }
+
+    @Test
+    void thisMachineHasFonts() {
+        assertTrue(FontCheck.isAvailable(), "the tests of charts need one");
+    }
+}

@@ -1,0 +1,95 @@
+package particles.threads;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import particles.law.DifferentiableEffect;
+import particles.law.ForceDerivatives;
+import particles.law.PerParticleEffect;
+import particles.scene.Scene;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneFiles;
+import particles.scene.SceneReader;
+import particles.scene.format.Overrides;
+import particles.scene.format.SceneDescription;
+
+/**
+ * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that
+ * here they are taken for however little there is to do; and who did it is noted.
+ */
+@Tag("slow")
+class SceneThreadsTest {
+    private static final int STEPS = 60;
+
+    /** A force of nothing on each particle, which notes by whom it is asked. */
+    private static final class Witness implements PerParticleEffect, DifferentiableEffect {
+        private final Set<String> threads = ConcurrentHashMap.newKeySet();
+
+        @Override
+        public String getName() {
+            return "witness";
+        }
+
+        @Override
+        public void addForces(double[] state, double time, double[] force, int from, int to) {
+            threads.add(Thread.currentThread().getName());
+        }
+
+        @Override
+        public boolean dependsOnVelocity() {
+            return false;
+        }
+
+        @Override
+        public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
+        }
+    }
+
+    /**
+     * The state and the clock after some steps; the threads that had a part in them besides the caller's are counted.
+     */
+    private static double[] run(SceneDescription description, int threads, int steps, int[] helpers) {
+        double duration = Math.min(description.duration(), steps * description.deltaT());
+        Scene scene = SceneBuilder.build(description, new Overrides().with("duration", "" + duration, "--duration"));
+        Witness witness = new Witness();
+        scene.system().addEffect(witness);
+        ParallelForces.use(scene.system(), threads, 0);
+        try {
+            scene.simulation().run();
+        } finally {
+            ParallelForces.use(scene.system(), 1);
+        }
+        helpers[0] = (int) witness.threads.stream().filter(name -> name.startsWith("forces-")).count();
+        double[] state = Arrays.copyOf(scene.system().getOwnState(), scene.system().getStateSize() + 1);
+        state[state.length - 1] = scene.system().getTime();
+        return state;
+    }
+
+    @Test
+    void everySceneHasTheSameBitsWithAnyNumberOfThreads() throws IOException {
+        int scenes = 0;
+        int shared = 0;
+        for (Path file : SceneFiles.list(Path.of("scenes"))) {
+            SceneDescription description = SceneReader.read(file);
+            int[] helpers = new int[1];
+            double[] alone = run(description, 1, STEPS, helpers);
+            assertEquals(0, helpers[0], file.toString());
+            for (int threads = 2; threads <= 3; threads++) {
+                double[] together = run(description, threads, STEPS, helpers);
+                assertTrue(Arrays.equals(alone, together), file + " with " + threads + " threads");
+                shared += helpers[0] == threads - 1 ? 1 : 0;
+                scenes++;
+            }
+            assertNotEquals(0, Arrays.compare(alone, run(description, 1, STEPS / 2, helpers)), file.toString());
+        }
+        assertTrue(shared > scenes / 2, shared + " of " + scenes + " runs were shared");     // measured 62 of 64
+    }
+}

@@ -1,0 +1,227 @@
+package particles.threads;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import deSolvers.RK4Solver;
+import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.Cloth;
+import particles.ParticleSystem;
+import particles.Systems;
+import particles.effects.Gravity;
+import particles.effects.LinearDrag;
+import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.ParticleForce;
+import particles.law.Vector3;
+
+/** Any number of threads gives the same bits, as a hash of the state shows; none is left when the work is done. */
+class ThreadsTest {
+    private static final int STEPS = 20;
+
+    /** Cloth of 3600 particles and some 21,000 springs, in four blocks. */
+    private static ParticleSystem cloth() {
+        ParticleSystem cloth = Cloth.hanging(60, 20, 0.02);
+        cloth.addEffect(new LinearDrag(cloth.getParticles(), 0.01, Wind.STILL));
+        return cloth;
+    }
+
+    /** Springs between particles whose numbers differ by no more than {@code reach}, in no order. */
+    private static ParticleSystem network(int reach) {
+        return network(reach, 20_000);
+    }
+
+    private static ParticleSystem network(int reach, int count) {
+        ParticleSystem network = new ParticleSystem();
+        Random random = new Random(11);
+        int n = 3000;
+        for (int i = 0; i < n; i++) {
+            network.addParticle("p" + i, 1 + random.nextDouble(), new Vector3(random.nextDouble(), random.nextDouble(),
+                    i * 0.01),
+                    Vector3.ZERO, i % 500 == 0);
+        }
+        network.addEffect(new Gravity(network.getParticles(), Systems.GRAVITY));
+        SpringForce springs = new SpringForce(network.getParticles());
+        for (int s = 0; s < count; s++) {
+            int i = random.nextInt(n);
+            int j = Math.floorMod(i + 1 + random.nextInt(reach), n);
+            springs.addSpring(i, j, 10, 0.5, 0.1);
+        }
+        network.addEffect(springs);
+        return network;
+    }
+
+    private static String hash(double[] state) {
+        ByteBuffer bytes = ByteBuffer.allocate(8 * state.length);
+        bytes.asDoubleBuffer().put(state);
+        try {
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(bytes.array()));
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static String hashAfter(ParticleSystem system, int threads, int steps) {
+        ParallelForces.use(system, threads);
+        RK4Solver solver = new RK4Solver();
+        for (int i = 0; i < steps; i++) {
+            solver.stepState(system, 1.0 / 1024);
+        }
+        ParallelForces.use(system, 1);
+        return hash(system.getStateArray());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 7})
+    void anyNumberOfThreadsGivesTheBitsOfOne(int threads) {
+        assertEquals(hashAfter(cloth(), 1, STEPS), hashAfter(cloth(), threads, STEPS));
+        assertNotEquals(hashAfter(cloth(), 1, STEPS), hashAfter(cloth(), threads, STEPS + 1));
+        assertEquals(hashAfter(network(100), 1, STEPS), hashAfter(network(100), threads, STEPS));
+        assertEquals(hashAfter(network(2999), 1, STEPS), hashAfter(network(2999), threads, STEPS));
+    }
+
+    /** Of eight blocks: threads have different numbers of them, and joints that are all their own or not. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4, 5, 6, 9})
+    void howBlocksAreSharedOutMakesNoDifference(int threads) {
+        assertEquals(8, ((SpringForce) network(100, 40_000).getEffects().get(1)).countBlocks());
+        assertEquals(hashAfter(network(100, 40_000), 1, 5), hashAfter(network(100, 40_000), threads, 5));
+    }
+
+    /** One particle's springs end the last block and begin the two joints that follow: taken together by one thread? */
+    @Test
+    void aParticleWithSpringsInABlockAndAfterItHasTheSameBits() {
+        String[] hashes = new String[2];
+        for (int k = 0; k < 2; k++) {
+            ParticleSystem pairs = new ParticleSystem();
+            SpringForce springs = new SpringForce(pairs.getParticles());
+            Random random = new Random(12);
+            for (int i = 0; i < 1000; i++) {
+                pairs.addParticle("p" + i, 1, new Vector3(random.nextDouble(), random.nextDouble(), i), Vector3.ZERO,
+                        false);
+            }
+            for (int s = 0; s < 20_000; s++) {
+                springs.addSpring(s / 40 * 2, s / 40 * 2 + 1, random.nextDouble(), random.nextDouble(), 0.1);
+            }
+            for (int s = 0; s < 5; s++) {
+                springs.addSpring(998, s, random.nextDouble(), random.nextDouble(), 0.1);
+                springs.addSpring(998, 500 + s, random.nextDouble(), random.nextDouble(), 0.1);
+            }
+            pairs.addEffect(springs);
+            hashes[k] = hashAfter(pairs, 1 + k, STEPS);
+            assertEquals(4, springs.countBlocks());
+            assertEquals(20_000, springs.getPartStart(5), "the last block and the joint of the first two end here");
+            assertEquals(20_005, springs.getPartStart(6));
+        }
+        assertEquals(hashes[0], hashes[1]);
+    }
+
+    /** A law on single particles, and one that says nothing of itself, whose force is added by one thread. */
+    @Test
+    void lawsWithoutRangesHaveTheSameBits() {
+        String[] hashes = new String[3];
+        for (int k = 0; k < 3; k++) {
+            ParticleSystem cloth = cloth();
+            Vector3 wind = new Vector3(1, 0.5, 0.25);
+            cloth.addEffect(new ParticleForce(cloth.getParticles()) {
+                @Override
+                protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                    return wind.minus(velocity).times(mass);
+                }
+            });
+            cloth.addEffect(new Gravity(cloth.getParticles(), Systems.GRAVITY));
+            hashes[k] = hashAfter(cloth, 1 + k, STEPS);
+        }
+        assertEquals(hashes[0], hashes[1], "two threads");
+        assertEquals(hashes[0], hashes[2], "three threads");
+    }
+
+    @Test
+    void springsThatGoLeaveTheirBlocksAsTheyWere() {
+        String[] hashes = new String[2];
+        for (int k = 0; k < 2; k++) {
+            ParticleSystem network = network(100);
+            hashAfter(network, 1 + 2 * k, STEPS);
+            SpringForce springs = (SpringForce) network.getEffects().get(1);
+            boolean[] torn = new boolean[springs.springCount()];
+            for (int s = 0; s < torn.length; s += 7) {
+                torn[s] = true;
+            }
+            springs.removeSprings(torn);
+            boolean[] gone = new boolean[network.getParticles().count()];
+            for (int i = 1; i < gone.length; i += 11) {
+                gone[i] = true;
+            }
+            network.removeParticles(gone);
+            hashes[k] = hashAfter(network, 1 + 2 * k, STEPS);
+        }
+        assertEquals(hashes[0], hashes[1]);
+    }
+
+    @Test
+    void theForcesAreThoseOfASystemWithoutBlocks() {
+        ParticleSystem network = network(100);
+        double[] blockwise = new double[network.getStateSize()];
+        network.getStateDerivative(blockwise);
+        double[] singly = new double[blockwise.length];
+        SpringForce springs = (SpringForce) network.getEffects().get(1);
+        network.getEffects().get(0).addForces(network.getOwnState(), 0, singly);
+        for (int s = springs.size() - 1; s >= 0; s--) {
+            SpringForce one = new SpringForce(network.getParticles());
+            one.addSpring(springs.from(s), springs.to(s), springs.stiffness(s), springs.restLength(s),
+                    springs.damping(s));
+            one.addForces(network.getOwnState(), 0, singly);
+        }
+        for (int i = 0; i < network.getParticles().count(); i++) {
+            for (int v = 6 * i + 3; v < 6 * i + 6; v++) {
+                singly[v] *= network.getParticles().inverseMasses()[i];
+            }
+        }
+        assertArrayEquals(singly, blockwise, 1e-11);    // measured 1.1e-13: the same sums in the opposite order
+    }
+
+    @Test
+    void threadsAreOneOrMore() {
+        assertThrows(IllegalArgumentException.class, () -> ParallelForces.use(cloth(), 0));
+    }
+
+    @Test
+    void threadsEndAndAllocateNothing() {
+        Set<Thread> before = Thread.getAllStackTraces().keySet();
+        ParticleSystem cloth = cloth();
+        ParallelForces.use(cloth, 3);
+        RK4Solver solver = new RK4Solver();
+        for (int i = 0; i < STEPS; i++) {
+            solver.stepState(cloth, 1.0 / 1024);
+        }
+        Thread[] helpers = Thread.getAllStackTraces().keySet().stream().filter(thread -> !before.contains(thread)
+                && thread.getName().startsWith("forces-")).toArray(Thread[]::new);
+        assertEquals(2, helpers.length);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long[] allocated = {threads.getCurrentThreadAllocatedBytes(),
+                threads.getThreadAllocatedBytes(helpers[0].getId())};
+        for (int i = 0; i < 10 * STEPS; i++) {
+            solver.stepState(cloth, 1.0 / 1024);
+        }
+        // Measured 0 and 0; one object an evaluation would be 12,800.
+        assertEquals(0, threads.getCurrentThreadAllocatedBytes() - allocated[0], 4000);
+        assertEquals(0, threads.getThreadAllocatedBytes(helpers[0].getId()) - allocated[1], 4000);
+        ParallelForces.use(cloth, 1);
+        for (Thread helper : helpers) {
+            assertTrue(!helper.isAlive());
+        }
+    }
+}
