@@ -27,6 +27,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
     private final LinearOperator complex = this::applyComplex;
     private BlockMatrix matrix;
     private final int m;                                // 3 a particle
+    private final double[] realRight;
+    private final double[] realVelocities;
     private final double[] right;                       // real parts first, then imaginary ones
     private final double[] velocities;
     private final double[] positions;
@@ -50,6 +52,8 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         solver = new BlockSolver(work.linear);
         matrix = new BlockMatrix(blocks.pattern(), work.linear);
         m = n / 2;
+        realRight = new double[m];
+        realVelocities = new double[m];
         right = new double[n];
         velocities = new double[n];
         positions = new double[n];
@@ -107,14 +111,14 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         }
         forces(partPositions, zero, partForces);
         for (int i = 0; i < m; i++) {
-            partForces[i] = blocks.mass(i / 3) * b[place(i) + 3] + g * partForces[i];
+            realRight[i] = blocks.mass(i / 3) * b[place(i) + 3] + g * partForces[i];
         }
-        if (!solver.solve(partForces, partVelocities, tolerance)) {
+        if (!solver.solve(realRight, realVelocities, tolerance)) {
             return false;
         }
         for (int i = 0; i < m; i++) {
-            x[place(i)] = b[place(i)] + g * partVelocities[i];
-            x[place(i) + 3] = partVelocities[i];
+            x[place(i)] = b[place(i)] + g * realVelocities[i];
+            x[place(i) + 3] = realVelocities[i];
         }
         return true;
     }
