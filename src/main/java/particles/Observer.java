@@ -26,7 +26,7 @@ public interface Observer {
     /**
      * A step was made, and no rule has acted yet.
      *
-     * @param motion the smooth motion from the step's beginning to its end; valid during this call only
+     * @param motion the smooth motion from the step's beginning to its end; valid until the next step begins
      */
     default void moved(Motion motion) {
     }

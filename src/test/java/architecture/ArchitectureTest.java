@@ -70,8 +70,8 @@ class ArchitectureTest {
             particles.effects:             particles.law particles.spec
             particles.effects.springs:     particles.law particles.view
             particles.engine:              deSolvers particles.law
-            particles.experiments.energy:  particles particles.experiments.runs particles.law particles.scene
-                                           particles.scene.format particles.view
+            particles.experiments.energy:  particles particles.experiments.runs particles.law particles.messages
+                                           particles.scene particles.scene.format particles.view
             particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems particles.experiments.runs
                                            particles.experiments.stability particles.view
             particles.experiments.phase:   particles particles.experiments.runs particles.law particles.scene

@@ -12,13 +12,13 @@
  * <table>
  * <caption>time of Hipparchus 4.0.3 over ours</caption>
  * <tr><th>equal</th><th>ours, Hipparchus</th><th>oscillator</th><th>chain of 100</th><th>cloth of 12 x 12</th></tr>
- * <tr><td>evaluations</td><td>{@code euler}, Euler</td><td>4.2</td><td>11</td><td>4.6</td></tr>
- * <tr><td>evaluations</td><td>{@code midpoint}, Midpoint</td><td>4.3</td><td>9.0</td><td>3.9</td></tr>
- * <tr><td>evaluations</td><td>{@code rk4}, ClassicalRungeKutta</td><td>4.5</td><td>7.6</td><td>3.4</td></tr>
- * <tr><td>error</td><td>{@code rk4}, ClassicalRungeKutta</td><td>4.8</td><td>8.5</td><td>3.3</td></tr>
- * <tr><td>error</td><td>{@code dormand-prince}, DormandPrince54</td><td>3.6</td><td>4.1</td><td>2.6</td></tr>
- * <tr><td>error</td><td>{@code bulirsch-stoer}, GraggBulirschStoer</td><td>8.2</td><td>3.8</td><td>3.3</td></tr>
- * <tr><td>error</td><td>{@code adams}, AdamsMoulton</td><td>51</td><td>24</td><td>19</td></tr>
+ * <tr><td>evaluations</td><td>{@code euler}, Euler</td><td>5.3</td><td>3.7</td><td>4.8</td></tr>
+ * <tr><td>evaluations</td><td>{@code midpoint}, Midpoint</td><td>4.2</td><td>6.1</td><td>2.7</td></tr>
+ * <tr><td>evaluations</td><td>{@code rk4}, ClassicalRungeKutta</td><td>5.5</td><td>4.4</td><td>2.0</td></tr>
+ * <tr><td>error</td><td>{@code rk4}, ClassicalRungeKutta</td><td>4.7</td><td>4.3</td><td>2.8</td></tr>
+ * <tr><td>error</td><td>{@code dormand-prince}, DormandPrince54</td><td>7.5</td><td>3.2</td><td>1.7</td></tr>
+ * <tr><td>error</td><td>{@code bulirsch-stoer}, GraggBulirschStoer</td><td>15</td><td>3.5</td><td>2.2</td></tr>
+ * <tr><td>error</td><td>{@code adams}, AdamsMoulton</td><td>48</td><td>12</td><td>15</td></tr>
  * </table>
  * Measured on 2026-11-22 in one run with the defaults, JDK 17, one thread, on two cores of a shared server without
  * other work of ours: medians of five iterations of 0.06 s, in a process for each, after as many that do not count.
@@ -37,6 +37,6 @@
  * pixels, 32 a second on two cores with the simulation running beside it, and 27 with the animation. A film is
  * compressed in pure Java, some tenths of a second for a frame of that size. The installed program takes 2.5 s of
  * CPU time, user and system, for {@code run --scene=2 --frames=false} with its two charts: the median of five
- * starts, with other work on both cores.
+ * starts, without other work.
  */
 package benchmarks;

@@ -22,6 +22,9 @@ public final class LabRun {
     private Structure structure;
     private double wanted;
     private Frame shown;
+    private double[] between = {};
+    private Motion latest;
+    private Structure latestStructure;
 
     /** @param scene a scene that is ready to run */
     public LabRun(Scene scene) {
@@ -36,8 +39,6 @@ public final class LabRun {
     }
 
     private final class Recorder implements Observer {
-        private double[] between = {};
-
         @Override
         public void started(ParticleSystem system) {
             wanted = system.getTime();
@@ -51,12 +52,10 @@ public final class LabRun {
             if (history.wants(end)) {
                 history.add(frame(motion.getEndState(), end));
             }
+            latest = motion;
+            latestStructure = structure;
             if (motion.getStartTime() <= wanted && wanted < end) {
-                if (between.length != system.getStateSize()) {
-                    between = new double[system.getStateSize()];
-                }
-                motion.interpolate(wanted, between);
-                shown = frame(between, wanted);
+                showBetween();
             }
         }
 
@@ -68,8 +67,22 @@ public final class LabRun {
         }
     }
 
+    /** What is wanted lies within the latest motion. */
+    private void showBetween() {
+        int size = latest.getEndState().length;
+        if (between.length != size) {
+            between = new double[size];
+        }
+        latest.interpolate(wanted, between);
+        shown = frame(between, wanted, latestStructure);
+    }
+
     private Frame frame(double[] state, double time) {
-        float[] copy = new float[system.getStateSize()];
+        return frame(state, time, structure);
+    }
+
+    private Frame frame(double[] state, double time, Structure structure) {
+        float[] copy = new float[6 * structure.ids().length];
         for (int i = 0; i < copy.length; i++) {
             copy[i] = (float) state[i];
         }
@@ -92,6 +105,8 @@ public final class LabRun {
         }
         if (system.getTime() <= time) {
             show();
+        } else if (latest != null && latest.getStartTime() <= time) {
+            showBetween();
         }
     }
 

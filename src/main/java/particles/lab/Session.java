@@ -121,7 +121,7 @@ public final class Session {
         status.put("evaluations", run.getScene().system().getEvaluations());
         status.put("seconds", nanoseconds / (1e3 * NANOSECONDS));
         status.put("historyBytes", run.history().bytes());
-        status.put("over", run.isOver());
+        status.put("over", run.isOver() && shown.time() >= run.getScene().system().getTime());
         status.put("failure", failure);
         return Json.of(status);
     }

@@ -42,6 +42,7 @@ public final class YamlText {
 
     private static Optional<Node> compose(String text, Reading in) {
         LoadSettings settings = LoadSettings.builder().setSchema(new CoreSchema()).setCodePointLimit(Integer.MAX_VALUE)
+                .setAllowNonScalarKeys(true)            // refused by our own message
                 .build();
         int before = in.problems().count();
         try {

@@ -60,10 +60,12 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                         + " wind, contacts and collisions is taken out: it is the solver's doing. It is divided by the"
                         + " largest kinetic plus spring energy of the run, so that the zero of the potential does not"
                         + " matter.",
-                "An error is called secular if the straight line through it rises by more than twice the scatter"
-                        + " about it and it still grows in the second half, or ends at its largest; it is called"
-                        + " bounded if not. Symplectic solvers trade energy back and forth; the others add or remove a"
-                        + " little in each step, always to the same side."),
+                "Where nothing damps or drives the motion, an error drifts if the straight line through it rises by"
+                        + " more than twice the scatter about it and it still grows in the second half, or ends at its"
+                        + " largest; otherwise it is bounded. Symplectic solvers trade energy back and forth; the"
+                        + " others add or remove a little in each step, always to the same side.",
+                "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
+                        + " their size compares solvers."),
                 List.of(Picture.stacked("energy-drift",
                 "Above the size of the error on a logarithmic scale, below the error itself as"
                         + " long as it is less than a tenth. A cross is a run that ended early.",

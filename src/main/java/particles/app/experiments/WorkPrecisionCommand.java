@@ -102,8 +102,8 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                     + " Filled points are those of the fitted slope."
                     + FAILURES, WorkCharts.byEvaluations(solved, curves)));
             pictures.add(Picture.stacked(solved.name() + "-time", caption
-                    + " Times are those of a busy processor, medians of three or more runs after a warm-up; bars"
-                    + " go from the fastest to the slowest." + FAILURES,
+                    + " CPU time, the median of five or more runs after a warm-up; bars go from the lower to the upper"
+                    + " quartile. One solver is called first only if its bar overlaps no other." + FAILURES,
                     WorkCharts.byTime(solved, curves)));
         });
         return new ResultPage(NAME, CostExercise.finding(costs), List.of(

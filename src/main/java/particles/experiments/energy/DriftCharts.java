@@ -5,7 +5,6 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
@@ -59,25 +58,10 @@ public final class DriftCharts {
 
     /**
      * @param comparison what was measured
-     * @return what it shows, in a sentence
+     * @return a sentence: each error with its size, the worst first
      */
     public static String finding(Comparison comparison) {
-        List<String> parts = new ArrayList<>();
-        for (Kind kind : Kind.values()) {
-            List<String> names = comparison.drifts().stream().filter(drift -> drift.kind() == kind)
-                    .map(drift -> drift.setting().solver().label()).toList();
-            if (!names.isEmpty()) {
-                parts.add((names.size() > 3 ? names.size() + " solvers" : String.join(", ", names)) + " "
-                        + switch (kind) {
-                    case SECULAR -> names.size() == 1 ? "drifts" : "drift";
-                    case BOUNDED -> names.size() == 1 ? "stays bounded" : "stay bounded";
-                    case ROUNDING -> names.size() == 1 ? "is exact to rounding" : "are exact to rounding";
-                    case FAILED -> names.size() == 1 ? "fails" : "fail";
-                });
-            }
-        }
-        return comparison.scene() + ": " + String.join("; ", parts) + (comparison.equalWork() ? " (equal evaluations)"
-                : "");
+        return DriftHeadline.of(comparison);
     }
 
     /**
@@ -89,7 +73,7 @@ public final class DriftCharts {
         for (Drift drift : comparison.drifts()) {
             rows.add(List.of(drift.setting().solver().label(), drift.setting().deltaT(),
                     drift.setting().tolerance().orElse(Double.NaN), drift.end(), drift.largest(), drift.slope(),
-                    drift.kind().name().toLowerCase(Locale.ROOT), drift.outcome().evaluations(),
+                    drift.kind().words(), drift.outcome().evaluations(),
                     drift.outcome().seconds(),
                     drift.outcome().failure().orElse("")));
         }

@@ -5,34 +5,28 @@ import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
-import particles.experiments.runs.MinMaxThinning;
 
-/**
- * The part of a run's energy change that no physics explains, over time, and the straight line that fits it best. Sums
- * are kept while the run goes on, so that every step counts and none is stored.
- */
+/** Records a run's numerical energy error, and how much energy its forces and rules exchanged with the outside. */
 final class DriftRecorder implements Observer {
-    private static final int BUCKETS = 512;
-
     private final EnergyLedger ledger = new EnergyLedger();
-    private final MinMaxThinning error = new MinMaxThinning(BUCKETS);
-    private double n;
-    private double meanTime;
-    private double meanError;
-    private double timeSquares;
-    private double errorSquares;
-    private double products;
+    private final ErrorCurve curve = new ErrorCurve();
+    private double exchanged;
 
     @Override
     public void started(ParticleSystem system) {
         ledger.started(system);
-        add(system.getTime());
+        curve.add(system.getTime(), ledger.getNumericalError());
     }
 
     @Override
     public void moved(Motion motion) {
         ledger.moved(motion);
-        add(motion.getEndTime());
+        curve.add(motion.getEndTime(), ledger.getNumericalError());
+        for (double joules : ledger.getWork().values()) {
+            if (Math.abs(joules) > exchanged) {
+                exchanged = Math.abs(joules);
+            }
+        }
     }
 
     @Override
@@ -40,53 +34,12 @@ final class DriftRecorder implements Observer {
         ledger.changed(system, rule);
     }
 
-    /** Means and squares about them are brought up to date together (B. P. Welford, Technometrics 4, 1962). */
-    private void add(double time) {
-        double value = ledger.getNumericalError();
-        if (!Double.isFinite(value)) {
-            return;
-        }
-        error.add(time, value);
-        n++;
-        double dTime = time - meanTime;
-        double dError = value - meanError;
-        meanTime += dTime / n;
-        meanError += dError / n;
-        timeSquares += dTime * (time - meanTime);
-        errorSquares += dError * (value - meanError);
-        products += dTime * (value - meanError);
+    ErrorCurve curve() {
+        return curve;
     }
 
-    double[][] points() {
-        return error.points();
-    }
-
-    /** @return the largest error before a time, and the largest from then on (J) */
-    double[] halves(double middle) {
-        double[][] points = error.points();
-        double[] largest = new double[2];
-        for (int k = 0; k < points[0].length; k++) {
-            int half = points[0][k] < middle ? 0 : 1;
-            largest[half] = Math.max(largest[half], Math.abs(points[1][k]));
-        }
-        return largest;
-    }
-
-    double end() {
-        return error.last();
-    }
-
-    double largest() {
-        return Math.max(Math.abs(error.largest()), Math.abs(error.smallest()));
-    }
-
-    /** @return joules a second; 0 before the first step */
-    double slope() {
-        return timeSquares > 0 ? products / timeSquares : 0;
-    }
-
-    /** @return how far the values lie from the straight line, root mean square (J) */
-    double scatter() {
-        return n < 3 ? 0 : Math.sqrt(Math.max(0, errorSquares - slope() * products) / n);
+    /** @return the largest work of one kind, by damping, driving, bounces and so on (J); 0 where there is none */
+    double exchanged() {
+        return exchanged;
     }
 }

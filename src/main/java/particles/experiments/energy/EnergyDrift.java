@@ -20,6 +20,8 @@ import particles.scene.format.SceneDescription;
 public final class EnergyDrift {
     /** Below this part of the scale, errors are those of the last digits. */
     private static final double ROUNDING = 1e-12;
+    /** The same for long runs: half a unit in the last place, always to the same side, in each step. */
+    private static final double ROUNDING_OF_A_STEP = 0x1p-53;
     /**
      * A straight line that rises by more than so many times the scatter about it is no accident of where a wave ends.
      */
@@ -31,16 +33,32 @@ public final class EnergyDrift {
     private static final double REFERENCE_TOLERANCE = 1e-9;
     private static final long MOST_EVALUATIONS = 20_000_000;
 
-    /** How an energy error goes on. */
+    /** How an energy error develops. */
     public enum Kind {
-        /** It grows with time. */
-        SECULAR,
-        /** It goes up and down within limits. */
-        BOUNDED,
-        /** It is that of the last digits. */
-        ROUNDING,
-        /** There is no end to look at: the run failed. */
-        FAILED
+        /** The energy is conserved, and its error grows with time. */
+        SECULAR("drifts"),
+        /** The energy is conserved, and its error goes up and down within limits. */
+        BOUNDED("bounded"),
+        /** The error is round-off. */
+        ROUNDING("round-off"),
+        /**
+         * Damping, driving or impacts change the energy. An error then fades with the motion or follows it, so that
+         * whether it grows says nothing about the solver; only its size does.
+         */
+        EXCHANGING("damped or driven"),
+        /** The run failed. */
+        FAILED("failed");
+
+        private final String words;
+
+        Kind(String words) {
+            this.words = words;
+        }
+
+        /** @return what tables call it */
+        public String words() {
+            return words;
+        }
     }
 
     /**
@@ -104,24 +122,37 @@ public final class EnergyDrift {
         List<Observer> observers = new ArrayList<>(beside);
         observers.add(recorder);
         Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, observers);
-        double[][] points = recorder.points();
+        return judge(setting, recorder.curve(), recorder.exchanged(), scale, outcome);
+    }
+
+    /**
+     * @param curve     the error over time (J)
+     * @param exchanged the largest work that damping, driving or a rule did (J)
+     * @param scale     of the energy (J)
+     */
+    static Drift judge(Setting setting, ErrorCurve curve, double exchanged, double scale, Outcome outcome) {
+        double[][] points = curve.points();
         for (int k = 0; k < points[1].length; k++) {
             points[1][k] /= scale;
         }
-        return new Drift(setting, points[0], points[1], recorder.end() / scale, recorder.largest() / scale,
-                recorder.slope() / scale, kind(recorder, outcome, scale), outcome);
+        return new Drift(setting, points[0], points[1], curve.end() / scale, curve.largest() / scale,
+                curve.slope() / scale, kind(curve, exchanged, scale, outcome), outcome);
     }
 
-    private static Kind kind(DriftRecorder recorder, Outcome outcome, double scale) {
+    private static Kind kind(ErrorCurve curve, double exchanged, double scale, Outcome outcome) {
+        double rounding = Math.max(ROUNDING, ROUNDING_OF_A_STEP * outcome.steps()) * scale;
         if (outcome.failure().isPresent()) {
             return Kind.FAILED;
         }
-        if (recorder.largest() < ROUNDING * scale) {
+        if (curve.largest() < rounding) {
             return Kind.ROUNDING;
         }
-        double[] halves = recorder.halves(outcome.endTime() / 2);
-        boolean straight = Math.abs(recorder.slope()) * outcome.endTime() > SECULAR * recorder.scatter();
-        boolean goesOn = halves[1] > GROWS * halves[0] || Math.abs(recorder.end()) > STILL * recorder.largest();
+        if (exchanged > rounding) {
+            return Kind.EXCHANGING;
+        }
+        double[] halves = curve.halves(outcome.endTime() / 2);
+        boolean straight = Math.abs(curve.slope()) * outcome.endTime() > SECULAR * curve.scatter();
+        boolean goesOn = halves[1] > GROWS * halves[0] || Math.abs(curve.end()) > STILL * curve.largest();
         return straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
     }
 

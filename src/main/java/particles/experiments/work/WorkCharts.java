@@ -17,6 +17,7 @@ import particles.view.ChartData.Series;
 public final class WorkCharts {
     private static final double ROUGH = 1e-2;
     private static final double FINE = 1e-6;
+    private static final int MOST_NAMED = 3;
 
     private WorkCharts() {
     }
@@ -55,7 +56,7 @@ public final class WorkCharts {
     /**
      * @param problem what was solved
      * @param curves  by whom
-     * @return error against measured time, with bars from the fastest to the slowest run; below, if there are any, the
+     * @return error against CPU time, with bars from the lower to the upper quartile; below, if there are any, the
      * failures
      */
     public static List<ChartData> byTime(WorkProblem problem, List<Curve> curves) {
@@ -66,16 +67,16 @@ public final class WorkCharts {
             double[] x = new double[3 * good.size()];
             double[] y = new double[3 * good.size()];
             for (int k = 0; k < good.size(); k++) {             // a gap after each bar
-                x[3 * k] = good.get(k).least();
-                x[3 * k + 1] = good.get(k).most();
+                x[3 * k] = good.get(k).lower();
+                x[3 * k + 1] = good.get(k).upper();
                 x[3 * k + 2] = Double.NaN;
                 y[3 * k] = y[3 * k + 1] = good.get(k).error();
                 y[3 * k + 2] = Double.NaN;
             }
             series.add(new Series(curve.solver().label(), Mark.BARS, x, y));
         }
-        String title = problem.title() + ", by the clock: " + cheapest(curves, Point::seconds, "is first to", "to");
-        return charts(new ChartData(title, "time of a busy processor, median (s)", problem.errorLabel(), true, true,
+        String title = problem.title() + ": " + first(curves);
+        return charts(new ChartData(title, "CPU time, median (s)", problem.errorLabel(), true, true,
                 series),
                 curves,
                 Point::seconds);
@@ -172,5 +173,36 @@ public final class WorkCharts {
         return curves.stream().flatMap(curve -> curve.points().stream().filter(point -> point.error() <= error)
                         .map(point -> new Way(curve.solver().label(), work.applyAsDouble(point))))
                 .min(Comparator.comparingDouble(Way::work)).map(Way::solver);
+    }
+
+    /** Who is first to a rough and to a fine result by the clock: one solver, or all that the spread leaves. */
+    private static String first(List<Curve> curves) {
+        List<String> rough = fastest(curves, ROUGH);
+        List<String> fine = fastest(curves, FINE);
+        if (rough.isEmpty()) {
+            return "none has an error of 10\u207b\u00b2";
+        }
+        return said(rough) + " 10\u207b\u00b2, " + (fine.isEmpty() ? "none has 10\u207b\u2076"
+                : said(fine) + " 10\u207b\u2076");
+    }
+
+    private static String said(List<String> solvers) {
+        int last = solvers.size() - 1;
+        return solvers.size() == 1 ? solvers.get(0) + " is first to"
+                : (solvers.size() > MOST_NAMED ? solvers.size() + " solvers"
+                : String.join(", ", solvers.subList(0, last)) + " and " + solvers.get(last)) + " tie for";
+    }
+
+    /** @return the fastest by its median first, then every other whose quartiles overlap with those of the fastest */
+    static List<String> fastest(List<Curve> curves, double error) {
+        record Way(String solver, Point point) {
+        }
+        List<Way> ways = curves.stream().flatMap(curve -> curve.points().stream()
+                .filter(point -> point.failure().isEmpty() && point.error() <= error)
+                .min(Comparator.comparingDouble(Point::seconds)).stream()
+                .map(point -> new Way(curve.solver().label(), point)))
+                .sorted(Comparator.comparingDouble(way -> way.point().seconds())).toList();
+        return ways.stream().filter(way -> way.point().lower() <= ways.get(0).point().upper()).map(Way::solver)
+                .toList();
     }
 }

@@ -18,7 +18,7 @@ public final class WorkPrecision {
     static final double USELESS = 10;
     private static final int FEWEST_STEPS = 16;
     private static final int FEWEST_WHOLE_STEPS = 4;
-    private static final int TIMED = 3;
+    private static final int TIMED = 5;
     /** Short runs are repeated more often: until all together took so long (s), but not more often than that. */
     private static final double ENOUGH = 1e-3;
     private static final int MOST_TIMED = 51;
@@ -46,15 +46,14 @@ public final class WorkPrecision {
      * @param tolerance   relative and absolute; NaN for fixed steps
      * @param evaluations of the derivative
      * @param error       at the end; NaN where the run failed
-     * @param seconds     for which a processor was busy with it, the median of three or more runs that were warmed up
-     * @param least       the fastest of them (s)
-     * @param most        the slowest (s)
+     * @param seconds     for which a processor was busy with it, the median of five or more runs that were warmed up
+     * @param lower       the lower quartile of them (s)
+     * @param upper       the upper quartile (s)
      * @param failure     in which way it failed, if it did
      * @param why         the failure in words; empty for a result
      */
-    public record Point(double deltaT, double tolerance, long evaluations, double error, double seconds, double least,
-            double most,
-                        Optional<Failure> failure, String why) {
+    public record Point(double deltaT, double tolerance, long evaluations, double error, double seconds, double lower,
+                        double upper, Optional<Failure> failure, String why) {
     }
 
     /**
@@ -154,15 +153,15 @@ public final class WorkPrecision {
         }
         double[] sorted = timed == 0 ? new double[] {Double.NaN}
                 : seconds.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+        int quarter = (sorted.length - 1) / 4;
         double error = problem.error(source);
         Optional<Failure> failure = thrown.map(e -> kind(e, solver)).or(() -> error < USELESS ? Optional.empty()
                 : Optional.of(Failure.UNSTABLE));
         String why = thrown.map(DESolverException::getMessage).orElse(failure.isPresent() ? "the error is " + error
                 : "");
         return new Point(problem.duration() / steps, tolerance, problem.evaluations().applyAsLong(source),
-                failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[0],
-                sorted[sorted.length - 1],
-                failure, why);
+                failure.isPresent() ? Double.NaN : error, sorted[sorted.length / 2], sorted[quarter],
+                sorted[sorted.length - 1 - quarter], failure, why);
     }
 
     /**

@@ -61,14 +61,16 @@ public final class WorkTables {
                 Point p = curve.points().get(k);
                 rows.add(List.of(problem.name(), curve.solver().label(), p.deltaT(), p.tolerance(), p.evaluations(),
                         p.error(),
-                        curve.fit().contains(k) ? "yes" : "", p.seconds(), p.least(), p.most(), p.failure().map(kind ->
+                        curve.fit().contains(k) ? "yes" : "", p.seconds(), p.lower(), p.upper(), p.failure().map(kind ->
                         kind == Failure.UNSTABLE ? "unstable" : "did not converge").orElse(""), p.why()));
             }
         }));
-        return new DataTable("runs", "Every run; times are medians of three or more runs that were warmed up", List.of(
+        return new DataTable("runs", "Every run; times are medians of five or more runs that were warmed up", List.of(
                 DataTable.column("problem"), DataTable.column("solver"), DataTable.column("deltaT (s)"),
                 new DataTable.Column("tolerance", 2), DataTable.column("evaluations"), new DataTable.Column("error", 3),
-                DataTable.column("fitted"), new DataTable.Column("time (s)", 2), new DataTable.Column("fastest (s)", 2),
-                new DataTable.Column("slowest (s)", 2), DataTable.column("no result"), DataTable.column("why")), rows);
+                DataTable.column("fitted"), new DataTable.Column("time (s)", 2),
+                new DataTable.Column("lower quartile (s)", 2),
+                new DataTable.Column("upper quartile (s)", 2), DataTable.column("no result"), DataTable.column("why")),
+                rows);
     }
 }

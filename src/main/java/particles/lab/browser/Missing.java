@@ -1,8 +1,9 @@
 package particles.lab.browser;
 
 import deSolvers.DESolver;
+import java.util.Locale;
 
-/** What a browser page has instead of some of the JDK's methods, with the same names and parameters. */
+/** What the page calls in the place of methods that it does not have: they have the same names and parameters. */
 public final class Missing {
     private static final long MEMORY = 1L << 30;
 
@@ -14,12 +15,23 @@ public final class Missing {
         return a * b + c;
     }
 
-    /** @return how much memory a run may take (bytes); a page is not told, and this is what any can have */
+    /** @return how much memory a run may take (bytes); a page is not told, and this is what most can have */
     public static long maxMemory() {
         return MEMORY;
     }
 
-    /** @return a student's solver */
+    /** @return a text with numbers in it */
+    public static String format(String format, Object... arguments) {
+        return format(Locale.ROOT, format, arguments);
+    }
+
+    /** @return the same in a country's way */
+    public static String format(Locale locale, String format, Object... arguments) {
+        GeneralFormat general = new GeneralFormat(format, arguments);
+        return String.format(locale, general.format(), general.arguments());
+    }
+
+    /** @return a student's solver, in the place of one that is found by reflection */
     public static DESolver ofClass(String name, Double... tolerances) {
         return PageClasses.solver(name, tolerances);
     }

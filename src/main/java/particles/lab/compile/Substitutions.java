@@ -18,12 +18,12 @@ import org.teavm.model.instructions.InvokeInstruction;
 public final class Substitutions implements ClassHolderTransformer {
     private static final String MISSING = "particles.lab.browser.Missing";
     private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Runtime.maxMemory",
-            "deSolvers.catalog.SolverCatalog.ofClass");
+            "java.lang.String.format", "deSolvers.catalog.SolverCatalog.ofClass");
 
     @Override
     public void transformClass(ClassHolder owner, ClassHolderTransformerContext context) {
         for (MethodHolder method : owner.getMethods()) {
-            if (method.getProgram() == null) {
+            if (method.getProgram() == null || owner.getName().equals(MISSING)) {
                 continue;
             }
             for (BasicBlock block : method.getProgram().getBasicBlocks()) {

@@ -4,8 +4,8 @@ const list = document.getElementById('errors');
 export class Editor {
   /** changed(text) is called when somebody has typed and paused. */
   constructor(textarea, changed) {
-    this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', lineNumbers: true, tabSize: 2, screenReaderLabel: 'Scene file',
-      extraKeys: {Tab: false, 'Shift-Tab': false}});
+    this.code = CodeMirror.fromTextArea(textarea, {mode: 'yaml', lineNumbers: true, tabSize: 2,
+      screenReaderLabel: 'Scene file', extraKeys: {Tab: false, 'Shift-Tab': false}});
     this.marks = [];
     this.code.on('change', (code, change) => {
       if (change.origin !== 'setValue') {

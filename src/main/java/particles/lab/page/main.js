@@ -10,12 +10,13 @@ const REFERENCE_PARTICLES = 40, REFERENCE_MILLISECONDS = 4000;
 const engine = URL.createObjectURL(new Blob([$('engine').textContent], {type: 'text/javascript'}));
 const worker = new Worker(engine);
 let reference = null;
-let solvers = [], facts = null, structure = null, frame = null, playing = false, looking = false, run = 0, autoplay = false;
+let solvers = [], facts = null, structure = null, frame = null;
+let playing = false, looking = false, run = 0, autoplay = false;
 
 const view = new View($('view'), pick);
 const energy = new EnergyPlot($('energy'));
 const phase = new PhasePlot($('phase'));
-const editor = new Editor($('text'), () => open());
+const editor = new Editor($('text'), edited);
 
 // ---- opening scenes ----
 
@@ -23,18 +24,34 @@ const scenes = [...document.querySelectorAll('script.scene')];
 $('scene').append(...scenes.map(scene => new Option(scene.dataset.name.replace(/\.yaml$/, ''), scene.dataset.name)));
 
 function choose(name, solver = '') {
-  editor.text = scenes.find(scene => scene.dataset.name === name).textContent;
-  $('solver').value = solver;
-  $('tolerance').value = '0';
-  $('deltaTNumber').value = '';
+  openText(scenes.find(scene => scene.dataset.name === name).textContent, solver);
+}
+
+function openText(newText, solver = '') {
+  editor.text = text = newText;
   $('particle').replaceChildren();
+  change({solver, deltaT: 0, tolerance: 0});
+}
+
+/** What was chosen beside the scene's text; what the text says of it later goes before it again. */
+let chosen = {solver: '', deltaT: 0, tolerance: 0};
+let text = '';
+
+const settings = () => ({file: $('scene').value, text, ...chosen});
+
+function change(more) {
+  chosen = {...chosen, ...more};
   open();
 }
 
-function settings() {
-  return {file: $('scene').value, text: editor.text, solver: $('solver').value, deltaT: Number($('deltaTNumber').value) || 0,
-    tolerance: Number($('tolerance').value)};
+function edited() {
+  const before = text;
+  text = editor.text;
+  const differs = key => line(before, key) !== line(text, key);
+  change({...(differs('solver') && {solver: '', tolerance: 0}), ...(differs('deltaT') && {deltaT: 0})});
 }
+
+const line = (text, key) => RegExp('^' + key + ':.*', 'm').exec(text)?.[0];
 
 /** Starts anew with what is chosen; the run goes on if one was going. */
 function open() {
@@ -61,6 +78,7 @@ function opened(message) {
   looking = false;
   $('teaches').textContent = facts.title + ': ' + facts.teaches;
   $('solver').value = facts.solver;
+  $('tolerance').value = chosen.tolerance;
   showStep();
   energy.start(facts.energies);
   $('time').max = facts.duration;
@@ -219,11 +237,11 @@ $('scene').onchange = () => choose($('scene').value);
 $('start').onclick = () => playing ? pause() : start();
 $('step').onclick = () => { pause(); worker.postMessage({type: 'step'}); };
 $('restart').onclick = open;
-$('solver').onchange = () => { $('tolerance').value = '0'; open(); };
-$('tolerance').onchange = open;
-$('deltaTNumber').onchange = open;
+$('solver').onchange = () => change({solver: $('solver').value, tolerance: 0});
+$('tolerance').onchange = () => change({tolerance: Number($('tolerance').value)});
+$('deltaTNumber').onchange = () => change({deltaT: Number($('deltaTNumber').value) || 0});
 $('deltaT').oninput = () => { $('deltaTNumber').value = Number((10 ** $('deltaT').value).toPrecision(2)); };
-$('deltaT').onchange = open;
+$('deltaT').onchange = () => change({deltaT: Number($('deltaTNumber').value)});
 $('speed').onchange = () => playing && worker.postMessage({type: 'play', speed: Number($('speed').value)});
 $('time').oninput = () => { setPlaying(false); worker.postMessage({type: 'look', time: Number($('time').value)}); };
 $('particle').onchange = $('axis').onchange = newPhase;
@@ -239,14 +257,14 @@ $('save').onclick = () => {
 $('open').onchange = async () => {
   const [file] = $('open').files;
   if (file) {
-    editor.text = await file.text();
-    $('solver').value = '';
-    $('deltaTNumber').value = '';
-    open();
+    openText(await file.text());
   }
 };
-addEventListener('resize', () => { view.resize(); energy.resize(); phase.resize(); });
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { view.resize(); energy.resize(); phase.resize(); });
+function resize() {
+  [view, energy, phase].forEach(part => part.resize());
+}
+addEventListener('resize', resize);
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
 
 function draw() {
   view.draw();
@@ -254,5 +272,6 @@ function draw() {
   phase.plot && phase.draw();
   requestAnimationFrame(draw);
 }
+window.lab = {view, energy, phase};          // for whoever opens the console
 worker.postMessage({type: 'solvers'});
 draw();

@@ -1,9 +1,12 @@
 // The energies over time and the phase space of one particle, drawn as the run goes.
-const COLOURS = ['#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8c6d1f', '#7f7f7f'];    // Okabe and Ito
+// By Okabe and Ito: people with any colour vision can tell them apart.
+const COLOURS = ['#d55e00', '#0072b2', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#8c6d1f', '#7f7f7f'];
 const MOST = 4000;                      // points of a curve; then every second is dropped
 
 const ink = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const axes = (x, y) => [x, y].map((label, i) => ({label, size: i ? 62 : 44, labelSize: 20, stroke: () => ink('--ink'),
+const short = v => v !== 0 && (Math.abs(v) >= 1e5 || Math.abs(v) < 1e-3) ? v.toExponential(1) : String(v);
+const axes = (x, y) => [x, y].map((label, i) => ({label, values: (u, values) => values.map(short),
+  size: i ? 62 : 44, labelSize: 20, stroke: () => ink('--ink'),
   grid: {stroke: () => ink('--line'), width: 1}, ticks: {stroke: () => ink('--line')}}));
 const size = element => ({width: Math.max(240, element.clientWidth), height: 240});
 
@@ -16,9 +19,11 @@ export class EnergyPlot {
     this.names = names;
     this.clear();
     this.plot?.destroy();
-    this.plot = new uPlot({...size(this.element), axes: axes('time (s)', ''), scales: {x: {time: false}},
+    this.plot = new uPlot({...size(this.element), axes: axes('time (s)', ''),
+      scales: {x: {time: false, range: (u, low, high) => [0, high > 0 ? high : 1]}},
       cursor: {drag: {x: false, y: false}},
-      series: [{label: 'time (s)', value: (u, v) => v?.toPrecision(4) ?? ''}, ...names.map((label, i) => ({label, show: false,
+      series: [{label: 'time (s)', value: (u, v) => v?.toPrecision(4) ?? ''},
+        ...names.map((label, i) => ({label, show: false,
         stroke: COLOURS[i % COLOURS.length], width: i === 0 ? 2.5 : 1.5, dash: i === names.length - 1 ? [4, 3] : [],
         value: (u, v) => v?.toPrecision(4) ?? ''}))]}, this.data, this.element);
   }

@@ -1,9 +1,9 @@
-// The scene in three dimensions, drawn as in the frames: springs by strain, surfaces, planes, balls, rods, wires, trails.
+// The scene in three dimensions, drawn as in the frames: springs by strain, surfaces, planes, balls, rods, wires.
 import * as THREE from 'three';
 import {OrbitControls} from 'orbit';
 
-const COMPRESSED = new THREE.Color(0x2166ac), AT_REST = new THREE.Color(0xc9c6c0), STRETCHED = new THREE.Color(0xc4161c);
-const ROD = new THREE.Color(0x6c7683);
+const COMPRESSED = new THREE.Color(0x2166ac), AT_REST = new THREE.Color(0xc9c6c0);
+const STRETCHED = new THREE.Color(0xc4161c), ROD = new THREE.Color(0x6c7683);
 const MOST_COILS = 40, MOST_NAMES = 60, TRAIL_SAMPLES = 120;
 const Z = new THREE.Vector3(0, 0, 1);
 
@@ -51,16 +51,18 @@ export class View {
     this.scene.add(sun, new THREE.HemisphereLight(0xffffff, 0x8894a5, 1.6));
     this.addScenery(facts);
     this.balls = this.instances(new THREE.SphereGeometry(1, 16, 12), structure.ids.length);
-    this.tubes = null;
-    this.coils = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({vertexColors: true}));
-    this.lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({vertexColors: true}));
-    this.velocities = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x009e73}));
-    for (const thing of [this.coils, this.lines, this.velocities]) {
-      thing.frustumCulled = false;
-      this.scene.add(thing);
-    }
+    this.coils = this.segments({vertexColors: true});
+    this.lines = this.segments({vertexColors: true});
+    this.velocities = this.segments({color: 0x009e73});
     this.surfaces = facts.surfaces.map(surface => this.addSurface(surface, facts.look));
     this.resize();
+  }
+
+  segments(look) {
+    const lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial(look));
+    lines.frustumCulled = false;
+    this.scene.add(lines);
+    return lines;
   }
 
   instances(geometry, count, material = new THREE.MeshStandardMaterial({roughness: 0.6})) {
@@ -80,8 +82,8 @@ export class View {
         pegs.expandByPoint(point);
       }
       for (const plane of facts.planes) {
-        const normal = new THREE.Vector3(...plane.normal);
-        box.expandByPoint(point.clone().addScaledVector(normal, -normal.dot(point.clone().sub(new THREE.Vector3(...plane.point)))));
+        const normal = new THREE.Vector3(...plane.normal), on = new THREE.Vector3(...plane.point);
+        box.expandByPoint(point.clone().addScaledVector(normal, normal.dot(on.sub(point))));
       }
     }
     for (const ball of facts.spheres) {
@@ -311,7 +313,8 @@ export class View {
 
   strainColour(strain) {
     const part = strain / this.facts.look.strainRange;
-    return new THREE.Color().copy(AT_REST).lerp(part < 0 ? COMPRESSED : STRETCHED, Math.sqrt(Math.min(1, Math.abs(part))));
+    const full = part < 0 ? COMPRESSED : STRETCHED;
+    return new THREE.Color().copy(AT_REST).lerp(full, Math.sqrt(Math.min(1, Math.abs(part))));
   }
 
   placeTrails(state, time) {
@@ -323,7 +326,7 @@ export class View {
         this.trail = [];
       }
       if (!last || time - last.time >= duration / TRAIL_SAMPLES) {
-        this.trail.push({time, places: new Map(ids.map((id, i) => [id, [state[6 * i], state[6 * i + 1], state[6 * i + 2]]]))});
+        this.trail.push({time, places: new Map(ids.map((id, i) => [id, [...state.subarray(6 * i, 6 * i + 3)]]))});
       }
       this.trail = this.trail.filter(sample => sample.time >= time - duration);
       const colour = new THREE.Color(this.facts.look.colours[0]);

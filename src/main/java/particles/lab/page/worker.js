@@ -1,10 +1,13 @@
 
-// Runs in a worker, behind the compiled classes: steps while the page asks for it, and tells the page what there is to see.
+// Runs in a worker, after the compiled classes: makes steps while the page wants them, and tells what there is to see.
 const SLICE = 12;                       // milliseconds of steps between two messages
-let playing = false, speed = 1, target = 0, lastTick = 0, catchUp = null, knownStructure = null, file = null, ticking = false;
+let playing = false, ticking = false, speed = 1, target = 0, lastTick = 0, catchUp = null;
+let knownStructure = null, file = null;
 
 function tell(more) {
-  const message = {type: 'frame', ...JSON.parse(status()), state: state().slice(), energies: energies().slice(), ...more};
+  const message = {type: 'frame', ...JSON.parse(status()), ...more};
+  message.state = state().slice();
+  message.energies = energies().slice();
   if (structureNumber() !== knownStructure) {
     knownStructure = structureNumber();
     message.structure = JSON.parse(structure());
@@ -34,11 +37,8 @@ function tick() {
     return;
   }
   const now = performance.now();
-  target += catchUp === null ? speed * (now - lastTick) / 1000 : Infinity;
+  target = catchUp ?? target + speed * (now - lastTick) / 1000;
   lastTick = now;
-  if (catchUp !== null) {
-    target = catchUp;
-  }
   advance(target, SLICE);
   const {time, over, failure} = tell();
   if (catchUp !== null && time >= catchUp) {
@@ -75,7 +75,10 @@ const commands = {
   // What comes after a moment seen long ago is computed anew from the start.
   goOn: message => { if (open(file)) { speed = message.speed; catchUp = message.time; play(); } },
   run: message => { advance(Infinity, message.milliseconds); postMessage({type: 'ran', ...JSON.parse(status())}); },
-  phase: message => postMessage({type: 'phase', id: message.id, axis: message.axis, points: phase(message.id, message.axis)}),
-  state: message => { advance(message.time, 1e9); postMessage({type: 'state', ...JSON.parse(status()), state: exactState()}); }
+  phase: ({id, axis}) => postMessage({type: 'phase', id, axis, points: phase(id, axis)}),
+  state: message => {
+    advance(message.time, 1e9);
+    postMessage({type: 'state', ...JSON.parse(status()), state: exactState()});
+  }
 };
 onmessage = event => commands[event.data.type](event.data);

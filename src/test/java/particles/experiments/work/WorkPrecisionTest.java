@@ -121,9 +121,9 @@ class WorkPrecisionTest {
     }
 
     @Test
-    void timesAreMedians() {
+    void timesAreMediansBetweenQuartiles() {
         for (Point point : WorkPrecision.measure(WorkProblems.of("network"), SolverChoice.of("rk4")).points()) {
-            assertTrue(point.least() <= point.seconds() && point.seconds() <= point.most() && point.least() > 0);
+            assertTrue(point.lower() <= point.seconds() && point.seconds() <= point.upper() && point.lower() > 0);
         }
     }
 

@@ -1,0 +1,242 @@
+package browser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.logging.Level;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.openqa.selenium.logging.LogType;
+
+/** What somebody does in the lab's page, and sees. */
+class LabPageTest {
+    private Browser page;
+
+    @BeforeEach
+    void open() {
+        page = Browser.open(1280, 900);
+    }
+
+    @AfterEach
+    void closeWithoutMistakes() {
+        List<String> mistakes = page.driver().manage().logs().get(LogType.BROWSER).getAll().stream()
+                .filter(entry -> entry.getLevel() == Level.SEVERE).map(Object::toString).toList();
+        page.close();
+        assertEquals(List.of(), mistakes);
+    }
+
+    private void edit(String from, String to) {
+        page.script("const code = document.querySelector('.CodeMirror').CodeMirror;"
+                + " const text = code.getValue().replace(arguments[0], arguments[1]);"
+                + " code.replaceRange(text, {line: 0, ch: 0}, {line: code.lineCount(), ch: 0}, '+input');", from, to);
+    }
+
+    private void setStep(String seconds) {
+        page.script("const step = document.getElementById('deltaTNumber'); step.value = arguments[0];"
+                + " step.dispatchEvent(new Event('change'));", seconds);
+        page.await("deltaT = " + seconds, () -> page.text("steps").equals("0"));
+    }
+
+    private void runToTheEnd() {
+        page.choose("speed", "5");
+        page.click("start");
+        page.await("the end", () -> page.text("start").equals("Start") && page.number("steps") > 0);
+    }
+
+    /** The total energy at the end over that at the start. */
+    private double energyRatio() {
+        return ((Number) page.script("""
+                const data = window.lab.energy.data[1];
+                return data[data.length - 1] / data[0];
+                """)).doubleValue();
+    }
+
+    @Test
+    void eulerGainsEnergyAndRK4KeepsIt() {
+        page.openScene("02-one-spring");
+        runToTheEnd();
+        assertEquals("252", page.text("steps"));        // 4 pi / 0.05 = 251.3
+        assertEquals("1008", page.text("evaluations"));
+        assertEquals(1, energyRatio(), 1e-5);           // measured 5e-7
+        page.choose("solver", "euler");
+        page.await("euler", () -> page.text("steps").equals("0"));
+        runToTheEnd();
+        assertEquals("252", page.text("evaluations"));
+        // each step multiplies by 1 + h^2, the last by less: (1 + 0.05^2)^251.3 = 1.873
+        assertEquals(1.873, energyRatio(), 0.002);
+        setStep("0.1");
+        runToTheEnd();
+        assertEquals(Math.pow(1.01, 125.7), energyRatio(), 0.02);
+    }
+
+    @Test
+    void aMistakeIsShownAtItsPlaceAndGoesWhenItIsCorrected() {
+        page.openScene("02-one-spring");
+        edit("solver: rk4", "solver: rk5");
+        page.await("the error", () -> page.text("errors").contains("did you mean 'rk4'?"));
+        assertTrue(page.text("errors").startsWith("02-one-spring.yaml:9:9: "), page.text("errors"));
+        assertFalse(page.element("start").isEnabled());
+        assertEquals(1, page.driver().findElements(org.openqa.selenium.By.className("wrong-place")).size());
+        page.screenshot("error");
+        edit("solver: rk5", "solver: verlet");
+        page.await("no error", () -> page.text("errors").isEmpty());
+        runToTheEnd();
+        assertEquals("verlet", page.element("solver").getAttribute("value"));
+        assertEquals("254", page.text("evaluations"));  // one a step, one more for the first and for the shorter last
+    }
+
+    @Test
+    void aBlowUpIsToldAndTimeStops() {
+        page.openScene("12-stiff-network");
+        setStep("0.01");
+        page.click("start");
+        page.await("the blow-up", () -> page.text("message").contains("stopped at t = "));
+        assertTrue(page.text("message").contains("deltaT"), page.text("message"));
+        String steps = page.text("steps");
+        Browser.sleep(500);
+        assertEquals(steps, page.text("steps"));
+        page.screenshot("blow-up");
+    }
+
+    @Test
+    void oneStepIsOneStep() {
+        page.openScene("02-one-spring");
+        page.click("step");
+        page.await("one step", () -> page.text("steps").equals("1"));
+        assertEquals("0.05 s", page.text("clock"));
+        assertEquals("4", page.text("evaluations"));
+    }
+
+    @Test
+    void momentsSeenCanBeSeenAgainAndGoneOnFrom() {
+        page.openScene("02-one-spring");
+        runToTheEnd();
+        double end = page.number("clock");
+        page.script("const time = document.getElementById('time'); time.value = 3.14;"
+                + " time.dispatchEvent(new Event('input'));");
+        page.await("an earlier moment", () -> page.number("clock") < 4);
+        assertEquals(3.1, page.number("clock"), 0.011);         // the step before, 62 times 0.05 s
+        page.click("start");
+        page.await("the end again", () -> page.number("clock") == end);
+        assertEquals("252", page.text("steps"));
+    }
+
+    @Test
+    void longStepsAreShownSmoothly() {
+        page.openScene("02-one-spring");
+        setStep("2");
+        page.choose("speed", "0.1");
+        page.click("start");
+        page.await("a moment within the first step", () -> page.number("clock") > 0.05);
+        assertEquals("1", page.text("steps"));
+        assertTrue(page.number("clock") < 2, page.text("clock"));
+    }
+
+    @Test
+    void pictureAndPlotsAreDrawn() {
+        page.openScene("09-cloth-in-wind");
+        page.await("the cloth", () -> redPixels("#view canvas") > 1000);
+        long before = redPixels("#view canvas");
+        page.click("start");
+        page.await("a second", () -> page.number("clock") > 0.5);
+        page.click("start");
+        assertTrue(redPixels("#view canvas") != before);
+        assertTrue(linePixels("#energy canvas") > 200);
+        assertTrue(linePixels("#phase canvas") > 100);
+        page.screenshot("cloth");
+    }
+
+    /** Those of the cloth's front. */
+    private long redPixels(String canvas) {
+        return pixels(canvas, "r > 1.5 * g && r > 1.5 * b && a > 0");
+    }
+
+    /** Those of a curve, in the second colour. */
+    private long linePixels(String canvas) {
+        return pixels(canvas, "b > r + 60 && b > g + 20 && a > 0");
+    }
+
+    private long pixels(String canvas, String condition) {
+        return (Long) page.script("""
+                const from = document.querySelector(arguments[0]);
+                const copy = document.createElement('canvas');
+                copy.width = from.width;
+                copy.height = from.height;
+                copy.getContext('2d').drawImage(from, 0, 0);
+                const data = copy.getContext('2d').getImageData(0, 0, copy.width, copy.height).data;
+                let count = 0;
+                for (let i = 0; i < data.length; i += 4) {
+                  const [r, g, b, a] = data.subarray(i, i + 4);
+                  count += (%s) ? 1 : 0;
+                }
+                return count;
+                """.formatted(condition), canvas);
+    }
+
+    @Test
+    void aSolverOfOnesOwnRunsAndOneThatIsNotThereIsNamedWithTheCommand() {
+        page.openScene("02-one-spring");
+        page.choose("solver", Browser.SOLVER);
+        page.await("Heun", () -> page.text("sentence").contains("your own"));
+        runToTheEnd();
+        assertEquals("504", page.text("evaluations"));  // two a step
+        assertEquals(1 + 251.3 * Math.pow(0.05, 4) / 4, energyRatio(), 1e-4);
+        edit("solver: rk4", "solver: exercises.Other");
+        page.await("the line", () -> page.text("errors").contains("gradle lab -Psolver=exercises.Other"));
+    }
+
+    @Test
+    void theChosenParticleIsTheOneThatIsClicked() {
+        page.openScene("05-hanging-chain");
+        List<?> place = (List<?>) page.script("const view = document.getElementById('view').getBoundingClientRect();"
+                + " const at = window.lab.view.onScreen(3); return [view.left + at[0], view.top + at[1],"
+                + " window.lab.view.structure.ids[3]];");
+        double x = ((Number) place.get(0)).doubleValue();
+        double y = ((Number) place.get(1)).doubleValue();
+        new org.openqa.selenium.interactions.Actions(page.driver()).moveToLocation((int) x, (int) y).click().perform();
+        assertEquals(place.get(2), page.element("particle").getAttribute("value"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {390, 768, 1280, 1920})
+    void nothingIsWiderThanTheWindow(int width) {
+        page.driver().executeCdpCommand("Emulation.setDeviceMetricsOverride",
+                Map.of("width", width, "height", 900, "deviceScaleFactor", 1, "mobile", false));
+        Browser.sleep(300);
+        assertEquals(0L, page.script("const all = document.documentElement;"
+                + " return all.scrollWidth - all.clientWidth;"));
+        page.screenshot("width-" + width);
+    }
+
+    @Test
+    void everyControlHasANameAndIsReachedByTab() {
+        assertEquals(List.of(), page.script("""
+                return [...document.querySelectorAll('button, input, select, textarea, [tabindex]')]
+                  .filter(element => element.offsetParent && !element.closest('.CodeMirror'))
+                  .filter(element => element.tabIndex < 0 || !element.labels?.length
+                    && !element.getAttribute('aria-label') && !element.textContent.trim())
+                  .map(element => element.outerHTML.slice(0, 100));
+                """));
+    }
+
+    @Test
+    void thePageIsSmallAndTellsItsLicences() throws IOException {
+        Path file = Browser.page();
+        assertTrue(Files.size(file) < 3_000_000, Files.size(file) + " bytes");
+        String text = Files.readString(file);
+        for (String word : List.of("three.js", "uPlot", "CodeMirror", "snakeyaml-engine", "EJML", "TeaVM",
+                "Apache License", "Version 2.0, January 2004", "MIT")) {
+            assertTrue(text.contains(word), word);
+        }
+        assertFalse(text.contains("src=\"http") || text.contains("import(\"http"), "it loads something from elsewhere");
+    }
+}
