@@ -19,7 +19,7 @@ public abstract class AdaptiveSolver extends DESolver {
     public static final double RELATIVE_TOLERANCE = 1e-6;
     /** What is allowed besides, in the unit of the state's entries. */
     public static final double ABSOLUTE_TOLERANCE = 1e-9;
-    /** The largest relative tolerance; more counts as this. With more, vibrations too fast for the method grow; see the package. */
+    /** The largest relative tolerance; more counts as this. Beyond it, vibrations too fast for the method grow. */
     public static final double LOOSEST_TOLERANCE = 1e-3;
     /** After so many sub-steps, taken or rejected, a step is given up. */
     public static final int MOST_SUB_STEPS = 500_000;
