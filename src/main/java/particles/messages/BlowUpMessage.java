@@ -13,9 +13,8 @@ import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
 
 /**
- * The line that a run ends with which cannot go on: what happened where and, where a solver or its step is to blame,
- * how fast the springs are beside the time step, and what to try. What rods and contacts cannot do is no question of
- * springs.
+ * What is printed when a run cannot go on: what happened and where; if springs are to blame, by how much deltaT is
+ * too long for them; and what to try. Each is a line or two.
  */
 public final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
@@ -48,16 +47,15 @@ public final class BlowUpMessage {
 
     /**
      * @param e what ended the run
-     * @return the line
+     * @return up to four lines, separated by line feeds
      */
     public String of(SimulationException e) {
         String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
                 + ": ";
         if (e.getCause() instanceof DESolverException cause) {
-            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ",
-                    "") + stiffest() + advice();
+            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + advice();
         }
-        return line + (e instanceof BlowUpException ? energy() + stiffest() + advice() : e.getMessage());
+        return line + (e instanceof BlowUpException ? energy() + advice() : e.getMessage());
     }
 
     private String particle(SimulationException e) {
@@ -66,52 +64,67 @@ public final class BlowUpMessage {
 
     private String energy() {
         double energy = scene.system().getKineticEnergy(scene.system().getOwnState());
-        return "the kinetic energy is " + Digits.few(energy) + " J, more than the limit of "
+        return "the kinetic energy is " + Digits.few(energy) + " J, above the limit of "
                 + Digits.few(scene.simulation().getEnergyLimit()) + " J";
     }
 
-    private String stiffest() {
-        int s = rates.stiffest();
-        if (s < 0) {
-            return "; no spring pulls at anything";
-        }
-        Particles particles = scene.system().getParticles();
-        return "; the stiffest spring, from '" + particles.id(scene.springs().from(s)) + "' to '"
-                + particles.id(scene.springs().to(s)) + "', has omega*deltaT = " + Digits.few(rates.ownOmega() * deltaT)
-                + ", all together at most " + Digits.few(rates.omega() * deltaT)
-                + (fastest > rates.omega() ? ", with damping " + Digits.few(fastest * deltaT) : "");
-    }
-
+    /** The second and the third line: the diagnosis and what to try. */
     private String advice() {
         String name = scene.description().solver();
         if (!SolverCatalog.names().contains(name)) {
-            return "; the limit of " + name + " is not known: try " + option("deltaT", Digits.few(deltaT / 10));
+            return "\nthe stability limit of " + name + " is not known"
+                    + trying(option("deltaT", Digits.few(deltaT / 10)));
         }
         SolverInfo solver = SolverCatalog.info(name);
         if (solver.adaptive()) {
-            return "; " + name + " chooses its own steps, so try " + option("solver", STIFF);
+            return "\n" + name + " chooses its own sub-steps, so another deltaT does not help"
+                    + trying(option("solver", STIFF));
         }
         double limit = limit(solver);
         if (limit == 0) {
-            return "; the limit of " + name + " is 0, its oscillations grow at any step: try "
-                    + withStep(SolverCatalog.info(STEADY));
+            return "\nundamped springs gain energy with " + name + " at any deltaT"
+                    + trying(withStep(SolverCatalog.info(STEADY)));
         }
         if (limit == Double.POSITIVE_INFINITY) {
-            return "; " + name + " has no limit, but equations to solve"
-                    + (name.equals(STIFF) ? ": try " + option("deltaT", Digits.few(deltaT / 2))
-                            : ", and where springs buckle it makes energy: try " + option("solver", STIFF));
+            return "\n" + name + " has no stability limit, but " + (name.equals(STIFF)
+                    ? "equations that it could not solve" + trying(option("deltaT", Digits.few(deltaT / 2)))
+                    : "it adds energy where springs buckle" + trying(option("solver", STIFF)));
         }
-        String stated = "; the limit of " + name + " is " + Digits.few(limit) + ": try ";
-        return deltaT <= stableStep(solver) ? stated + option("deltaT", Digits.few(deltaT / 4))
-                + ", as springs are not the cause"
-                : stated + option("deltaT", Digits.roundedDown(stableStep(solver)));
+        return deltaT <= stableStep(solver)
+                ? "\nsprings are not the cause: deltaT is within the limit of " + name
+                        + trying(option("deltaT", Digits.few(deltaT / 4)))
+                : "\n" + tooLong(solver, limit) + trying(option("deltaT", Digits.roundedDown(stableStep(solver))));
+    }
+
+    private static String trying(String what) {
+        return "\ntry " + what;
+    }
+
+    /** By how much, for which spring, and the two numbers that this comes from. */
+    private String tooLong(SolverInfo solver, double limit) {
+        Particles particles = scene.system().getParticles();
+        int s = rates.stiffest();
+        String spring = s < 0 ? "" : "\nstiffest spring: from '" + particles.id(scene.springs().from(s)) + "' to '"
+                + particles.id(scene.springs().to(s)) + "'";
+        boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
+        double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
+        return "deltaT is " + Digits.few(times) + " times too long for the fastest " + (byFixedPoint
+                ? "damping (rate * deltaT = " + Digits.few(damping * deltaT) + "; " + solver.name() + " needs "
+                        + FIXED_POINT + " or less)"
+                : "vibration (omega * deltaT = " + Digits.few(deltaT * rate(solver)) + "; the limit of " + solver.name()
+                        + " is " + Digits.few(limit) + ")") + spring;
+    }
+
+    /** The fastest motion that counts for this solver (1/s): with damping, unless that is solved for apart. */
+    private double rate(SolverInfo solver) {
+        return Double.isNaN(solver.realLimit()) ? rates.omega() : fastest;
     }
 
 
     private String withStep(SolverInfo solver) {
         return option("solver", solver.name()) + (deltaT <= stableStep(solver) ? ""
-                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or " + option("solver",
-                STIFF));
+                : " with " + option("deltaT", Digits.roundedDown(stableStep(solver))) + ", or "
+                        + option("solver", STIFF));
     }
 
     /** A step below the solver's limit, whatever the springs do (s). */
@@ -122,9 +135,7 @@ public final class BlowUpMessage {
         return SAFETY * limit(solver) / fastest;
     }
 
-    /**
-     * Of undamped springs on the imaginary axis; damping moves towards the real one, where the limit may be smaller.
-     */
+    /** Undamped springs lie on the imaginary axis; damping moves them to the real one, where the limit may differ. */
     private double limit(SolverInfo solver) {
         boolean damped = fastest > rates.omega() && !Double.isNaN(solver.realLimit());
         return damped ? Math.min(solver.realLimit(), solver.imaginaryLimit()) : solver.imaginaryLimit();

@@ -6,12 +6,12 @@ import java.math.RoundingMode;
 
 /** Numbers in messages for people: a few digits, the same in every locale. */
 public final class Digits {
-    private static final int FEW = 4;
+    private static final int FEW = 3;
 
     private Digits() {
     }
 
-    /** @return the number with 4 digits at most: 0.05, 12.57, 6.022e23 */
+    /** @return the number with 3 digits at most: 0.05, 12.6, 6.02e23 */
     public static String few(double value) {
         return write(value, new MathContext(FEW, RoundingMode.HALF_EVEN));
     }
@@ -35,6 +35,6 @@ public final class Digits {
         if (rounded.signum() == 0 || exponent >= -4 && exponent < 7) {
             return rounded.toPlainString();
         }
-        return rounded.toString().replace("E+", "e").replace('E', 'e');
+        return rounded.scaleByPowerOfTen(-exponent).toPlainString() + "e" + exponent;
     }
 }

@@ -11,10 +11,10 @@ import particles.reactions.RestingContacts;
 import particles.scene.Scene;
 
 /**
- * The line that a run ends with where a solver finds no step because Coulomb friction turns in it. Near a stop its
- * direction changes as fast as the velocity's, however slow that is; so a shorter step is no sure way out, and springs
- * and drag are not the cause. A solver that has nothing to solve goes over the turn, and the rule after the step sees
- * that it was a stop.
+ * What is printed when a solver finds no step because Coulomb friction changes its direction in it. Near a stop the
+ * direction changes as fast as the velocity's, however slow that is, so a shorter step may not help, and springs and
+ * drag are not the cause. An explicit solver steps across the change, and the rule after the step sees that it was a
+ * stop.
  */
 public final class FrictionMessage {
     private static final String EXPLICIT = "rk4";
@@ -28,19 +28,19 @@ public final class FrictionMessage {
      * @param scene the scene that was run, as the exception left it
      * @param options how an option of this name is typed
      * @param e     what ended the run
-     * @return the line; empty where friction is not the cause
+     * @return three lines, separated by line feeds; empty if friction is not the cause
      */
     public static Optional<String> of(Scene scene, UnaryOperator<String> options, SimulationException e) {
         if (!(e.getCause() instanceof DESolverException cause) || cause.getEntry() >= 0 || !mayStop(scene)) {
             return Optional.empty();
         }
         String name = scene.description().solver();
-        String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "").replaceFirst("; .*",
-                "");
-        return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found
-                + "; something slides that"
-                + " is about to stop, and there Coulomb friction turns faster than " + name + " can solve for: try "
-                + options.apply("solver") + "=" + EXPLICIT + step(scene, options) + ", which has nothing to solve for");
+        String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "")
+                .replaceFirst("; .*", "");
+        return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found + "\nsomething that"
+                + " slides is about to stop, and there Coulomb friction changes its direction too fast for " + name
+                + "\ntry " + options.apply("solver") + "=" + EXPLICIT + step(scene, options)
+                + ", which has no equations to solve");
     }
 
     private static boolean mayStop(Scene scene) {

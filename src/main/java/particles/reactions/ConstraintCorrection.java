@@ -49,7 +49,8 @@ final class ConstraintCorrection {
             if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1,
                         String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
-                        + " s: after %d iterations they are still off by %.2g of their lengths", time, iteration,
+                        + " s: after %d iterations the relative error of their lengths"
+                        + " is still %.2g", time, iteration,
                         error),
                         null);
             }

@@ -84,10 +84,10 @@ final class CoupledContacts {
         joint.assemble();
         double scale = putRight(linkage, time, force);
         if (!joint.solve(!contacts.response().holdsOn(), 0)) {
-            return Optional.of("there are no pushes that keep everything out: friction jams");
+            return Optional.of("no contact forces keep all particles out: friction jams");
         }
         if (joint.left() > RigidConstraints.CONTRADICTION * scale) {
-            return Optional.of("they contradict each other: no forces can keep them all");
+            return Optional.of("they contradict each other: no forces can satisfy them all");
         }
         for (int r = 0; r < joint.constraintRows(); r++) {
             lambda[joint.member(r)] = joint.solution[r];
@@ -97,7 +97,7 @@ final class CoupledContacts {
 
     private SimulationException failure(Linkage linkage, double time, String reason) {
         int particle = linkage.particles()[0];
-        return new SimulationException(time, particle, "rods, wires and contacts that hang together with particle '"
+        return new SimulationException(time, particle, "rods, wires and contacts connected to particle '"
                 + particles.id(particle) + "' at t = " + time + " s: " + reason, null);
     }
 
@@ -238,7 +238,7 @@ final class CoupledContacts {
             joint.right[n + k] = (k == 0 ? leaving : 0) - joint.touching.rate[k];
         }
         if (!joint.solve(true, 1)) {
-            throw failure(linkage, system.getTime(), "there are no impulses that keep everything out");
+            throw failure(linkage, system.getTime(), "no impulses keep all particles out");
         }
         joint.move(state, 3);
         ContactModes modes = contacts.getModes();

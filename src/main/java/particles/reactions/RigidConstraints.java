@@ -206,9 +206,9 @@ public final class RigidConstraints implements Reaction, SpringView {
         double left = linkage.solve(right, lambda);
         if (left > CONTRADICTION * linkage.scale(right, accelerations)) {
             int particle = rows.first(linkage.members()[0]);
-            throw new SimulationException(time, particle, "the rods and wires that hang together with particle '"
+            throw new SimulationException(time, particle, "the rods and wires connected to particle '"
                     + particles.id(particle) + "' contradict each other at t = " + time + " s: no forces can"
-                    + " keep them all", null);
+                    + " satisfy them all", null);
         }
     }
 

@@ -68,8 +68,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         }
         if (entries.size() > 1) {
             in.problem(entries.get(1).getKeyNode(), "an entry names one " + what + ", here '" + kind.get().name()
-                    + "'; what follows is either a key of it, to be indented further, or another " + what
-                            + ", which needs a dash of its own");
+                    + "'; the next line is either one of its keys, indented further, or another " + what
+                            + ", which needs its own dash");
             return Optional.empty();
         }
         Node valueNode = entries.get(0).getValueNode();

@@ -107,7 +107,7 @@ public final class MappingType extends Type<Values> {
                     + " of them stand in [ ]"
                     : Wording.unknown("key", text, known).replaceFirst("known:", "known in " + name + ":"));
         } else if (!seen.add(text)) {
-            in.problem(keyNode, "'" + text + "' is there twice in " + name);
+            in.problem(keyNode, "'" + text + "' appears twice in " + name);
         } else if (valueNode.getTag().equals(Tag.NULL)) {
             values.put(key.get(), Optional.empty(), in.place(keyNode), false);
             in.problem(keyNode, "'" + text + "' has no value; it has to be " + key.get().type().describe());

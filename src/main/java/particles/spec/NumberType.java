@@ -59,11 +59,11 @@ public final class NumberType extends Type<Double> {
         }
         if (value > 0 && value < TINY) {
             in.problem(node, what + " is " + Wording.describe(node)
-                    + "; no number that has to be positive is below 1e-30");
+                    + "; positive numbers in a scene are at least 1e-30");
             return Optional.empty();
         }
         if (Double.isNaN(value) && !isNotANumber(node) || Math.abs(value) > HUGE) {
-            in.problem(node, what + " is " + Wording.describe(node) + "; no number in a scene is beyond 1e30");
+            in.problem(node, what + " is " + Wording.describe(node) + "; numbers in a scene are at most 1e30");
             return Optional.empty();
         }
         return wrong(node, what, in);

@@ -45,7 +45,7 @@ public final class SourceText {
             } catch (NoSuchFileException e) {
                 problem = "there is no such file";
             } catch (AccessDeniedException e) {
-                problem = "the file may not be read; its permissions forbid it";
+                problem = "no permission to read the file";
             } catch (IOException e) {
                 problem = "the file cannot be read: " + e.getMessage();
             }
@@ -65,7 +65,7 @@ public final class SourceText {
         Place whole = Place.of(in.source());
         if (bytes.length > LARGEST) {
             in.problems().add(whole, "the file is longer than " + (LARGEST >> 20)
-                    + " MiB; many particles are made by shapes");
+                    + " MiB; use shapes to make many particles");
             return Optional.empty();
         }
         if (bytes.length >= 2 && (bytes[0] == LOW && bytes[1] == HIGH || bytes[0] == HIGH && bytes[1] == LOW)) {

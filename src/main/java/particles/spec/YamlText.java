@@ -76,7 +76,7 @@ public final class YamlText {
         for (Event event : events) {
             Place place = Place.of(in.source(), event.getStartMark());
             if (event instanceof NodeEvent && !refuse((NodeEvent) event, place, in) && ++values > MOST_VALUES) {
-                in.problems().add(place, "more than " + MOST_VALUES + " values; many particles are made by shapes");
+                in.problems().add(place, "more than " + MOST_VALUES + " values; use shapes to make many particles");
                 return;
             }
             if (event instanceof CollectionStartEvent && ++depth > DEEPEST) {
@@ -111,7 +111,7 @@ public final class YamlText {
 
     /** The parser's reason, and what experience says about it. */
     private static String reason(MarkedYamlEngineException e, String text) {
-        String problem = e.getProblem() == null ? "the text ends or goes on unexpectedly" : e.getProblem();
+        String problem = e.getProblem() == null ? "the text ends too early or continues unexpectedly" : e.getProblem();
         int index = e.getProblemMark().map(mark -> mark.getIndex()).orElse(0);
         if (index < text.codePointCount(0, text.length()) && text.codePointAt(text.offsetByCodePoints(0,
                 index)) == '\t') {

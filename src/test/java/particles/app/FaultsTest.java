@@ -247,7 +247,7 @@ class FaultsTest {
                 + top.resolve("\u00fcbung"));
         assertEquals(2, end.code(), end.lines());
         assertTrue(end.lastLine()
-                .endsWith("is no folder's name: Malformed input or input contains unmappable characters"),
+                .endsWith("is not a folder name: Malformed input or input contains unmappable characters"),
                 end.lines());
     }
 }

@@ -203,13 +203,12 @@ class OwnEffectTest {
 
     @Test
     void aClassThatCannotBeUsedIsOneLine() throws IOException {
-        assertRefused("5: there is no class exercises.Missing; a class of your own stands in src/main/java/exercises,"
-                + " and gradle"
-                + " newEffect writes one to begin with", "exercises.Missing: {strength: 2}");
+        assertRefused("5: there is no class exercises.Missing; put your own class into src/main/java/exercises"
+                + " (gradle newEffect writes one to start from)", "exercises.Missing: {strength: 2}");
         write("Bare", "package exercises; public class Bare { }");
-        assertRefused("5: exercises.Bare has no keys for scenes; it needs a 'public static final class Keys extends"
-                + " EffectKind',"
-                + " such as gradle newEffect writes", "exercises.Bare");
+        assertRefused("5: exercises.Bare declares no keys for scenes; it needs a 'public static final class"
+                + " Keys extends"
+                + " EffectKind' (gradle newEffect writes one)", "exercises.Bare");
         write("Broken", "package exercises;\npublic class Broken {\n    int x = y;\n}\n");
         assertRefused("5: Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class"
                 + " exercises.Broken", "exercises.Broken");

@@ -12,12 +12,15 @@ class DigitsTest {
         try {
             Locale.setDefault(Locale.GERMANY);
             assertEquals("0.05", Digits.few(0.05));
-            assertEquals("12.57", Digits.few(12.566370614359172));
+            assertEquals("12.6", Digits.few(12.566370614359172));
             assertEquals("12.566370614359172", Digits.exact(12.566370614359172));
             assertEquals("0", Digits.few(-0.0));
             assertEquals("20", Digits.exact(20));
-            assertEquals("6.022e23", Digits.few(6.02214e23));
+            assertEquals("6.02e23", Digits.few(6.02214e23));
             assertEquals("-1.5e-7", Digits.few(-1.5e-7));
+            assertEquals("9.37e-6", Digits.few(0.000009366));
+            assertEquals("1e-5", Digits.few(0.00001));
+            assertEquals("1.2e-12", Digits.exact(0.0000000000012));
             assertEquals("NaN", Digits.few(Double.NaN));
             assertEquals("0.063", Digits.roundedDown(0.0639));
             assertEquals("1000000", Digits.few(1e6));

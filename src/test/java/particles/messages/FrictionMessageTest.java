@@ -35,7 +35,7 @@ class FrictionMessageTest {
         Scene stops = jelly(new Overrides().with("solver", solver, "--solver"));
         SimulationException e = assertThrows(SimulationException.class, stops.simulation()::run);
         String line = FrictionMessage.of(stops, name -> "--" + name, e).orElseThrow();
-        assertTrue(line.contains("Coulomb friction turns faster than " + solver + " can solve for"), line);
+        assertTrue(line.contains("Coulomb friction changes its direction too fast for " + solver), line);
         assertFalse(line.contains("damping"), line);
         Overrides advised = new Overrides();
         Matcher option = OPTION.matcher(line);

@@ -55,9 +55,8 @@ class BrokenScenesTest {
                                 + " or write "
                                 + "'- gravity', without the colon"),
                 added("effects:\n  - gravity:\n    acceleration: [0, -1, 0]\n",
-                        "x.yaml:10:5: an entry names one effect, here 'gravity'; what follows is either a key"
-                                + " of it, to "
-                                + "be indented further, or another effect, which needs a dash of its own"),
+                        "x.yaml:10:5: an entry names one effect, here 'gravity'; the next line is either one of"
+                                + " its keys, indented further, or another effect, which needs its own dash"),
                 added("effects:\n  - drag\n",
                         "x.yaml:9:5: 'drag' alone is not enough; after a colon it needs a mapping with keys of "
                                 + "coefficient"),
@@ -86,7 +85,7 @@ class BrokenScenesTest {
                         "x.yaml:8:25: 'position' has 2 entries; it has to be three numbers [x, y, z] (m)"),
                 added("  - {id: tom, position: [1, a, .inf], mass: 0}\n",
                         "x.yaml:8:29: y of 'position' is the text 'a'; it has to be a number (m)",
-                        "x.yaml:8:32: z of 'position' is .inf; no number in a scene is beyond 1e30",
+                        "x.yaml:8:32: z of 'position' is .inf; numbers in a scene are at most 1e30",
                         "x.yaml:8:45: 'mass' is 0; it has to be a number over 0 (kg)"),
                 added("  - {id: 7, postion: [1, 2, 3]}\n",
                         "x.yaml:8:5: a particle needs 'position': three numbers [x, y, z] (m)",
@@ -104,7 +103,7 @@ class BrokenScenesTest {
                 added("  - {id: tom, position: [1, 2, 3], fixed: true, velocity: [0, 1, 0]}\n",
                         "x.yaml:8:59: 'tom' is fixed and has a velocity; remove one of the two"),
                 added("  - {id: tom, position: [1, 2, 3], mass: 1, mass: 2}\n",
-                        "x.yaml:8:45: 'mass' is there twice in a particle"),
+                        "x.yaml:8:45: 'mass' appears twice in a particle"),
                 added("  - tom\n",
                         "x.yaml:8:5: a particle is the text 'tom'; it has to be a mapping with keys of id, position, "
                                 + "velocity, mass, fixed"),
@@ -189,7 +188,7 @@ class BrokenScenesTest {
                 added("blowUpFactor:\n",
                         "x.yaml:8:1: 'blowUpFactor' has no value; it has to be a number over 0"),
                 added("title: again\n",
-                        "x.yaml:8:1: 'title' is there twice in the scene"),
+                        "x.yaml:8:1: 'title' appears twice in the scene"),
                 added("more: &a [1]\nless: *a\n",
                         "x.yaml:8:7: anchors and aliases (&name, *name) are not used in scenes; write the"
                                 + " values out, or "

@@ -38,10 +38,10 @@ class FoundInputsTest {
     @ParameterizedTest
     @CsvSource({"4.9e-324", "1e-310", "1e-31"})
     void massesThatHaveNoInverseAreRefused(String mass) {
-        assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; no number that has to be positive is below 1e-30"),
+        assertEquals(List.of("x.yaml:7:42: 'mass' is " + mass + "; positive numbers in a scene are at least 1e-30"),
                 linesFor("particles:\n  - {id: bob, position: [0, 0, 0], mass: " + mass + "}\n"));
-        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; no number that has to be positive is"
-                + " below 1e-30"),
+        assertEquals(List.of("x.yaml:7:71: 'totalMass' is " + mass + "; positive numbers in a scene are at"
+                + " least 1e-30"),
                 linesFor("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 3,"
                         + " totalMass: " + mass + "}\n"));
     }

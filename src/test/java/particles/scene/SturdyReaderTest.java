@@ -93,10 +93,10 @@ class SturdyReaderTest {
         assertEquals(List.of("x.yaml:1:21: nested more than 20 deep"), linesFor("[".repeat(100_000)));
         assertEquals(List.of("x.yaml:1:50: nested more than 20 deep"), linesFor("a: " + "{a: ".repeat(9)
                 + "[".repeat(100_000)));
-        assertEquals(List.of("x.yaml: the file is longer than 2 MiB; many particles are made by shapes"),
+        assertEquals(List.of("x.yaml: the file is longer than 2 MiB; use shapes to make many particles"),
                 linesFor(new byte[3 << 20]));
         List<String> lines = linesFor("particles:\n" + "- 1\n".repeat(250_000));
-        assertEquals(List.of("x.yaml:199999:3: more than 200000 values; many particles are made by shapes"), lines);
+        assertEquals(List.of("x.yaml:199999:3: more than 200000 values; use shapes to make many particles"), lines);
     }
 
     @Test
@@ -105,7 +105,7 @@ class SturdyReaderTest {
             List<String> lines = linesFor(GOOD.replace("[0, 1, 0]", "[0, " + number + ", 0]"));
             assertEquals(1, lines.size());
             assertTrue(lines.get(0).startsWith("x.yaml:7:29: y of 'position' is "), lines.get(0));
-            assertTrue(lines.get(0).endsWith("; no number in a scene is beyond 1e30"), lines.get(0));
+            assertTrue(lines.get(0).endsWith("; numbers in a scene are at most 1e30"), lines.get(0));
         }
         assertEquals(List.of("x.yaml:7:29: y of 'position' is .nan; it has to be a number (m)"),
                 linesFor(GOOD.replace("[0, 1, 0]", "[0, .nan, 0]")));

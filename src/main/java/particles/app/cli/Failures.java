@@ -55,13 +55,12 @@ public final class Failures {
         }
         if (thrown instanceof OutOfMemoryError) {
             err.printf(Locale.ROOT,
-                    "the memory that Java may use, %d MiB, is full; take fewer particles, frames or runs, or give"
-                    + " Java more:"
+                    "out of memory: Java may use %d MiB; use fewer particles, frames or runs, or give Java more:"
                     + " JAVA_TOOL_OPTIONS=-Xmx%dg%n", Runtime.getRuntime().maxMemory() >> 20,
                     (Runtime.getRuntime().maxMemory() >> 30) + 1);
             return ExitCode.TROUBLE;
         }
-        err.println("an error of the program itself, which should not happen:");
+        err.println("internal error; please report it:");
         thrown.printStackTrace(err);
         return ExitCode.TROUBLE;
     }
@@ -93,7 +92,7 @@ public final class Failures {
         if (e instanceof NotDirectoryException) {
             return "not a folder";
         }
-        return e instanceof FileAlreadyExistsException ? "is already there, and is not a folder"
+        return e instanceof FileAlreadyExistsException ? "exists already and is not a folder"
                 : e.getClass().getSimpleName();
     }
 }

@@ -14,18 +14,18 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle effectCost}: what each effect and rule adds to the time of a step. */
 @Command(name = EffectCostCommand.NAME,
-        description = "What each effect costs: the time of a step without it and with it.")
+        description = "Measures what each effect adds to the time of a step.")
 public final class EffectCostCommand extends ExperimentCommand {
     static final String NAME = "effectCost";
     private static final int MOST_COLUMNS = 500;
     private static final int STEPS = 20;
 
     @Option(names = "--columns", paramLabel = "NUMBER", defaultValue = "40",
-            description = "The cloth has as many columns and rows of particles (default: ${DEFAULT-VALUE}).")
+            description = "The number of columns and of rows of the cloth (default: ${DEFAULT-VALUE}).")
     private int columns;
 
     @Option(names = "--rounds", paramLabel = "NUMBER", defaultValue = "40",
-            description = "How often all take their turn, each with 20 steps (default: ${DEFAULT-VALUE}).")
+            description = "The number of rounds, each with 20 steps of every variant (default: ${DEFAULT-VALUE}).")
     private int rounds;
 
     public EffectCostCommand(OptionStyle style) {
@@ -47,7 +47,7 @@ public final class EffectCostCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         List<Cost> costs = EffectCost.measure(columns, STEPS, rounds, System::nanoTime, progress);
         String found = String.format(Locale.ROOT,
-                "Springs alone take %.2f times as long as code that knows nothing else",
+                "Springs alone take %.2f times as long as handwritten code for springs only",
                 costs.get(1).seconds() / costs.get(0).seconds());
         return new ResultPage(NAME, found,
                 List.of("A cloth of " + columns + " x " + columns
@@ -57,7 +57,7 @@ public final class EffectCostCommand extends ExperimentCommand {
                         + " evaluation, never once a particle.",
                         "Each bar is the fastest of " + rounds + " rounds of " + STEPS
                         + " steps; all variants take turns."),
-                List.of(Picture.chart("effect-cost", "The time for a step, over that with springs alone.",
+                List.of(Picture.chart("effect-cost", "Time of a step, relative to springs alone.",
                         EffectCost.chart(costs))),
                 List.of(EffectCost.table(costs)));
     }

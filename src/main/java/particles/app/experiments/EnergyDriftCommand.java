@@ -56,10 +56,10 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         Comparison comparison = EnergyDrift.compare(scene(), solvers(), equalWork, progress);
         return new ResultPage(NAME, DriftCharts.finding(comparison), List.of(
-                "The energy error is what is left of the change of the total energy when the work of drag, damping,"
-                        + " wind, contacts and collisions is taken out: it is the solver's doing. It is divided by the"
-                        + " largest kinetic plus spring energy of the run, so that the zero of the potential does not"
-                        + " matter.",
+                "The energy error is the change of the total energy minus the work of drag, damping, wind,"
+                        + " contacts and collisions: it is the solver's error. It is divided by the"
+                        + " largest kinetic plus spring energy of the run, so the zero of the potential does"
+                        + " not matter.",
                 "Where nothing damps or drives the motion, an error drifts if the straight line through it rises by"
                         + " more than twice the scatter about it and it still grows in the second half, or ends at its"
                         + " largest; otherwise it is bounded. Symplectic solvers trade energy back and forth; the"
@@ -67,8 +67,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
                 "Where damping, driving or impacts change the energy, errors fade with the motion or follow it: only"
                         + " their size compares solvers."),
                 List.of(Picture.stacked("energy-drift",
-                "Above the size of the error on a logarithmic scale, below the error itself as"
-                        + " long as it is less than a tenth. A cross is a run that ended early.",
+                "Above: the size of the error, logarithmic. Below: the error itself while it is less than 0.1."
+                        + " A cross marks a run that ended early.",
                         DriftCharts.charts(comparison))),
                 List.of(DriftCharts.table(comparison)));
     }

@@ -35,7 +35,7 @@ public abstract class ExperimentCommand extends ResultsCommand {
         lines.println(page.tables().get(0).title() + ":");
         TableText.plain(page.tables().get(0)).forEach(lines::println);
         lines.println();
-        lines.println("pictures, numbers and what they say: " + folder().resolve(name() + ".md"));
+        lines.println("report with pictures and numbers: " + folder().resolve(name() + ".md"));
     }
 
     /**

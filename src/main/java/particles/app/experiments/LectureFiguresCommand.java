@@ -22,7 +22,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle lectureFigures}: the slides' figures, from their captions. */
 @Command(name = LectureFiguresCommand.NAME,
-        description = "The figures of the lecture: Euler, midpoint and RK4 over the vector field.")
+        description = "Draws the figures of the lecture: Euler, midpoint and RK4 over the vector field.")
 public final class LectureFiguresCommand extends ExperimentCommand {
     static final String NAME = "lectureFigures";
 
@@ -31,7 +31,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     private static final double DELTA_T = 0.4;
     private static final int STEPS = 100;
 
-    @Option(names = "--solver", paramLabel = "NAME", description = "One figure more, with this solver.")
+    @Option(names = "--solver", paramLabel = "NAME", description = "Adds a figure with this solver.")
     private String solver;
 
     @Option(names = "--deltaT", paramLabel = "SECONDS",
@@ -72,8 +72,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     private void requireSolver(String option) {
         if (solver == null) {
             throw wrong(option,
-                    "needs " + style().option("solver") + ", whose figure it is for; the slides' figures have"
-                    + " their own");
+                    "needs " + style().option("solver") + "; the slides' figures have their own values");
         }
     }
 

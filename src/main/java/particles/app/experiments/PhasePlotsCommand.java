@@ -89,7 +89,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 return i;
             }
         }
-        throw wrong("scene", "no particle of this scene can move when it begins, so there is no path to draw");
+        throw wrong("scene", "at its start this scene has no free particle, so there is no path to draw");
     }
 
     /** None for the axis along which a particle goes farthest. */
@@ -98,7 +98,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
             return scene.phase().map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
-            throw wrong("axes", "'" + axes + "' has to be of the letters x, y and z");
+            throw wrong("axes", "'" + axes + "' has to be made made made of the letters x, y and z");
         }
         return Arrays.stream(axes.split("")).distinct().map(letter ->
                 Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();

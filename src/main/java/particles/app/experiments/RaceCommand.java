@@ -20,7 +20,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle race}: solvers beside each other, with equal work. */
-@Command(name = RaceCommand.NAME, description = "Solvers beside each other on a scene, with equal work: one animation.")
+@Command(name = RaceCommand.NAME, description = "Runs solvers side by side on a scene with equal work: one animation.")
 public final class RaceCommand extends ExperimentCommand {
     static final String NAME = "race";
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
@@ -60,7 +60,7 @@ public final class RaceCommand extends ExperimentCommand {
             requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
         }
         if (solvers().size() > MOST_SOLVERS) {
-            throw wrong("solvers", solvers().size() + " are too many to be seen; at most " + MOST_SOLVERS);
+            throw wrong("solvers", solvers().size() + " solvers are too many; at most " + MOST_SOLVERS);
         }
     }
 
@@ -96,21 +96,22 @@ public final class RaceCommand extends ExperimentCommand {
                 .orElse("rk4 at the scene's step");
         String rule = race.equalTime()
                 ? "All run for the same measured time, as long as " + pace + " needs: an implicit solver does more than"
-                        + " evaluate the derivative, so that equal evaluations would not be fair. A time is that of a"
-                        + " busy processor, the median of runs that were made in turn after a warm-up."
+                        + " evaluate the derivative, so that equal evaluations would not be fair. Times are CPU"
+                        + " times: medians of interleaved runs after a warm-up."
                 : "All get as many evaluations of the derivative as " + pace
                         + " needs, to within one step: a cheap method makes more and shorter steps, an adaptive one"
                         + " gets the tolerance that costs as much.";
         return new ResultPage(NAME, RaceCharts.title(race), List.of(rule,
                 "The grey ghost is the reference, " + Race.REFERENCE + ". The strip below shows the energy error of"
-                        + " each solver, physics taken out, over the energy scale. Who goes where the reference never"
-                        + " comes near, or fails, has left the race; its panel stays as it was.",
-                String.format(Locale.ROOT, "The animation is played %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
+                        + " each solver, physics taken out, over the energy scale. A solver that fails, or goes"
+                        + " far from where the reference ever is, leaves the race; its panel stays as it was.",
+                String.format(Locale.ROOT, "The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : String.format(Locale.ROOT, "at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
                         Picture.made(SHEET, "The race at some moments, and the energy error over time."),
-                        Picture.stacked("race-charts", "Above the distance of each solver from the reference, root mean"
-                                + " square over the particles; below its energy error. A cross is where one left.",
+                        Picture.stacked("race-charts", "Above: distance of each solver from the reference, root"
+                                + " mean square over the particles. Below: energy error. A cross marks where a"
+                                + " solver left the race.",
                                 List.of(RaceCharts.distance(race), RaceCharts.energy(race)))),
                 List.of(RaceCharts.table(race)));
     }

@@ -29,7 +29,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
 /** {@code gradle report}: the experiments on one page, for the course or for a scene. */
-@Command(name = ReportCommand.NAME, description = "All experiments, of the course or of a scene, on one HTML page.")
+@Command(name = ReportCommand.NAME, description = "Writes all experiments, of the course or of a scene, on one"
+        + " HTML page.")
 public final class ReportCommand extends ResultsCommand {
     static final String NAME = "report";
     static final String FILE = "report.html";
@@ -120,7 +121,7 @@ public final class ReportCommand extends ResultsCommand {
             }
         }
         if (wanted.isEmpty()) {
-            throw wrong("experiments", "no experiment is named; known: " + String.join(", ", known));
+            throw wrong("experiments", "choose at least one experiment; known: " + String.join(", ", known));
         }
         return experiments.stream().filter(experiment -> wanted.contains(experiment.name())).toList();
     }
@@ -176,16 +177,15 @@ public final class ReportCommand extends ResultsCommand {
         List<String> text = new ArrayList<>();
         about.ifPresent(description -> {
             text.add(description.teaches());
-            text.add("Those experiments that run a scene look at this one, with " + String.join(", ",
+            text.add("Experiments that run a scene use this one, with " + String.join(", ",
                     SolverChoice.list(solvers()).stream().map(SolverChoice::label).toList())
-                    + "; the other experiments have problems of their own.");
+                    + "; the others use their own problems.");
         });
-        text.add("How long steps may be, what an error costs, and what becomes of the energy: "
+        text.add("Stability, accuracy and energy: "
                 + chosen.size() + (chosen.size() == 1 ? " experiment" : " experiments")
                 + " with the course's solvers.");
-        text.add("A click on a column's head sorts a table by it, a click on a picture shows it larger. The numbers"
-                + " behind each picture, with all digits, are in the folder of the experiment's name beside this"
-                + " page.");
+        text.add("Click a column's head to sort a table, or a picture to enlarge it. The numbers behind each"
+                + " picture, with all digits, are in the folder with the experiment's name beside this page.");
         return text;
     }
 }

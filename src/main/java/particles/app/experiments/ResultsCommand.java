@@ -43,9 +43,9 @@ abstract class ResultsCommand extends ProgramCommand {
                 return Path.of(out);
             }
         } catch (InvalidPathException e) {
-            throw wrong("out", "'" + out + "' is no folder's name: " + e.getReason());
+            throw wrong("out", "'" + out + "' is not a folder name: " + e.getReason());
         }
-        throw wrong("out", "needs the name of a folder");
+        throw wrong("out", "needs a folder name");
     }
 
     /** @return the failure that says what is wrong with an option */

@@ -26,10 +26,10 @@ final class SceneOptions {
     @Option(names = "--solvers", paramLabel = "NAMES", description = "Solvers, separated by commas, or all.")
     private String solvers;
 
-    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "Another time step than the scene's.")
+    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "A time step other than the scene's.")
     private String deltaT;
 
-    @Option(names = "--duration", paramLabel = "SECONDS", description = "Another duration than the scene's.")
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's.")
     private String duration;
 
     /** @return the scene that was asked for, or else this one, with what overrides it */

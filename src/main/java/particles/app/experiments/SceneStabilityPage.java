@@ -41,7 +41,8 @@ final class SceneStabilityPage {
                 + " what else the iteration found. A step is safe where all points to the left of the imaginary axis,"
                 + " or on it, lie inside the solver's outline.",
                 SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(), outlined)));
-        ChartData growth = SceneStabilityCharts.growth("Steps are safe until some mode's factor leaves 1", spectrum,
+        ChartData growth = SceneStabilityCharts.growth("Steps are safe until the factor of some mode exceeds"
+                + " 1", spectrum,
                 limits);
         if (!growth.series().isEmpty()) {
             pictures.add(Picture.chart("growth",
@@ -69,8 +70,8 @@ final class SceneStabilityPage {
 
     private static List<String> text(Spectrum spectrum, Mode fastest) {
         String grows = spectrum.growth() == 0 ? ""
-                : String.format(Locale.ROOT, " Some motion grows by itself, by %.3g /s: that is physics, and"
-                + " no solver is blamed for it.", spectrum.growth());
+                : String.format(Locale.ROOT, " Some motion grows by itself, by %.3g /s: that is physics, not an"
+                        + " error of the solver.", spectrum.growth());
         return List.of(String.format(Locale.ROOT,
                 "By the spectrum: the scene's equations, linearised at its start, have eigenvalues up to"
                         + " |lambda| = %.8g /s (%s, %d products with the Jacobian, relative error below %.0e). The"
@@ -82,8 +83,8 @@ final class SceneStabilityPage {
                         + " step is unsafe if 512 of them bring the runs 20 times farther apart than the motion itself"
                         + " does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 of it."
                         + " What grows by less than 0.6 % a step is not seen in 512 steps, so that euler's limit comes"
-                        + " out a little large. Both agree as long as the scene stays near its start: where springs"
-                        + " turn, stretch or meet something, the spectrum is another one, and the runs are right.",
+                        + " out a little large. Both agree as long as the scene stays near its start. If"
+                        + " springs turn, stretch or hit something, the spectrum changes; then trust the runs.",
                 "An adaptive solver divides a deltaT that is too long; its longest stable sub-step is given. Implicit"
                         + " solvers were run with steps up to a thousand times the explicit limit, where they are"
                         + " stable, not accurate.");

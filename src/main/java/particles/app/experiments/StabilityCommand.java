@@ -22,14 +22,14 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle stability}: how long a step may be, measured on every solver's real code, or in one scene. */
-@Command(name = StabilityCommand.NAME, description = "Measures how long a stable step of each solver may be.")
+@Command(name = StabilityCommand.NAME, description = "Measures the longest stable step of each solver.")
 public final class StabilityCommand extends ExperimentCommand {
     static final String NAME = "stability";
     private static final Path SCENES = Path.of("scenes");
 
     @Option(names = "--scene", paramLabel = "NAME",
-            description = "How long a step may be in this scene: a file, or the name or number of"
-            + " one in scenes (default: each solver by itself).")
+            description = "Finds the longest step in this scene: a file, or the name or number of one in scenes"
+                    + " (default: each solver by itself).")
     private String scene = "";
 
     @Option(names = "--solvers", paramLabel = "NAMES",
@@ -37,7 +37,7 @@ public final class StabilityCommand extends ExperimentCommand {
     private String solvers = "";
 
     @Option(names = "--deltaT", paramLabel = "SECONDS",
-            description = "At which step growth is told, instead of the scene's.")
+            description = "The step at which growth is reported, instead of the scene's.")
     private String deltaT = "";
 
     public StabilityCommand(OptionStyle style) {
@@ -58,8 +58,8 @@ public final class StabilityCommand extends ExperimentCommand {
             solverChoices(solvers.isEmpty() ? "all" : solvers);
             if (SceneStability.spectrum(described()).modes().stream().noneMatch(mode -> mode.re() <= 0)) {
                 throw wrong("scene",
-                        "at the start of this scene nothing moves by itself that a long step could make grow: choose"
-                        + " one with springs, drag or rods between particles that can move");
+                        "this scene has no vibration or damping at its start that limits a step; choose a scene"
+                                + " with springs, drag or rods between free particles");
             }
         }
     }
@@ -81,10 +81,10 @@ public final class StabilityCommand extends ExperimentCommand {
 
     private static ResultPage limits(ProgressListener progress) {
         DataTable limits = StabilityLimits.measure((part, what) -> progress.reached(part / 2, what));
-        return new ResultPage(NAME, "How long a step may be before it grows", List.of(
-                "Every number was measured on the solver's real code, by bisection on the test equation y' = lambda"
-                        + " y. Theory stands beside it: it is what the catalogue states. A spring without damping lies"
-                        + " on the imaginary axis, lambda = i omega; what only decays lies on the negative real axis.",
+        return new ResultPage(NAME, "The longest stable step of each solver", List.of(
+                "Every number was measured on the solver's code, by bisection on the test equation y' = lambda"
+                        + " y. Beside it is the theory, as in the catalogue. A spring without damping lies on"
+                        + " the imaginary axis, lambda = i omega; pure decay lies on the negative real axis.",
                 "An adaptive solver makes its sub-steps shorter before anything grows. What is measured of it is one"
                         + " sub-step as long as deltaT, which a tolerance that allows everything makes it take: beyond"
                         + " its limit it has to take more of them, and that is what a stiff system costs it."
@@ -94,21 +94,21 @@ public final class StabilityCommand extends ExperimentCommand {
                         + " eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet"
                         + " and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and"
                         + " with strong damping it is their limit."),
-                List.of(region("slides", "Explicit steps: stable inside the outline",
+                List.of(region("slides", "Explicit methods: stable inside the outline",
                                 "The slides' solvers and adams. euler and midpoint touch the imaginary axis only at 0.",
                                 List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), progress,
                                 0.5),
                         region("adaptive", "One sub-step of the explicit adaptive solvers: stable inside the outline",
-                                "Longer steps are divided, so that these outlines say what a stiff system costs.",
+                                "Longer steps are divided, so these outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
                                 new Window(-14, 4, 12, 0.15),
                                 progress, 0.6),
-                        region("symplectic", "Symplectic steps on a damped spring: stable inside the outline",
+                        region("symplectic", "Symplectic methods on a damped spring: stable inside the outline",
                                 "Without damping, on the imaginary axis, the limit is 2, of yoshida4 1.57; damping"
                                 + " takes from it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04),
                                 progress, 0.7),
-                        region("implicit", "Implicit steps: stable outside the outline",
+                        region("implicit", "Implicit methods: stable outside the outline",
                                 "All that decays is stable. implicit-midpoint has the imaginary axis itself for an"
                                         + " outline: what grows grows, and what decays decays. The others damp what"
                                         + " grows too, if it is fast.",

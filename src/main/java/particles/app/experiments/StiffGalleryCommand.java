@@ -16,7 +16,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle stiffGallery}: what stiffness costs. */
 @Command(name = StiffGalleryCommand.NAME,
-        description = "Sweeps the stiffness of a spring: what each solver pays to stay stable.")
+        description = "Varies the stiffness of a spring: what each solver pays to stay stable.")
 public final class StiffGalleryCommand extends ExperimentCommand {
     static final String NAME = "stiffGallery";
 
@@ -70,8 +70,8 @@ public final class StiffGalleryCommand extends ExperimentCommand {
                 List.of(Picture.stacked("stiff-gallery",
                         "Evaluations for an error of 1 % of the swing after 10 s, evaluations of the"
                         + " cheapest stable run, and the energy that is left of the stiff vibration, where it does not"
-                        + " grow for ever. Below: who is never stable, and where a million steps are not enough for 1"
-                        + " %.",
+                        + " grow for ever. Below: solvers that are never stable, and where a million steps are"
+                        + " not enough for 1 %.",
                         StiffCharts.charts(sweeps))), List.of(StiffCharts.table(sweeps)));
     }
 }

@@ -27,7 +27,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle workPrecision}: what precision costs. */
 @Command(name = WorkPrecisionCommand.NAME,
-        description = "Sets the error of solvers against their cost, on several problems.")
+        description = "Plots error against cost of solvers, on several problems.")
 public final class WorkPrecisionCommand extends ExperimentCommand {
     static final String NAME = "workPrecision";
 
@@ -70,7 +70,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                 : Arrays.stream(problem.split(",")).map(String::strip).filter(name -> !name.isEmpty()).distinct()
                 .toList();
         if (names.isEmpty()) {
-            throw wrong("problem", "no problem is named; known: " + String.join(", ", WorkProblems.NAMES));
+            throw wrong("problem", "choose at least one problem; known: " + String.join(", ", WorkProblems.NAMES));
         }
         return names;
     }
@@ -99,7 +99,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                     + solved.origin()
                     + ".";
             pictures.add(Picture.stacked(solved.name() + "-evaluations", caption
-                    + " Filled points are those of the fitted slope."
+                    + " The slope is fitted through the filled points."
                     + FAILURES, WorkCharts.byEvaluations(solved, curves)));
             pictures.add(Picture.stacked(solved.name() + "-time", caption
                     + " CPU time, the median of five or more runs after a warm-up; bars go from the lower to the upper"
@@ -115,11 +115,11 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
                         + " 1.5. A slope that is off theory by more than 1.25 is none of the method: such errors fall"
                         + " for another reason, as where sub-steps become short enough to be stable. Points that are"
                         + " fitted are filled.",
-                "The stiff chain does nothing but follow its shaken wall. Explicit solvers have no result until their"
-                        + " step is short enough for the stiffest spring, and are then more accurate than anybody"
-                        + " asked. Implicit ones take long steps, but see only the stages of a step: there radau has"
+                "The stiff chain only follows its shaken wall. Explicit solvers have no result until their step"
+                        + " is short enough for the stiffest spring, and are then more accurate than needed."
+                        + " Implicit ones take long steps, but see only the stages of a step: there radau has"
                         + " the order of its stages, 3, and not 5, until the step is as short as the time of the"
-                        + " springs. Its steps are equal here, as those of the others."),
+                        + " springs. It uses equal steps here, like the others."),
                 pictures, List.of(CostExercise.table(costs), WorkTables.slopes(all), WorkTables.runs(all)));
     }
 }

@@ -16,7 +16,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle run}: a scene becomes frames, an animation, plots and numbers. */
 @Command(name = "run",
-        description = "Runs a scene: frames, an animation, energy and phase-space plots, the trajectory.")
+        description = "Runs a scene: pictures, an animation, energy and phase-space plots, the trajectory.")
 public final class RunCommand extends ProgramCommand {
     private static final Path RESULTS = Path.of("build", "out");
 
@@ -24,18 +24,17 @@ public final class RunCommand extends ProgramCommand {
             description = "The scene: a file, or the name or number of one in scenes (default: ${DEFAULT-VALUE}).")
     private String scene;
 
-    @Option(names = "--solver", paramLabel = "NAME", description = "Another solver than the scene's.")
+    @Option(names = "--solver", paramLabel = "NAME", description = "A solver other than the scene's.")
     private String solver;
 
-    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "Another time step than the scene's.")
+    @Option(names = "--deltaT", paramLabel = "SECONDS", description = "A time step other than the scene's.")
     private String deltaT;
 
-    @Option(names = "--duration", paramLabel = "SECONDS", description = "Another duration than the scene's.")
+    @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's.")
     private String duration;
 
     @Option(names = "--threads", paramLabel = "NUMBER",
-            description = "How many threads may evaluate the forces of a large system (default: one for each"
-                    + " processor).")
+            description = "How many threads evaluate the forces of a large system (default: one for each processor).")
     private String threads;
 
     @Option(names = "--out", paramLabel = "FOLDER", description = "Where the results go (default: build/out/NAME).")
@@ -43,12 +42,11 @@ public final class RunCommand extends ProgramCommand {
 
     @Option(names = "--frames", arity = "0..1", fallbackValue = "true", defaultValue = "true",
             paramLabel = "true|false",
-            description = "Whether pictures are drawn (default: true).")
+            description = "Whether to draw pictures (default: true).")
     private boolean frames;
 
     @Option(names = "--video", paramLabel = "none|mp4", converter = VideoOption.class,
-            description = "Whether the pictures become a film too, film.mp4 (default: what the scene says, or else"
-                    + " none).")
+            description = "Whether to make film.mp4 from the pictures (default: as the scene says, or none).")
     private Video video;
 
     private final Path scenes;
@@ -76,8 +74,8 @@ public final class RunCommand extends ProgramCommand {
         override(overrides, "threads", threads);
         if (!frames && video == Video.MP4) {
             throw new Failure(ExitCode.BAD_INPUT,
-                    style.option("video") + "=mp4 needs pictures; leave " + style.option("frames")
-                    + "=false away");
+                    style.option("video") + "=mp4 needs pictures; remove " + style.option("frames")
+                    + "=false");
         }
         new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop).run(lines);
     }
@@ -98,9 +96,9 @@ public final class RunCommand extends ProgramCommand {
                 return Path.of(out);
             }
         } catch (InvalidPathException e) {
-            throw new Failure(ExitCode.BAD_INPUT, style.option("out") + ": '" + out + "' is no folder's name: "
+            throw new Failure(ExitCode.BAD_INPUT, style.option("out") + ": '" + out + "' is not a folder name: "
                     + e.getReason());
         }
-        throw new Failure(ExitCode.BAD_INPUT, style.option("out") + " needs the name of a folder");
+        throw new Failure(ExitCode.BAD_INPUT, style.option("out") + " needs a folder name");
     }
 }

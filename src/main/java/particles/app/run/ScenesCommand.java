@@ -15,7 +15,7 @@ import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 
 /** {@code gradle scenes}: the ladder of scenes, with what each teaches. */
-@Command(name = "scenes", description = "Lists the scenes with what each teaches.")
+@Command(name = "scenes", description = "Lists the scenes and what each teaches.")
 public final class ScenesCommand extends ProgramCommand {
     private static final int WIDTH = 110;
     private static final String INDENT = "    ";

@@ -14,6 +14,8 @@ import particles.scene.Scene;
 final class Summary {
     /** Of the energy scale: a tenth is seen in the motion. */
     private static final double LARGE_ERROR = 0.1;
+    /** Of the energy scale: a few units in the last place. */
+    private static final double ROUND_OFF = 1e-15;
 
     private final Scene scene;
     private final RunSummary record;
@@ -45,23 +47,28 @@ final class Summary {
         lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
                 + " s");
         lines.add(Digits.few(record.endTime()) + " s" + (record.endTime() < record.duration() * (1 - 1e-9)
-                ? " of " + Digits.few(record.duration()) + " s" : "") + " in " + counted(record.steps(),
-                "step") + " with "
-                + counted(record.evaluations(), "evaluation") + " of the derivative; it took "
+                ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
+                + counted(record.steps(), "step") + " with " + counted(record.evaluations(), "evaluation")
+                + " of the derivative; run time "
                 + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
         if (record.deltaT() > record.duration() && record.steps() == 1) {
             lines.add("the run is shorter than deltaT: its only step was " + Digits.few(record.endTime()) + " s long");
         }
-        lines.add("energy " + Digits.few(record.startEnergy()) + " J at the start, " + Digits.few(record.endEnergy())
-                + " J at the end, at most " + Digits.few(record.largestEnergyDrift()) + " J from the start");
+        lines.add("energy: " + joules(record.startEnergy()) + " at the start, " + joules(record.endEnergy())
+                + " at the end; largest change " + joules(record.largestEnergyDrift()));
         double error = record.largestRelativeNumericalError();
-        lines.add("numerical error, what no physics explains of that: at most "
-                + Digits.few(record.largestNumericalError())
-                + " J, " + Digits.few(error) + " of the energy scale of " + Digits.few(record.energyScale()) + " J");
+        lines.add("numerical error: at most " + joules(record.largestNumericalError()) + " (" + Digits.few(error)
+                + " of the energy scale, " + joules(record.energyScale()) + ")");
         if (error > LARGE_ERROR) {
-            lines.add("that is too much to trust the motion; a smaller deltaT or another solver does better");
+            lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
+                    + " this motion. Try a smaller deltaT or another solver.");
         }
         return lines;
+    }
+
+    /** What is only round-off beside the energy scale is 0. */
+    private String joules(double energy) {
+        return (Math.abs(energy) < ROUND_OFF * record.energyScale() ? "0" : Digits.few(energy)) + " J";
     }
 
     private static String counted(long count, String thing) {

@@ -9,7 +9,7 @@ final class VideoOption implements ITypeConverter<Video> {
     @Override
     public Video convert(String value) {
         return Video.find(value).orElseThrow(() -> new TypeConversionException("'" + value
-                + "' is no kind of film; allowed: "
+                + "' is not a kind of film; allowed: "
                 + String.join(", ", Video.names())));
     }
 }

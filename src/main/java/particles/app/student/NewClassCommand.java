@@ -21,7 +21,7 @@ import picocli.CommandLine.Option;
  */
 public abstract class NewClassCommand extends ProgramCommand {
     @Option(names = "--class", paramLabel = "NAME", required = true,
-            description = "What the class is to be called, such as HeunSolver or MyForce.")
+            description = "The name of the class, such as HeunSolver or MyForce.")
     private String className;
 
     private final Path folder;
@@ -50,7 +50,7 @@ public abstract class NewClassCommand extends ProgramCommand {
         String name = className.replaceFirst("^exercises[.]", "");
         if (!SolverSkeleton.isClassName(name)) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
-                    + "' is no name for a class; a capital and then letters and digits are, as in HeunSolver");
+                    + "' is not a class name; use a capital, then letters and digits, as in HeunSolver");
         }
         Path file = folder.resolve(name + ".java");
         Files.createDirectories(folder);
@@ -58,7 +58,7 @@ public abstract class NewClassCommand extends ProgramCommand {
             Files.write(file, text(name).getBytes(StandardCharsets.UTF_8), StandardOpenOption.CREATE_NEW);
         } catch (FileAlreadyExistsException e) {
             throw new Failure(ExitCode.BAD_INPUT, file
-                    + " is there already, and is left as it is; take another name, or remove it first");
+                    + " exists already and was not changed; choose another name or remove it first");
         }
         out.println("written: " + file);
         out.println("to check it: gradle " + check() + "exercises." + name);

@@ -24,10 +24,10 @@ public final class StudentClasses implements ClassNames {
             return Class.forName(name + KEYS, true, loader).asSubclass(type).getConstructor().newInstance();
         } catch (ClassNotFoundException e) {
             throw new IllegalArgumentException(isThere(name, loader) ? name
-                    + " has no keys for scenes; it needs a 'public static"
-                    + " final class Keys extends " + type.getSimpleName() + "', such as gradle newEffect writes"
-                    : "there is no class " + name + "; a class of your own stands in src/main/java/exercises, and"
-                    + " gradle newEffect writes one to begin with", e);
+                    + " declares no keys for scenes; it needs a 'public static final class Keys"
+                    + " extends " + type.getSimpleName() + "' (gradle newEffect writes one)"
+                    : "there is no class " + name + "; put your own class into src/main/java/exercises (gradle"
+                            + " newEffect writes one to start from)", e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException | ClassCastException e) {
             throw new IllegalArgumentException("the Keys of " + name
                     + " cannot be made; they have to be a 'public static final"

@@ -109,7 +109,7 @@ public final class EnergyLedgerRecorder implements Observer {
             }
         });
         if (!lines.isEmpty()) {
-            charts.add(new ChartData("what physics put in (+) and took out (\u2212)", "time (s)",
+            charts.add(new ChartData("work of physics: put in (+), taken out (\u2212)", "time (s)",
                     lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") + " (J)" : "work (J)", false,
                     false,
                     lines));                            // short enough for a low panel; the sign says the rest
@@ -118,7 +118,7 @@ public final class EnergyLedgerRecorder implements Observer {
         for (int k = 0; k < points[1].length; k++) {
             points[1][k] = points[1][k] == 0 ? 0 : points[1][k] / scale;
         }
-        charts.add(new ChartData("numerical error: the change of energy that no physics explains", "time (s)",
+        charts.add(new ChartData("numerical error: change of energy minus the work of physics", "time (s)",
                 "numerical error / scale", false, false,
                 List.of(new Series("numerical error", Mark.LINE, points[0], points[1]))));
         return charts;

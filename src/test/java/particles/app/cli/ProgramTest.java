@@ -244,8 +244,8 @@ class ProgramTest {
     @Test
     void fullMemoryIsOneLineAndCode1() {
         long most = Runtime.getRuntime().maxMemory();
-        assertEnds(ExitCode.TROUBLE, "the memory that Java may use, " + (most >> 20)
-                + " MiB, is full; take fewer particles, frames or runs, or give Java more:"
+        assertEnds(ExitCode.TROUBLE, "out of memory: Java may use " + (most >> 20)
+                + " MiB; use fewer particles, frames or runs, or give Java more:"
                 + " JAVA_TOOL_OPTIONS=-Xmx" + ((most >> 30) + 1)
                 + "g", new OutOfMemoryError("Java heap space"));
     }

@@ -104,7 +104,7 @@ class ReportCommandTest {
     @Test
     void mistakesOfTheProgramAreWrittenToo() throws IOException {
         assertEquals(ExitCode.DONE, report(new IllegalStateException("odd")));
-        assertTrue(page().contains("an error of the program itself") && page().contains("odd"), page());
+        assertTrue(page().contains("internal error") && page().contains("odd"), page());
     }
 
     @Test

@@ -209,9 +209,9 @@ class CheckEffectCommandTest {
         assertTrue(here(ExitCode.BAD_INPUT, "gravty", folder).contains("no effect is called 'gravty'; known effects:"
                 + " attraction, cohesion, damped-springs, drag, gravity, penaltyPlane, penaltySphere, quadraticDrag,"
                 + " springs, turbulence, wind"));
-        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class exercises.MyGravity; a"
-                + " class of your own stands in src/main/java/exercises, and gradle newEffect writes one to begin"
-                + " with"));
+        assertTrue(here(ExitCode.BAD_INPUT, "MyGravity", folder).contains("there is no class"
+                + " exercises.MyGravity; put your own class into src/main/java/exercises (gradle newEffect"
+                + " writes one to start from)"));
     }
 
     @Test

@@ -129,8 +129,8 @@ class NewClassCommandTest {
         Path file = folder.resolve("exercises/HeunSolver.java");
         Files.writeString(file, "my work");
         assertTrue(run(ExitCode.BAD_INPUT, "newSolver",
-                "HeunSolver").contains("is there already, and is left as it is"));
-        assertTrue(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver").contains("is there already"));
+                "HeunSolver").contains("exists already and was not changed"));
+        assertTrue(run(ExitCode.BAD_INPUT, "newEffect", "HeunSolver").contains("exists already"));
         assertEquals("my work", Files.readString(file));
     }
 
@@ -138,7 +138,7 @@ class NewClassCommandTest {
     void namesThatAreNoneAreRefused() {
         for (String name : List.of("3rd", "class", "My Solver", "../Up", "a.B")) {
             assertTrue(run(ExitCode.BAD_INPUT, "newSolver", name).startsWith("option -Pclass: '" + name
-                    + "' is no name for a class"), name);
+                    + "' is not a class name"), name);
         }
     }
 }
