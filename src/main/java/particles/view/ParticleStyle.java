@@ -3,17 +3,17 @@ package particles.view;
 import java.util.List;
 
 /**
- * As what free particles are drawn, and in which light.
+ * How free particles are drawn, and in which light.
  *
- * @param kind       as what
+ * @param kind       the way of drawing them
  * @param ageColours the colours of a glow through a particle's life, evenly spread from its birth to its death,
  *                   0xRRGGBB
- * @param trail      for how long the way that a particle came stays visible (s); 0 for no trails
+ * @param trail      how long a trail stays visible (s); 0 for no trails
  * @param night      whether the sky is dark, so that a glow is seen
  */
 public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, boolean night) {
 
-    /** As what a particle can be drawn. */
+    /** The ways of drawing a particle. */
     public enum Kind {
         /** A shaded ball. */
         BALLS,

@@ -3,7 +3,7 @@ package particles.view;
 import java.util.List;
 
 /**
- * What of a scene is drawn and in which colours. Surfaces are drawn where the scene has them.
+ * Which parts of a scene are drawn, and in which colours. Surfaces are drawn where the scene has them.
  *
  * @param particles      which particles are drawn
  * @param springs        which springs are drawn

@@ -38,10 +38,10 @@ public final class Race {
     /** What the reference is, in words. */
     public static final String REFERENCE = "dormand-prince with a tolerance of 1e-11";
     private static final long MOST_EVALUATIONS = 20_000_000;
-    /** Who is farther than this, of the scene's extent, from where the reference goes has left the race. */
+    /** A run farther than this from the reference, in units of the scene's extent, has left the race. */
     private static final double BEYOND = 0.25;
 
-    /** Who looks on, such as one who makes pictures of it. */
+    /** Listens to a race, for example to make pictures of it. */
     public interface Audience {
         /**
          * A run begins; the first one is the reference's.

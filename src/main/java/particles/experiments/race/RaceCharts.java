@@ -20,11 +20,12 @@ import particles.view.DataTable;
 public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
     /**
-     * Times of the same run differ by some percent; who takes this many times the work has not been given equal work.
+     * Times of the same run differ by some percent; a solver that takes this many times as long had more
+     * than equal work.
      */
     private static final double TOO_MUCH = 1.2;
     /**
-     * Who is farther off than the nearest by no more than this shares the first place: which of them it is, is chance.
+     * Solvers within this factor of the nearest share the first place: their order is chance.
      */
     private static final double AS_NEAR = 1.1;
 
@@ -122,7 +123,7 @@ public final class RaceCharts {
         return String.join("; ", parts);
     }
 
-    /** Who stays nearest, on average, and who is as good as that; whoever needed more than its share wins nothing. */
+    /** The solvers that stay nearest on average. A solver that needed more than its share is left out. */
     private static List<String> nearest(Result race) {
         List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
                 && share(race, lane) <= TOO_MUCH).sorted(Comparator.comparingDouble(RaceCharts::mean)).toList();

@@ -16,11 +16,11 @@ import particles.scene.format.SceneDescription;
 /**
  * Finds the steps and tolerances with which runs of a scene take the same time: as long as rk4 at the scene's step, or
  * as long as the slowest at its cheapest. Times decide only how many evaluations each solver is to make; the setting
- * that makes them is found by counting. Whoever is compared runs in turn, so that what else the machine does falls on
- * all.
+ * that makes them is found by counting. The solvers run in turn, so that other work on the machine slows
+ * all of them alike.
  */
 public final class EqualTime {
-    /** Whose times differ by less than this part have equal time. */
+    /** Times that differ by less than this fraction count as equal. */
     public static final double CLOSE = 0.08;
     private static final int ROUNDS = 8;
     /** A setting that makes more evaluations than were wanted, by this part, is one that cannot do with less. */

@@ -153,9 +153,9 @@ public final class EqualWork {
     }
 
     /**
-     * Who cannot do with the work that was asked for sets the work of all: the others make smaller steps.
+     * If a solver needs more work than was asked for, all get that much: the others make smaller steps.
      *
-     * @param solvers  who takes part
+     * @param solvers  the solvers that take part
      * @param progress hears how far it is
      * @return their shares
      */

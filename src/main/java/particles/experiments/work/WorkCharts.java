@@ -154,7 +154,7 @@ public final class WorkCharts {
                         curve.solver().label(), curve.solver().order(), curve.fit().slope(), curve.expected()));
     }
 
-    /** Who needs least for a rough and for a fine result. */
+    /** The solver that needs least work for a rough result, and for a fine one. */
     private static String cheapest(List<Curve> curves, ToDoubleFunction<Point> work, String verb, String preposition) {
         Optional<String> rough = cheapest(curves, work, ROUGH);
         Optional<String> fine = cheapest(curves, work, FINE);
@@ -175,7 +175,7 @@ public final class WorkCharts {
                 .min(Comparator.comparingDouble(Way::work)).map(Way::solver);
     }
 
-    /** Who is first to a rough and to a fine result by the clock: one solver, or all that the spread leaves. */
+    /** The fastest solver for a rough result, and for a fine one; all whose times overlap the fastest, if any do. */
     private static String first(List<Curve> curves) {
         List<String> rough = fastest(curves, ROUGH);
         List<String> fine = fastest(curves, FINE);

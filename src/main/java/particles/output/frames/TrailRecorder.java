@@ -63,7 +63,7 @@ public final class TrailRecorder {
         next = time + interval;
     }
 
-    /** Who is who: ids stay when indices do not. */
+    /** Particles by id: ids stay when indices change. */
     private int[] identify(ParticleSystem system, int count) {
         Map<String, Integer> old = new HashMap<>();
         for (int i = 0; i < ids.length; i++) {

@@ -145,7 +145,7 @@ final class RacePage {
         }
     }
 
-    /** Who has left stays to be seen, faint, with the time. */
+    /** A run that has left the race stays visible, faint, with the time at which it left. */
     static void drawPanel(Graphics2D g, BufferedImage panel, Rectangle2D area, OptionalDouble left, double time) {
         g.drawImage(panel, (int) area.getX(), (int) area.getY(), (int) area.getWidth(), (int) area.getHeight(), null);
         if (left.isPresent() && time >= left.getAsDouble()) {

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * Who touches which surface, and whether it slides or sticks there: what rules decide between steps and the contact
- * force takes as given within one.
+ * Which particle touches which surface, and whether it slides or sticks: rules decide it between steps, and within a
+ * step the contact force takes it as given.
  */
 public final class ContactModes {
 
