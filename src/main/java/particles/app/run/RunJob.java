@@ -8,6 +8,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
+import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
@@ -81,6 +82,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
+                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyScale()));
                 early = simulateOrDiscard(scene, folder);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
