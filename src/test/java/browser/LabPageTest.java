@@ -238,6 +238,22 @@ class LabPageTest {
     }
 
     @Test
+    void withoutWebGLTheRestOfThePageWorks() {
+        page.driver().executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", Map.of("source", """
+                const original = HTMLCanvasElement.prototype.getContext;
+                HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+                  return kind.startsWith('webgl') ? null : original.call(this, kind, ...more);
+                };
+                """));
+        page.driver().navigate().refresh();
+        page.await("the first scene", () -> !page.text("steps").isEmpty() && !page.text("limit").isEmpty());
+        assertTrue(page.text("view").contains("no WebGL 2"), page.text("view"));
+        runToTheEnd();
+        assertEquals("252", page.text("steps"));
+        assertEquals(1, energyRatio(), 1e-5);
+    }
+
+    @Test
     void theChosenParticleIsTheOneThatIsClicked() {
         page.openScene("05-hanging-chain");
         List<?> place = (List<?>) page.script("const view = document.getElementById('view').getBoundingClientRect();"

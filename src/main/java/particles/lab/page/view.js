@@ -17,7 +17,29 @@ function coil() {
   return points;
 }
 
-export class View {
+/** The picture; where the browser cannot draw one, a line that says so. */
+export function makeView(element, pick) {
+  return document.createElement('canvas').getContext('webgl2') ? new View(element, pick) : new NoPicture(element);
+}
+
+class NoPicture {
+  constructor(element) {
+    element.textContent = 'No picture: this browser has no WebGL 2. Plots, numbers and the editor work.';
+  }
+
+  open(facts) {
+    this.facts = facts;
+  }
+
+  setStructure() {}
+  setLabels() {}
+  setArrows() {}
+  show() {}
+  draw() {}
+  resize() {}
+}
+
+class View {
   constructor(element, pick) {
     this.element = element;
     this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
