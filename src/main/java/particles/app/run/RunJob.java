@@ -3,6 +3,7 @@ package particles.app.run;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
@@ -83,7 +84,7 @@ final class RunJob {
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
                 observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyScale()));
-                early = simulateOrDiscard(scene, folder);
+                early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
                     observers.books(),
@@ -99,9 +100,9 @@ final class RunJob {
     }
 
     /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
-    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder) {
+    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
         try {
-            return simulate(scene);
+            return simulate(scene, observers);
         } catch (RuntimeException | Error e) {
             folder.discard();
             throw e;
@@ -109,13 +110,17 @@ final class RunJob {
     }
 
     /** @return why it ended early, if it did */
-    private Optional<String> simulate(Scene scene) {
+    private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
                 scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
+            if (!(e instanceof NumericalErrorException error) || error.isEarly()) {
+                observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
+                        + Digits.few(e.getTime()) + " s");
+            }
             return FrictionMessage.of(scene, style::option,
                     e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
         } catch (StoppedException e) {
