@@ -17,7 +17,29 @@ function coil() {
   return points;
 }
 
-export class View {
+/** The picture; where the browser cannot draw one, a line that says so. */
+export function makeView(element, pick) {
+  return document.createElement('canvas').getContext('webgl2') ? new View(element, pick) : new NoPicture(element);
+}
+
+class NoPicture {
+  constructor(element) {
+    element.textContent = 'No picture: this browser has no WebGL 2. Plots, numbers and the editor work.';
+  }
+
+  open(facts) {
+    this.facts = facts;
+  }
+
+  setStructure() {}
+  setLabels() {}
+  setArrows() {}
+  show() {}
+  draw() {}
+  resize() {}
+}
+
+class View {
   constructor(element, pick) {
     this.element = element;
     this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
@@ -45,6 +67,7 @@ export class View {
     this.scene?.traverse(thing => { thing.geometry?.dispose(); thing.material?.dispose(); });
     this.scene = new THREE.Scene();
     this.trail = [];
+    this.fastest = 0;
     this.frame(facts, structure, state);
     const sun = new THREE.DirectionalLight(0xffffff, 2.2);
     sun.position.set(0.4, 1, 0.7);
@@ -73,7 +96,7 @@ export class View {
     return mesh;
   }
 
-  /** The scene's camera, or one that has everything in the picture, and what hangs where it can swing. */
+  /** The scene's camera, or one that shows all particles; with gravity, also where they can swing from fixed ones. */
   frame(facts, structure, state) {
     const box = new THREE.Box3(), pegs = new THREE.Box3(), point = new THREE.Vector3();
     for (let i = 0; i < structure.ids.length; i++) {
@@ -90,7 +113,7 @@ export class View {
       box.expandByPoint(new THREE.Vector3(...ball.centre).addScalar(ball.radius));
       box.expandByPoint(new THREE.Vector3(...ball.centre).addScalar(-ball.radius));
     }
-    if (!pegs.isEmpty()) {
+    if (!pegs.isEmpty() && facts.energies.includes('gravity')) {
       const middle = pegs.getCenter(new THREE.Vector3());
       let reach = 0;
       for (let i = 0; i < structure.ids.length; i++) {
@@ -350,8 +373,8 @@ export class View {
       for (let i = 0; i < this.structure.ids.length; i++) {
         fastest = Math.max(fastest, Math.hypot(state[6 * i + 3], state[6 * i + 4], state[6 * i + 5]));
       }
-      this.arrowScale = Math.max(this.arrowScale ?? 0, fastest);
-      const scale = fastest > 0 ? 0.12 * this.viewHeight / fastest : 0;
+      this.fastest = Math.max(this.fastest, fastest);           // since the start, so that lengths can be compared
+      const scale = this.fastest > 0 ? 0.12 * this.viewHeight / this.fastest : 0;
       for (let i = 0; i < this.structure.ids.length; i++) {
         for (const end of [0, scale]) {
           positions.push(state[6 * i] + end * state[6 * i + 3], state[6 * i + 1] + end * state[6 * i + 4],
