@@ -1,6 +1,6 @@
 package particles.spec;
 
-/** One of several things that a list's entry can be, each with keys of its own: an effect, a rule, a shape. */
+/** A named kind of list entry with its own keys: an effect, a rule, a shape. */
 public interface Kind {
     /** @return the name by which scenes choose it */
     String name();
@@ -8,6 +8,6 @@ public interface Kind {
     /** @return what it is, in one sentence */
     String sentence();
 
-    /** @return what can be said of it */
+    /** @return its keys */
     MappingType keys();
 }
