@@ -1,6 +1,6 @@
 package particles.spec;
 
-/** One of several things that a list's entry can be, each with keys of its own: an effect, a rule, a shape, a wire. */
+/** A named kind of list entry with its own keys: an effect, a rule, a shape, a wire. */
 public abstract class Kind {
     private final String name;
     private final String sentence;
