@@ -12,7 +12,7 @@ public class SimulationException extends RuntimeException {
 
     /**
      * @param time     the simulated time (s)
-     * @param particle the index of the particle that shows the trouble, or -1
+     * @param particle the index of the particle concerned, or -1
      * @param message  what happened
      * @param cause    the cause, or null if the loop itself found the problem
      */

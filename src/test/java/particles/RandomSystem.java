@@ -55,7 +55,7 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
                 .filter(RandomSystem::isSpread);
     }
 
-    /** Whether no two connected balls begin close together: a spring's force has a kink at length 0. */
+    /** Whether all balls begin well apart: a spring's force has a kink at length 0. */
     private boolean isSpread() {
         for (int i = 0; i < balls.size(); i++) {
             for (int j = 0; j < i; j++) {
