@@ -21,7 +21,7 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.threads.ParallelForces;
 
-/** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
+/** Runs one scene and writes a folder of results, which is complete even if the run ends early. */
 final class RunJob {
     private final Path file;
     private final Overrides overrides;
@@ -33,12 +33,12 @@ final class RunJob {
 
     /**
      * @param file      the scene
-     * @param overrides what goes before what it says
-     * @param results   the folder for what comes out
+     * @param overrides options that override it
+     * @param results   the folder for results
      * @param frames    whether pictures are drawn
-     * @param wanted    another film than the scene's, if one was asked for
+     * @param wanted    the film requested by an option, if any
      * @param style     how options are typed, for messages
-     * @param stop      tells when the run has to end early
+     * @param stop      tells the run to end early
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
            OptionStyle style, StopRequest stop) {
@@ -55,7 +55,7 @@ final class RunJob {
      * Runs the scene.
      *
      * @param out where progress and the summary are printed
-     * @throws Failure if the run ended early; what it made until then is complete
+     * @throws Failure if the run ended early; the results until then are complete
      */
     void run(PrintWriter out) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
@@ -96,7 +96,7 @@ final class RunJob {
         }
     }
 
-    /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
+    /** If a run fails, for example on a full disk, incomplete files are deleted. */
     private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
         try {
             return simulate(scene, observers);
@@ -106,7 +106,7 @@ final class RunJob {
         }
     }
 
-    /** @return why it ended early, if it did */
+    /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
                 scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));

@@ -5,9 +5,7 @@ import particles.output.raster.Colours;
 import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
 
-/**
- * Springs, coloured by their strain: as coils where they are few, as straight tubes where they are many. Rods as bars.
- */
+/** Draws springs coloured by strain, as coils if there are few and as straight tubes if many, and rods as bars. */
 public final class SpringPainter {
     private static final int ROD = 0x6c7683;
     private static final int SEGMENTS_A_TURN = 18;
@@ -29,7 +27,7 @@ public final class SpringPainter {
         this.coil = new ProjectedParticles(view);
     }
 
-    /** @return whether any spring is seen, so far, and its strain */
+    /** @return whether any spring with strain is visible so far */
     public boolean paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown) {
         boolean seen = false;
         for (int s = 0; s < state.springs; s++) {
@@ -69,7 +67,7 @@ public final class SpringPainter {
                 projected.near[b], radius, rgb);
     }
 
-    /** A helix around the line from particle to particle; its number of turns is that of the spring, at any stretch. */
+    /** Draws a helix from particle to particle; the number of turns does not change with length. */
     private boolean paintCoil(double[] p, int at, double ex, double ey, double ez, double length, double rest,
             int rgb) {
         // two directions across, the first of them as far as possible towards the viewer
