@@ -254,6 +254,16 @@ class LabPageTest {
     }
 
     @Test
+    void withOmegaOneTheExactCurveIsDrawnAsACircle() {
+        page.openScene("02-one-spring");
+        runToTheEnd();
+        List<?> pixels = (List<?>) page.script("const u = window.lab.phase.plot;"
+                + " return [u.valToPos(1, 'x') - u.valToPos(-1, 'x'), u.valToPos(-1, 'y') - u.valToPos(1, 'y')];");
+        double across = ((Number) pixels.get(0)).doubleValue();
+        assertEquals(across, ((Number) pixels.get(1)).doubleValue(), 0.01 * across);
+    }
+
+    @Test
     void theChosenParticleIsTheOneThatIsClicked() {
         page.openScene("05-hanging-chain");
         List<?> place = (List<?>) page.script("const view = document.getElementById('view').getBoundingClientRect();"

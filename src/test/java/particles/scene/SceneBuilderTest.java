@@ -139,8 +139,8 @@ class SceneBuilderTest {
 
     @Test
     void aParticleCanBeDrawnInItsOwnWay() {
-        ParticleStyle style = build(BOB + "look: {velocityArrows: 0.2, marks: [{particle: bob, colour: '#ff0000', label:"
-                + " here}]}\n").look().style();
+        ParticleStyle style = build(BOB + "look: {velocityArrows: 0.2,"
+                + " marks: [{particle: bob, colour: '#ff0000', label: here}]}\n").look().style();
         assertEquals(0.2, style.arrows());
         assertEquals(List.of(new ParticleMark("bob", OptionalInt.of(0xff0000), 0, "here")), style.marks());
         String problem = assertThrows(SceneException.class, () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))

@@ -96,7 +96,7 @@ class View {
     return mesh;
   }
 
-  /** The scene's camera, or one that has everything in the picture, and what hangs where it can swing. */
+  /** The scene's camera, or one that shows all particles; with gravity, also where they can swing from fixed ones. */
   frame(facts, structure, state) {
     const box = new THREE.Box3(), pegs = new THREE.Box3(), point = new THREE.Vector3();
     for (let i = 0; i < structure.ids.length; i++) {
@@ -113,7 +113,7 @@ class View {
       box.expandByPoint(new THREE.Vector3(...ball.centre).addScalar(ball.radius));
       box.expandByPoint(new THREE.Vector3(...ball.centre).addScalar(-ball.radius));
     }
-    if (!pegs.isEmpty()) {
+    if (!pegs.isEmpty() && facts.energies.includes('gravity')) {
       const middle = pegs.getCenter(new THREE.Vector3());
       let reach = 0;
       for (let i = 0; i < structure.ids.length; i++) {
