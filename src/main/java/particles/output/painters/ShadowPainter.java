@@ -51,8 +51,8 @@ public final class ShadowPainter {
             int a = state.from[s];
             int b = state.to[s];
             if (above[a] && above[b] && shown.spring(a, b)) {
-                double radius = state.rigid[s] ? sizes.rod() : sizes.isCoil(state, s) ? 0.5 * sizes.coil() : sizes.tube();
-                map.strip(columns[a], rows[a], columns[b], rows[b], radius);
+                double soft = sizes.isCoil(state, s) ? 0.5 * sizes.coil() : sizes.tube();
+                map.strip(columns[a], rows[a], columns[b], rows[b], state.rigid[s] ? sizes.rod() : soft);
             }
         }
         for (Surface surface : scenery.surfaces()) {
