@@ -87,6 +87,6 @@ public final class GalleryCommand extends ProgramCommand {
         return new RenderOptions(look.particles(), look.springs(), look.particleRadius(), look.strainRange(),
                 look.particleColour(),
                 look.fixedColour(), look.frontColour(), look.backColour(),
-                new ParticleStyle(style.kind(), style.ageColours(), duration, style.night()));
+                style.withTrail(duration));
     }
 }

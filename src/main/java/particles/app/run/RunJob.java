@@ -3,11 +3,13 @@ package particles.app.run;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
+import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
@@ -81,6 +83,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
+                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyScale()));
                 early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
@@ -114,8 +117,10 @@ final class RunJob {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
-            observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
-                    + Digits.few(e.getTime()) + " s");
+            if (!(e instanceof NumericalErrorException error) || error.isEarly()) {
+                observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
+                        + Digits.few(e.getTime()) + " s");
+            }
             return FrictionMessage.of(scene, style::option,
                     e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
         } catch (StoppedException e) {

@@ -2,9 +2,11 @@ package particles.output.painters;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.view.ParticleMark;
 import particles.view.SpringView;
 
 /** A snapshot of a running simulation, so that a frame can be drawn in another thread. */
@@ -21,6 +23,7 @@ public final class FrameState {
     public int[] from = {};
     public int[] to = {};
     public double[] restLength = {};
+    public double[] stiffness = {};
     /** Which of them are rods. */
     public boolean[] rigid = {};
     /** Times of birth and death of particles (s), if requested. */
@@ -32,6 +35,10 @@ public final class FrameState {
      */
     public TrailSample[] trail = {};
     public int[] trailIndex = {};
+    /** Three entries a particle (m/s); only where arrows are drawn. */
+    public double[] velocities = {};
+    /** How each particle is drawn otherwise than all others, or null; empty where all are alike. */
+    ParticleMark[] marks = {};
     /** The lines below the title; the first one is a warning. */
     public List<String> notes = List.of();
 
@@ -41,6 +48,11 @@ public final class FrameState {
      * @param state in the layout of the system's state
      */
     public void take(double[] state, int count, double time) {
+        take(state, count, time, false);
+    }
+
+    /** @param withVelocities whether arrows are drawn */
+    public void take(double[] state, int count, double time, boolean withVelocities) {
         this.time = time;
         notes = List.of();
         trail = new TrailSample[0];
@@ -53,6 +65,12 @@ public final class FrameState {
             positions[i + 1] = state[x + 1];
             positions[i + 2] = state[x + 2];
         }
+        if (withVelocities) {
+            velocities = new double[3 * count];
+            for (int i = 0, v = 3; i < 3 * count; i += 3, v += Particles.STRIDE) {
+                System.arraycopy(state, v, velocities, i, 3);
+            }
+        }
     }
 
     /**
@@ -61,7 +79,17 @@ public final class FrameState {
      * @param withLives whether times of birth and death are needed
      */
     public void takeStructure(ParticleSystem system, boolean withLives) {
+        takeStructure(system, withLives, List.of());
+    }
+
+    /** @param marked particles that are drawn in their own way */
+    public void takeStructure(ParticleSystem system, boolean withLives, List<ParticleMark> marked) {
         int count = system.getParticles().count();
+        marks = new ParticleMark[marked.isEmpty() ? 0 : count];
+        for (int i = 0; i < marks.length; i++) {
+            String id = system.getParticles().id(i);
+            marks[i] = marked.stream().filter(mark -> mark.particle().equals(id)).findFirst().orElse(null);
+        }
         fixed = Arrays.copyOf(fixed, count);
         for (int i = 0; i < count; i++) {
             fixed[i] = system.getParticles().isFixed(i);
@@ -81,6 +109,7 @@ public final class FrameState {
             from = new int[needed];
             to = new int[needed];
             restLength = new double[needed];
+            stiffness = new double[needed];
             rigid = new boolean[needed];
         }
         springs = 0;
@@ -89,9 +118,29 @@ public final class FrameState {
                 from[springs] = view.from(s);
                 to[springs] = view.to(s);
                 restLength[springs] = view.restLength(s);
+                stiffness[springs] = view.stiffness(s);
                 rigid[springs] = view.stiffness(s) == Double.POSITIVE_INFINITY;
                 springs++;
             }
         }
+    }
+
+    private Optional<ParticleMark> mark(int particle) {
+        return particle < marks.length ? Optional.ofNullable(marks[particle]) : Optional.empty();
+    }
+
+    /** @return the colour of particle i, 0xRRGGBB: its own, or that of all others */
+    public int colour(int i, int others) {
+        return mark(i).map(mark -> mark.colour().orElse(others)).orElse(others);
+    }
+
+    /** @return the radius of particle i's ball (m): its own, or that of all others */
+    public double radius(int i, double others) {
+        return mark(i).map(ParticleMark::radius).filter(radius -> radius > 0).orElse(others);
+    }
+
+    /** @return what is written beside particle i; empty for nothing */
+    public String label(int i) {
+        return mark(i).map(ParticleMark::label).orElse("");
     }
 }

@@ -42,7 +42,7 @@ public final class ShadowPainter {
         project(map, state.positions, state.particles);
         for (int i = 0; i < state.particles; i++) {
             if (above[i] && particles.isBall(state, i)) {
-                map.disc(columns[i], rows[i], particles.ball());
+                map.disc(columns[i], rows[i], particles.ball(state, i));
             } else if (above[i] && particles.isPoint(state, i)) {
                 map.disc(columns[i], rows[i], particles.point());
             }
@@ -51,8 +51,8 @@ public final class ShadowPainter {
             int a = state.from[s];
             int b = state.to[s];
             if (above[a] && above[b] && shown.spring(a, b)) {
-                double radius = state.rigid[s] ? sizes.rod() : sizes.coils() ? 0.5 * sizes.coil() : sizes.tube();
-                map.strip(columns[a], rows[a], columns[b], rows[b], radius);
+                double soft = sizes.isCoil(state, s) ? 0.5 * sizes.coil() : sizes.tube();
+                map.strip(columns[a], rows[a], columns[b], rows[b], state.rigid[s] ? sizes.rod() : soft);
             }
         }
         for (Surface surface : scenery.surfaces()) {

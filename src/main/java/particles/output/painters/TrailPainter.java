@@ -17,6 +17,7 @@ public final class TrailPainter {
     private final double duration;
     private final double half;
     private final float[] cover;
+    private final int[] colours;
     private int top;
     private int bottom;
 
@@ -25,6 +26,7 @@ public final class TrailPainter {
         this.duration = duration;
         half = Math.max(0.7, HALF_WIDTH * view.height);
         cover = new float[view.width * view.height];
+        colours = new int[cover.length];
     }
 
     public void paint(FrameState state, VisibilityFilter shown, int rgb, Raster raster, Backdrop backdrop,
@@ -36,18 +38,18 @@ public final class TrailPainter {
         bottom = 0;
         for (int i = 0; i < state.particles; i++) {
             if (!state.fixed[i] && shown.particle(i)) {
-                follow(state, i, raster, backdrop);
+                follow(state, i, state.colour(i, rgb), raster, backdrop);
             }
         }
         for (int p = top * view.width; p < bottom * view.width; p++) {
             if (cover[p] > 0) {
-                pixels[p] = Colours.mix(pixels[p], rgb, cover[p]);
+                pixels[p] = Colours.mix(pixels[p], colours[p], cover[p]);
             }
         }
     }
 
     /** Draws one path backwards in time from the particle. */
-    private void follow(FrameState state, int i, Raster raster, Backdrop backdrop) {
+    private void follow(FrameState state, int i, int rgb, Raster raster, Backdrop backdrop) {
         double[] from = point(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
         double fromShare = 1;
         int index = state.trailIndex.length == 0 ? i : state.trailIndex[i];
@@ -56,7 +58,7 @@ public final class TrailPainter {
             float[] places = sample.places();
             double[] to = point(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
             double share = 1 - (state.time - sample.time()) / duration;
-            line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), raster, backdrop);
+            line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, raster, backdrop);
             from = to;
             fromShare = share;
             index = sample.earlier(index);
@@ -71,7 +73,8 @@ public final class TrailPainter {
             view.nearness(depth)};
     }
 
-    private void line(double[] a, double[] b, double opacityA, double opacityB, Raster raster, Backdrop backdrop) {
+    private void line(double[] a, double[] b, double opacityA, double opacityB, int rgb, Raster raster,
+            Backdrop backdrop) {
         double dx = b[0] - a[0];
         double dy = b[1] - a[1];
         double square = dx * dx + dy * dy;
@@ -101,6 +104,7 @@ public final class TrailPainter {
                 double near = a[2] + along * (b[2] - a[2]);
                 if (covered > cover[p] && near > backdrop.near(p) && near > raster.nearAt(x, y)) {
                     cover[p] = covered;
+                    colours[p] = rgb;
                     top = Math.min(top, y);
                     bottom = Math.max(bottom, y + 1);
                 }

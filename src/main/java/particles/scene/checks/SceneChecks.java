@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import particles.effects.EffectKind;
 import particles.scene.format.CameraFormat;
+import particles.scene.format.MarkFormat;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneDescription;
@@ -72,6 +73,8 @@ public final class SceneChecks {
                 .flatMap(values -> CameraFormat.of(values, problems));
         checkPhase();
         scene.find(SceneFormat.LOOK).ifPresent(look -> RenderFormat.check(look, problems));
+        scene.find(SceneFormat.LOOK).flatMap(look -> look.find(RenderFormat.MARKS)).orElse(List.of())
+                .forEach(mark -> isKnown(mark, MarkFormat.PARTICLE));
         Map<Key<?>, Place> places = new HashMap<>();
         for (Key<?> key : List.of(SceneFormat.SOLVER, SceneFormat.DELTA_T, SceneFormat.DURATION, SceneFormat.SHAPES)) {
             places.put(key, scene.place(key));
