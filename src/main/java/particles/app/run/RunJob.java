@@ -11,6 +11,7 @@ import particles.app.student.StudentClasses;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.scene.Scene;
@@ -28,6 +29,7 @@ final class RunJob {
     private final Path results;
     private final boolean frames;
     private final Optional<Video> wanted;
+    private final ChartFormat charts;
     private final OptionStyle style;
     private final StopRequest stop;
 
@@ -37,16 +39,18 @@ final class RunJob {
      * @param results   the folder for what comes out
      * @param frames    whether pictures are drawn
      * @param wanted    another film than the scene's, if one was asked for
+     * @param charts    what the charts are for
      * @param style     how options are typed, for messages
      * @param stop      tells when the run has to end early
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
-           OptionStyle style, StopRequest stop) {
+           ChartFormat charts, OptionStyle style, StopRequest stop) {
         this.file = file;
         this.overrides = overrides;
         this.results = results;
         this.frames = frames;
         this.wanted = wanted;
+        this.charts = charts;
         this.style = style;
         this.stop = stop;
     }
@@ -87,7 +91,7 @@ final class RunJob {
                     observers.books(),
                     progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
-            observers.drawCharts();
+            observers.drawCharts(charts);
             summary.lines().forEach(out::println);
             out.println("in " + results + ": " + String.join(", ", files.names()));
             early.ifPresent(why -> {

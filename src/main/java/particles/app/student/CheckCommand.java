@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
@@ -23,6 +24,7 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -34,6 +36,9 @@ abstract class CheckCommand extends ProgramCommand {
     @Option(names = "--out", paramLabel = "FOLDER",
             description = "Where the report goes (default: build/out and the task's name).")
     private String out;
+
+    @Mixin
+    private final ChartOptions charts = new ChartOptions();
 
     @Option(names = "--inThisProcess", hidden = true, description = "Checks here, as the process that was made for it.")
     private boolean inThisProcess;
@@ -69,6 +74,7 @@ abstract class CheckCommand extends ProgramCommand {
             return;
         }
         List<String> args = new ArrayList<>(List.of(name(), subject()));
+        args.addAll(charts.arguments());
         if (out != null) {                              // picocli leaves an option null that was not given
             args.add("--out=" + out);
         }
@@ -159,7 +165,7 @@ abstract class CheckCommand extends ProgramCommand {
     private Path writeReport(ResultPage page) {
         Path folder = out == null ? Path.of("build", "out", name()) : Path.of(out);
         try (OutputFolder files = OutputFolder.open(folder, name() + ".md")) {
-            ResultPageWriter.write(files, page);
+            ResultPageWriter.write(files, page, charts.format());
         }
         return folder.resolve(name() + ".md");
     }

@@ -8,7 +8,8 @@ import java.util.NoSuchElementException;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Picture;
+import particles.output.charts.Panel;
+import particles.output.report.Picture;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.solvers.SolverCheck;
@@ -71,10 +72,10 @@ public final class CheckSolverCommand extends CheckCommand {
         pictures.add(Picture.chart("order",
                 "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
                 figures.order()));
-        figures.region().ifPresent(region -> pictures.add(Picture.map("region",
+        figures.region().ifPresent(region -> pictures.add(Picture.of("region",
                 "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
                         + " there: deltaT times its eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m."
-                        + " Pale: the built-in solver that is nearest.", region)));
+                        + " Pale: the built-in solver that is nearest.", Panel.map(region))));
         pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.",
                 figures.energy()));
         pictures.add(Picture.chart("work-precision",

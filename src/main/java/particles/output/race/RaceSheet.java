@@ -8,27 +8,25 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.IntFunction;
-import java.util.stream.IntStream;
 import particles.output.charts.ChartStyle;
 import particles.output.charts.ChartWriter;
 import particles.output.charts.StripChart;
-import particles.output.files.OutputFolder;
 import particles.output.text.FontCheck;
 
 /**
- * A race on paper: a row a run, its picture at some moments beside each other, and the chart with these moments below.
- * Many runs stand in two columns, with half the moments.
+ * A race as a still of 16:9: a column a run, with its picture at some moments below each other, and the chart with
+ * these moments below. Many runs stand in two rows, as they are at the end.
  */
 final class RaceSheet {
-    /** How many pictures stand beside each other. */
-    private static final int PICTURES = 4;
-    private static final int MOST_ROWS = 5;
-    private static final int WIDTH = 1000;
-    private static final int GAP = 8;
-    private static final int HEAD = 96;
-    private static final int LABEL = 22;
-    private static final int STRIP = 250;
-    private static final Font TIME = FontCheck.font(Font.PLAIN, 13);
+    private static final int MOST_COLUMNS = 6;
+    private static final int MOMENTS = 2;
+    private static final int WIDTH = 960;
+    private static final int HEIGHT = 540;
+    private static final int GAP = 6;
+    private static final int HEAD = 68;
+    private static final int TIME = 14;
+    private static final int LEAST_STRIP = 130;
+    private static final Font TIMES = FontCheck.font(Font.PLAIN, 11);
 
     private RaceSheet() {
     }
@@ -39,12 +37,11 @@ final class RaceSheet {
      * @return the frames that are shown: after equal parts of the time, the last one at the end
      */
     static int[] moments(int runs, int last) {
-        int count = runs > MOST_ROWS ? PICTURES / 2 : PICTURES;
-        return IntStream.rangeClosed(1, count).map(k -> k * last / count).toArray();
+        return runs > MOST_COLUMNS ? new int[] {last} : new int[] {last / MOMENTS, last};
     }
 
     /**
-     * @param folder  where it goes
+     * @param writer  where it goes
      * @param name    the file's name
      * @param head    at the top
      * @param moments from {@link #moments}
@@ -53,39 +50,42 @@ final class RaceSheet {
      * @param chart   below
      * @param rate    frames a second (1/s)
      */
-    static void write(OutputFolder folder, String name, RaceFilm.Head head, int[] moments, List<RaceFilm.Words> words,
+    static void write(ChartWriter writer, String name, RaceFilm.Head head, int[] moments, List<RaceFilm.Words> words,
                       IntFunction<List<BufferedImage>> panels, StripChart chart, double rate) {
-        FontCheck.require(folder.getPath().resolve(name));
         List<List<BufferedImage>> pictures = Arrays.stream(moments).mapToObj(panels).toList();
         BufferedImage one = pictures.get(0).get(0);
-        int columns = PICTURES / moments.length;
-        int rows = (words.size() + columns - 1) / columns;
-        int width = (WIDTH - (PICTURES + 1) * GAP) / PICTURES;
+        int rows = words.size() > MOST_COLUMNS ? MOMENTS : 1;
+        int columns = (words.size() + rows - 1) / rows;
+        int labels = rows * RacePage.LABEL + moments.length * TIME;
+        int most = (HEIGHT - HEAD - LEAST_STRIP - labels) / MOMENTS - GAP;
+        int width = (WIDTH - (columns + 1) * GAP) / columns;
+        width = Math.min(width, most * one.getWidth() / one.getHeight());
         int height = width * one.getHeight() / one.getWidth();
-        int row = LABEL + height + GAP;
-        int bottom = HEAD + rows * row;
+        int moment = TIME + height + GAP;
+        int row = RacePage.LABEL + moments.length * moment;
+        int beside = (WIDTH - columns * (width + GAP) + GAP) / 2;
+        int size = width;
         double[] times = Arrays.stream(moments).mapToDouble(index -> index / rate).toArray();
-        ChartWriter.write(folder, name, WIDTH, bottom + STRIP, g -> {
+        writer.write(name, WIDTH, HEIGHT, g -> {
             RacePage.smooth(g);
             g.setColor(Color.WHITE);
-            g.fillRect(0, 0, WIDTH, bottom + STRIP);
+            g.fillRect(0, 0, WIDTH, HEIGHT);
             RacePage.drawHead(g, head, WIDTH);
             for (int k = 0; k < words.size(); k++) {
-                int left = GAP + k / rows * moments.length * (width + GAP);
-                int y = HEAD + k % rows * row;
-                RacePage.drawLabel(g, words.get(k), left, y, moments.length * (width + GAP) - GAP);
+                int x = beside + k % columns * (size + GAP);
+                int y = HEAD + k / columns * row;
+                RacePage.drawLabel(g, words.get(k), x, y, size);
                 for (int m = 0; m < moments.length; m++) {
-                    int x = left + m * (width + GAP);
-                    if (k % rows == 0) {
-                        g.setFont(TIME);
-                        g.setColor(ChartStyle.TEXT);
-                        g.drawString(String.format(Locale.ROOT, "t = %.2f s", times[m]), x, HEAD - 6);
-                    }
-                    RacePage.drawPanel(g, pictures.get(m).get(k), new Rectangle2D.Double(x, y + LABEL, width, height),
+                    int top = y + RacePage.LABEL + m * moment;
+                    g.setFont(TIMES);
+                    g.setColor(ChartStyle.TEXT);
+                    g.drawString(String.format(Locale.ROOT, "t = %.2f s", times[m]), x + 2, top + TIME - 4);
+                    RacePage.drawPanel(g, pictures.get(m).get(k), new Rectangle2D.Double(x, top + TIME, size, height),
                             words.get(k).left(), times[m]);
                 }
             }
-            chart.draw(g, new Rectangle2D.Double(0, bottom, WIDTH, STRIP), times);
+            int bottom = HEAD + rows * row;
+            chart.draw(g, new Rectangle2D.Double(0, bottom, WIDTH, HEIGHT - bottom), times);
         });
     }
 }
