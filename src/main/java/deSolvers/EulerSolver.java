@@ -11,7 +11,8 @@ package deSolvers;
  * <b>Evaluations</b> 1 a step.<br>
  * <b>Stability</b> R(z) = 1 + z: stable for h |lambda| &le; 2 on the negative real axis and nowhere on the imaginary
  * axis: the amplitude of an undamped spring grows by (1 + (h omega)<sup>2</sup>)<sup>1/2</sup> a step, however small h
- * is.<br> <b>When to use</b> to see why the others exist, and for smooth, strongly damped systems; not for anything
+ * is.<br>
+ * <b>When to use</b> to see why the others exist, and for smooth, strongly damped systems; not for anything
  * that oscillates. "An Euler solver is too horrible. NEVER use it. Yeah I know you will anyway."<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "The Euler Method" and "Euler Solver Code".
  */

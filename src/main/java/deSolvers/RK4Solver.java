@@ -13,8 +13,8 @@ package deSolvers;
  * <b>Order</b> 4.<br>
  * <b>Evaluations</b> 4 a step.<br>
  * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24: stable for h |lambda| &le;
- * 2.7853 on the negative real axis and for h omega &le; 2.8284 on the imaginary axis, where it damps by (h
- * omega)<sup>6</sup>/144 a step.<br>
+ * 2.7853 on the negative real axis and for h omega &le; 2.8284 on the imaginary axis: the amplitude of an undamped
+ * spring shrinks by (h omega)<sup>6</sup>/144 a step where h omega is small.<br>
  * <b>When to use</b> smooth motion and whenever in doubt; not for stiff springs, and not for very long undamped runs,
  * where its small damping adds up and {@code verlet} or {@code yoshida4} keep the energy.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "4th-Order Runge-Kutta Algorithm"; W. Kutta (1901).

@@ -67,6 +67,9 @@
  * </ul>
  *
  * <p>The javadoc uses three textbook symbols: h is deltaT, z is lambda h for the test equation s' = lambda s, and the
- * stability function R(z) is the factor by which a method multiplies s in one step.
+ * stability function R(z) is the factor by which a method multiplies s in one step. On an undamped spring lambda is
+ * i omega. The small table at the top of a method is its Butcher tableau: to the left the times within the step, to
+ * the right the weights of the earlier derivatives, below the line the weights of the result
+ * ({@code deSolvers.rungeKutta} has the formula).
  */
 package deSolvers;

@@ -43,6 +43,48 @@ final class Browser implements AutoCloseable {
                 }
             }
             """;
+    /** A force law with one key, as a student might write it. */
+    static final String EFFECT = "exercises.Lift";
+    private static final String LIFT = """
+            package exercises;
+
+            import particles.effects.EffectContext;
+            import particles.effects.EffectKind;
+            import particles.law.ParticleForce;
+            import particles.law.Particles;
+            import particles.law.Vector3;
+            import particles.spec.Key;
+            import particles.spec.NumberType;
+            import particles.spec.Values;
+
+            public class Lift extends ParticleForce {
+                private final double acceleration;
+
+                public Lift(Particles particles, double acceleration) {
+                    super(particles);
+                    this.acceleration = acceleration;
+                }
+
+                @Override
+                protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                    return new Vector3(0, mass * acceleration, 0);
+                }
+
+                public static final class Keys extends EffectKind {
+                    private static final Key<Double> ACCELERATION = Key.required("acceleration",
+                            NumberType.any("m/s^2"), "Upward acceleration.");
+
+                    public Keys() {
+                        super("exercises.Lift", "Pushes all particles up.", ACCELERATION);
+                    }
+
+                    @Override
+                    public void build(Values values, EffectContext scene) {
+                        scene.add(new Lift(scene.particles(), values.get(ACCELERATION)));
+                    }
+                }
+            }
+            """;
     private static final Logger LOG = Logger.getLogger("org.openqa.selenium");
     private static final Duration PATIENCE = Duration.ofSeconds(60);
     private static final int PAUSE = 50;
@@ -62,11 +104,12 @@ final class Browser implements AutoCloseable {
                 Path folder = Files.createDirectories(Path.of("build", "tmp", "browserTests"));
                 Path exercises = Files.createDirectories(folder.resolve("exercises"));
                 Files.writeString(exercises.resolve("HeunSolver.java"), HEUN);
+                Files.writeString(exercises.resolve("Lift.java"), LIFT);
                 LabBuilder builder = Class.forName("particles.lab.compile.PageBuilder").asSubclass(LabBuilder.class)
                         .getConstructor().newInstance();
                 Path scenes = Path.of("scenes");
                 String page = builder.build(new LabBuilder.Contents(SceneFiles.list(scenes),
-                        SceneFiles.find(scenes, "2"), Optional.empty(), List.of(SOLVER), List.of(), exercises));
+                        SceneFiles.find(scenes, "2"), Optional.empty(), List.of(SOLVER), List.of(EFFECT), exercises));
                 return Files.writeString(folder.resolve("index.html"), page);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);

@@ -195,6 +195,49 @@ class LabPageTest {
     }
 
     @Test
+    void anEffectOfOnesOwnActsInASceneAndOneThatIsMissingIsNamedWithTheCommand() {
+        page.openScene("01-falling-particle");
+        edit("  - gravity ", "  - gravity\n  - exercises.Lift: {acceleration: 9.81} #");
+        page.await("the scene with lift", () -> page.text("errors").isEmpty() && page.text("steps").equals("0"));
+        runToTheEnd();
+        // Lift cancels gravity: 7 m/s up for 1.5 s from height 0
+        assertEquals(10.5, ((Number) page.script("return window.lab.view.moment.state[1];")).doubleValue(), 1e-9);
+        edit("exercises.Lift: {acceleration: 9.81}", "exercises.Other: {acceleration: 9.81}");
+        page.await("the line", () -> page.text("errors").contains("gradle lab"));
+        assertTrue(page.text("errors").contains("exercises.Other"), page.text("errors"));
+    }
+
+    /** At least 4.5 to 1, as the Web Content Accessibility Guidelines ask of small text. */
+    @ParameterizedTest
+    @ValueSource(strings = {"light", "dark"})
+    void textContrastsWithItsBackground(String scheme) {
+        page.driver().executeCdpCommand("Emulation.setEmulatedMedia",
+                Map.of("features", List.of(Map.of("name", "prefers-color-scheme", "value", scheme))));
+        page.openScene("12-stiff-network");
+        edit("solver: rk4", "solver: rk5");                     // errors have colours of their own
+        page.await("the error", () -> !page.text("errors").isEmpty());
+        assertEquals(List.of(), page.script("""
+                const part = c => c <= 10.31475 ? c / 3294.6 : ((c / 255 + 0.055) / 1.055) ** 2.4;
+                const channels = colour => colour.match(/[0-9.]+/g).map(Number);
+                const luminance = ([r, g, b]) => 0.2126 * part(r) + 0.7152 * part(g) + 0.0722 * part(b);
+                const ground = element => {
+                  const [r, g, b, a = 1] = channels(getComputedStyle(element).backgroundColor);
+                  return a > 0 ? [r, g, b] : element.parentElement ? ground(element.parentElement) : [255, 255, 255];
+                };
+                return [...document.body.querySelectorAll('*')]
+                  .filter(element => element.offsetParent && !element.closest('script, style, [disabled]'))
+                  .filter(element => [...element.childNodes].some(node => node.nodeType === 3 && node.data.trim()))
+                  .map(element => {
+                    const [one, other] = [channels(getComputedStyle(element).color), ground(element)].map(luminance);
+                    const contrast = (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05);
+                    return [contrast, element.tagName + ' ' + element.className + ' ' + element.textContent];
+                  })
+                  .filter(([contrast]) => contrast < 4.5).map(line => line.join(' ').slice(0, 80));
+                """));
+        page.screenshot(scheme);
+    }
+
+    @Test
     void theChosenParticleIsTheOneThatIsClicked() {
         page.openScene("05-hanging-chain");
         List<?> place = (List<?>) page.script("const view = document.getElementById('view').getBoundingClientRect();"

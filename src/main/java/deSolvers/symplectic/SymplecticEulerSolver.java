@@ -23,7 +23,7 @@ import deSolvers.DEStateSource;
 public final class SymplecticEulerSolver extends SymplecticSolver {
 
     @Override
-    void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+    void kickAndDrift(DEStateSource source, double[] s, double deltaT) {
         double[] a = derivative(s);             // a(x(t), v(t), t)
         kick(s, a, deltaT);                     // v(t + deltaT) = v(t) + deltaT a
         drift(s, deltaT);                       // x(t + deltaT) = x(t) + deltaT v(t + deltaT)

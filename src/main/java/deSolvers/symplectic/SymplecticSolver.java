@@ -21,7 +21,7 @@ abstract class SymplecticSolver extends FixedStepSolver {
      * @param s      holds (x, v) at t, and receives (x, v) at t + deltaT
      * @param deltaT the time step (s)
      */
-    abstract void kicksAndDrifts(DEStateSource source, double[] s, double deltaT);
+    abstract void kickAndDrift(DEStateSource source, double[] s, double deltaT);
 
     @Override
     protected final void step(DEStateSource source, double[] s, double deltaT) {
@@ -31,7 +31,7 @@ abstract class SymplecticSolver extends FixedStepSolver {
             remembered = new double[s.length];
             velocities = velocityEntries(s.length, d);
         }
-        kicksAndDrifts(source, s, deltaT);
+        kickAndDrift(source, s, deltaT);
     }
 
     /** The client as a source of second order; an exception says what is missing. */

@@ -23,7 +23,7 @@ import deSolvers.DEStateSource;
 public final class VelocityVerletSolver extends SymplecticSolver {
 
     @Override
-    void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+    void kickAndDrift(DEStateSource source, double[] s, double deltaT) {
         double[] a = startAcceleration(s);      // a(x(t), v(t), t)
         kick(s, a, deltaT / 2);                 // v(t + deltaT/2) = v(t) + deltaT/2 a
         drift(s, deltaT);                       // x(t + deltaT)   = x(t) + deltaT v(t + deltaT/2)

@@ -28,7 +28,7 @@ public final class Yoshida4Solver extends SymplecticSolver {
     private static final double[] WEIGHTS = {W1, W0, W1};
 
     @Override
-    void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+    void kickAndDrift(DEStateSource source, double[] s, double deltaT) {
         double[] a = startAcceleration(s);
         for (double w : WEIGHTS) {              // a leapfrog of length h
             double h = w * deltaT;

@@ -7,8 +7,8 @@ import particles.law.Particles;
 import particles.law.PerParticleEffect;
 
 /**
- * Base class for air drag: the force -c(|w|) w against the velocity w = v - u through the air. Its power is
- * -c |w|&sup2; - c w . u: the first part becomes heat, the second is what the wind does.
+ * Base class for air drag: the force -c(|w|) w against the velocity w = v - u through the air. Its power is -c
+ * |w|&sup2; - c w . u: the first term becomes heat, the second is work done by the wind.
  */
 abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
@@ -49,7 +49,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
         double[] w = relative;
         if (w.length < STRIDE * particles.count()) {
             w = new double[STRIDE * particles.count()];
-            relative = w;                               // each thread that gets here at the same time has its own
+            relative = w;                               // concurrent threads each allocate their own
         }
         wind.getVelocities(state, time, w, from, to);
         for (int v = STRIDE * from + 3; v < STRIDE * to; v += STRIDE) {
@@ -70,7 +70,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
         return wind == Wind.STILL ? 0 : sum(state, time, true);
     }
 
-    /** Of all particles that are not fixed: c |w|&sup2;, or -c w . u. */
+    /** Sum over all free particles of c |w|&sup2; (dissipated) or -c w . u (driven). */
     private double sum(double[] state, double time, boolean driven) {
         double[] w = velocityThroughAir(state, time, 0, particles.count());
         double sum = 0;
@@ -88,7 +88,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
         return sum;
     }
 
-    /** {@inheritDoc} They are known where the wind's own derivatives are. */
+    /** {@inheritDoc} They are known if the wind's gradient is. */
     @Override
     public final boolean hasForceDerivatives() {
         return wind == Wind.STILL || wind.hasGradient();

@@ -9,21 +9,20 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 
 /**
- * Near particles repel and less near ones attract each other, so that a heap of them holds together like a drop: the
- * "lobby-blobby" kind of fluid. With r = x_i - x_j, range h, and
+ * Pair force that repels at short range and attracts at longer range, so that a heap of particles holds together like a
+ * drop. With r = x_i - x_j, range h, and
  * <pre>
  *   u = 1 - |r|^2 / h^2,     X = (u / u0)^4,     u0 = u at the distance d of balance
  *   potential of the pair  = e (X^2 - 2 X)       for |r| &lt; h, 0 beyond
  *   damping of the pair    : F_i = -c u^2 (r . r') r / h^2
  * </pre>
- * The potential is -e at the distance d, where the force is 0, and smooth everywhere: at |r| = 0, where no direction is
- * needed, and at |r| = h, where the force goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and
- * go.
+ * The potential is -e at the distance d, where the force is 0, and is smooth everywhere: at |r| = 0 the force is 0, and
+ * at |r| = h it goes to 0 as u&sup3;, so that solvers keep their order as neighbours come and go.
  *
- * <p>Forces are central and opposite: momentum and angular momentum are kept. Neighbours come from a
- * {@link NeighbourGrid}, built anew in every call for all particles, so that the work is proportional to their number;
- * calls must not overlap. Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with
- * the inverse powers replaced by powers of u.
+ * <p>Forces are central and opposite, so momentum and angular momentum are conserved. Neighbours come from a {@link
+ * NeighbourGrid}, rebuilt for all particles in every call, so that the work is proportional to their number; not
+ * thread-safe. Source: the idea, B. Nixon and R. Lobb (2002); the potential is the Lennard-Jones law with the inverse
+ * powers replaced by powers of u.
  */
 public final class Cohesion implements DifferentiableEffect {
     private static final int STRIDE = Particles.STRIDE;
@@ -42,11 +41,11 @@ public final class Cohesion implements DifferentiableEffect {
     private int[] near = {};
 
     /**
-     * @param particles who cohere
-     * @param range     h, the distance beyond which two particles do not feel each other (m)
+     * @param particles the particles on which it acts
+     * @param range     h, the distance beyond which two particles exert no force on each other (m)
      * @param distance  d, the distance at which two are in balance (m), less than h
      * @param depth     e, the energy that it takes to separate two (J), positive
-     * @param damping   c, which slows two that approach each other or part (N s/m), 0 or more
+     * @param damping   c, damping of the relative speed of a pair (N s/m), 0 or more
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Cohesion(Particles particles, double range, double distance, double depth, double damping) {
@@ -124,13 +123,13 @@ public final class Cohesion implements DifferentiableEffect {
         }
     }
 
-    /** The derivative of a pair's potential by u: 2 e (X - 1) dX/du. */
+    /** Derivative of a pair's potential with respect to u: 2 e (X - 1) dX/du. */
     private double slope(double u) {
         double cube = u * u * u * scale;
         return 8 * depth * (u * cube - 1) * cube;
     }
 
-    /** The second derivative: e (56 u^6/u0^8 - 24 u^2/u0^4). */
+    /** Second derivative of it: e (56 u^6/u0^8 - 24 u^2/u0^4). */
     private double curvature(double u) {
         double square = u * u * scale;
         return depth * square * (56 * u * u * square - 24);
@@ -176,7 +175,7 @@ public final class Cohesion implements DifferentiableEffect {
         return damping > 0 ? sum(state, true) : 0;
     }
 
-    /** Over all pairs: the dissipated power, or the potential energy. */
+    /** Sum over all pairs of the dissipated power or the potential energy. */
     private double sum(double[] state, boolean power) {
         findNeighbours(state);
         double sum = 0;
@@ -211,7 +210,7 @@ public final class Cohesion implements DifferentiableEffect {
         private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
                 "Damping of the relative speed of two near particles (N s/m).");
 
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("cohesion", "Particles attract each other at a distance and repel each other close by, so"
                     + " that many hold together like a drop.", RANGE, BALANCE, DEPTH, DAMPING);

@@ -4,7 +4,7 @@ import java.util.List;
 
 /** The effects that scenes can name. */
 public final class EffectCatalog {
-    /** All effects, in the order in which they are built: wind before drag, which asks for it. */
+    /** All effects in the order in which they are built: wind comes before drag, which uses it. */
     public static final List<EffectKind> ALL = List.of(
             new Gravity.Keys(),
             new GustyWind.Keys(),

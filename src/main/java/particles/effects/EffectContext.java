@@ -5,27 +5,27 @@ import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
 
-/** A scene that is being built, as an effect sees it. */
+/** What an effect can use of the scene that is being built. */
 public interface EffectContext {
 
     /** @return the particles */
     Particles particles();
 
-    /** @return how the air moves */
+    /** @return the wind, {@link Wind#STILL} unless the scene has one */
     Wind wind();
 
     /** @param effect a force to act on the particles */
     void add(Effect effect);
 
-    /** @param wind how the air moves from now on */
+    /** @param wind the wind for drag effects that are built after this */
     void setWind(Wind wind);
 
     /** @param solid a solid to be drawn */
     void show(Obstacle solid);
 
-    /** @param g an acceleration that every particle feels (m/s&sup2;); for the scene's energy scale */
+    /** @param g an acceleration of every particle (m/s&sup2;), used for the scene's energy scale */
     void noteAcceleration(Vector3 g);
 
-    /** @param speed a speed up to which particles are carried (m/s); for the scene's energy scale */
+    /** @param speed a speed to which particles may be carried (m/s), used for the scene's energy scale */
     void noteSpeed(double speed);
 }

@@ -18,7 +18,7 @@ public abstract class EffectKind implements Kind {
     /**
      * @param name     the name in scenes; for a law that is not in {@link EffectCatalog} the full name of its class
      * @param sentence what the effect is
-     * @param keys     what a scene can say of it
+     * @param keys     the keys that a scene can set
      */
     protected EffectKind(String name, String sentence, Key<?>... keys) {
         this.name = name;
@@ -29,12 +29,12 @@ public abstract class EffectKind implements Kind {
     /**
      * Builds the effect and adds it to the scene.
      *
-     * @param values what the scene says of it, checked
+     * @param values the keys' values from the scene, already checked
      * @param scene  the scene being built
      */
     public abstract void build(Values values, EffectContext scene);
 
-    /** @return names of effects through which this one acts; unless empty, the scene must have one of them */
+    /** @return names of effects of which the scene must have at least one, as wind needs drag; may be empty */
     public List<String> needs() {
         return List.of();
     }

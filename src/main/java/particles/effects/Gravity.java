@@ -71,7 +71,7 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
         private static final Key<Vector3> ACCELERATION = Key.withDefault("acceleration", VectorType.of("m/s^2"),
                 new Vector3(0, -9.81, 0), "g, the acceleration of free fall (m/s^2).");
 
-        /** Made once, for {@link EffectCatalog}. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("gravity", "The same acceleration for every particle.", ACCELERATION);
         }

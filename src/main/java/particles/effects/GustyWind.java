@@ -8,9 +8,8 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * A wind that is the same everywhere and swells and falls in time: u(t) = mean + gust sin(2 pi t / period). With no
- * gust it is a steady wind. "In mass-spring systems, often no t dependence but might have e.g. time-varying wind
- * field."
+ * Uniform wind that varies as a sine in time: u(t) = mean + gust sin(2 pi t / period). With gust 0 it is steady. The
+ * slides: "In mass-spring systems, often no t dependence but might have e.g. time-varying wind field."
  */
 public final class GustyWind implements Wind {
     private final Vector3 mean;
@@ -20,7 +19,7 @@ public final class GustyWind implements Wind {
     /**
      * @param mean   the steady part (m/s)
      * @param gust   the amplitude of the varying part (m/s)
-     * @param period from gust to gust (s), positive
+     * @param period the time between gusts (s), positive
      * @throws IllegalArgumentException if a number is not finite or the period not positive
      */
     public GustyWind(Vector3 mean, Vector3 gust, double period) {
@@ -69,7 +68,7 @@ public final class GustyWind implements Wind {
         private static final Key<Double> PERIOD = Key.withDefault("period", NumberType.positive("s"), 1.0,
                 "The time between gusts (s).");
 
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("wind", "Moves the air; drag then carries particles along.", MEAN, GUST, PERIOD);
         }

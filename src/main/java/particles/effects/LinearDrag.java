@@ -7,7 +7,7 @@ import particles.spec.Values;
 
 /**
  * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air.
- * Wind acts through drag and in no other way.
+ * Wind acts on particles only through drag.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".
  */
@@ -17,7 +17,7 @@ public final class LinearDrag extends AirDrag {
     /**
      * @param particles the particles in the air
      * @param c         the drag coefficient (N s/m), 0 or more
-     * @param wind      how the air moves
+     * @param wind      the velocity field of the air
      * @throws IllegalArgumentException if c is negative or not finite
      */
     public LinearDrag(Particles particles, double c, Wind wind) {
@@ -60,7 +60,7 @@ public final class LinearDrag extends AirDrag {
         private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("N s/m"),
                 "c, the force per m/s of speed through the air (N s/m).");
 
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("drag", "Air resistance proportional to the speed through the air.", COEFFICIENT);
         }

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * Finds particles near a given one: space is divided into cubes as wide as the range, so that all within range are in
- * the particle's own cube or the 26 around it. Cubes are kept in a hash table, so that particles may be anywhere; the
- * particles of a cube stand in the order of their indices. Work and memory are proportional to the number of particles
- * as long as no cube gets more crowded.
+ * Neighbour search by spatial hashing: space is divided into cubes as wide as the range, so that all particles within
+ * range are in the particle's own cube or the 26 around it. Cubes are kept in a hash table, so that particles may be
+ * anywhere; within a cube they are in the order of their indices. Work and memory are proportional to the number of
+ * particles as long as the cubes do not get more crowded.
  *
  * <p>Source: M. Teschner et al., "Optimized spatial hashing for collision detection of deformable objects", VMV 2003.
  */
@@ -21,9 +21,9 @@ public final class NeighbourGrid {
     /**
      * Sorts particles into cubes.
      *
-     * @param state their state, of which the positions are looked at
-     * @param count how many there are
-     * @param range up to which distance particles are to be found (m), positive
+     * @param state the particles' state, of which only positions are used
+     * @param count the number of particles
+     * @param range the largest distance at which particles must be found (m), positive
      */
     public void build(double[] state, int count, double range) {
         if (sorted.length < count) {
@@ -42,7 +42,7 @@ public final class NeighbourGrid {
             bucketStart[bucket(cubes[3 * i], cubes[3 * i + 1], cubes[3 * i + 2])]++;
         }
         int end = 0;
-        // to ends, which sorting from the last particle turns into beginnings
+        // bucketStart holds ends here; sorting from the last particle down turns them into starts
         for (int b = 0; b <= buckets; b++) {
             end += bucketStart[b];
             bucketStart[b] = end;
@@ -65,12 +65,12 @@ public final class NeighbourGrid {
     }
 
     /**
-     * The particles that may be within range of particle i and come after it, each once and always in the same order.
-     * All that are within range are among them; the caller looks at the distance.
+     * Lists candidates for neighbours of particle i with a larger index, each once and always in the same order. All
+     * those within range are among them; the caller checks the distance.
      *
      * @param i     a particle
-     * @param found receives their indices; as long as there are particles
-     * @return how many they are
+     * @param found receives their indices; its length is at least the number of particles
+     * @return the number of candidates
      */
     public int findLater(int i, int[] found) {
         int count = 0;

@@ -7,13 +7,12 @@ import particles.law.Particles;
 import particles.law.PerParticleEffect;
 
 /**
- * What penalty forces have in common: a particle that is inside a solid by the depth d is pushed out along the
- * surface's normal N,
+ * Base class for penalty forces: a particle at depth d inside a solid is pushed out along the surface normal N,
  * <pre>
  *   F = k d max(0, 1 - b v_n) N        for d &gt; 0
  * </pre>
- * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. Instead of
- * stopping particles at the surface it is only stiff: the deeper, the harder; what is not allowed is penalised.
+ * v_n = N . v, k stiffness, b bounce loss. The force is continuous, never pulls, and stores k d&sup2;/2. It does not
+ * stop particles at the surface: they enter the solid a little.
  *
  * <p>Source of the damping: K. Hunt, F. Crossley, "Coefficient of restitution interpreted as damping in vibroimpact"
  * (1975).
@@ -40,10 +39,10 @@ abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
         this.loss = loss;
     }
 
-    /** Writes the normal where particle i is; returns the depth, negative outside. */
+    /** Writes the surface normal at particle i and returns the depth, negative outside. */
     abstract double depth(double[] state, int i, double[] normal);
 
-    /** How fast the normal turns with the place: dN/dx = this times (1 - N N^T); 0 for a plane (1/m). */
+    /** Curvature of the surface (1/m), 0 for a plane: dN/dx = curvature (1 - N N^T). */
     abstract double curvature(double[] state, int i);
 
     /** The push along the normal (N) for d > 0. */
@@ -71,7 +70,7 @@ abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
         return energy;
     }
 
-    /** {@inheritDoc} The difference between what is given up by the potential and what arrives. */
+    /** {@inheritDoc} The rate at which the potential falls minus the power on the particle. */
     @Override
     public final double getDissipatedPower(double[] state, double time) {
         double power = 0;
@@ -101,7 +100,7 @@ abstract class Penalty implements PerParticleEffect, DifferentiableEffect {
             double push = push(depth, speed);
             double bySpeed = push > 0 ? -stiffness * depth * loss : 0;
             double curvature = curvature(state, i);
-            for (int c = 0; c < 3; c++) {               // the derivative of the push by the place: -dpush/dd N + ...
+            for (int c = 0; c < 3; c++) {               // d(push)/dx = -dpush/dd N + ...
                 turning[c] = -push / depth * normal[c]
                         + bySpeed * curvature * (state[STRIDE * i + 3 + c] - speed * normal[c]);
             }

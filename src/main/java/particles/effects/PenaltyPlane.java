@@ -8,18 +8,17 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * A plane that pushes back particles that are below it: the slides' "penalty force". {@link Penalty} says how. With a
- * push proportional to the depth and no loss a particle of mass m is inside for pi sqrt(m/k) and leaves as fast as it
- * came.
+ * A stiff plane that pushes back particles below it, the slides' "penalty force"; the formula is in {@link Penalty}.
+ * Without loss, a particle of mass m is inside for pi sqrt(m/k) and leaves as fast as it came.
  */
 public final class PenaltyPlane extends Penalty {
     private final Plane plane;
 
     /**
-     * @param particles on whom it acts
-     * @param plane     where it is
-     * @param stiffness k, the push for each metre of depth (N/m), 0 or more
-     * @param loss      b, by what part the push is larger for each m/s of speed inwards (s/m), 0 or more; 0 loses no
+     * @param particles the particles on which it acts
+     * @param plane     the plane
+     * @param stiffness k, the force per metre of depth (N/m), 0 or more
+     * @param loss      b, the relative increase of the force per m/s of inward speed (s/m), 0 or more; 0 loses no
      *                  energy
      * @throws IllegalArgumentException if a number is out of its range
      */
@@ -69,7 +68,7 @@ public final class PenaltyPlane extends Penalty {
         private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""),
                 new Vector3(0, 1, 0), "N, the direction out of the solid; its length does not matter.");
 
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("penaltyPlane", "A stiff plane that pushes back particles below it.", SharedKeys.STIFFNESS,
                     SharedKeys.LOSS, POINT, NORMAL);

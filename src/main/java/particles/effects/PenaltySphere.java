@@ -5,18 +5,18 @@ import particles.law.Sphere;
 import particles.spec.Values;
 
 /**
- * A sphere that pushes back particles that are inside it, or outside it if it is hollow. {@link Penalty} says how. At
- * the very centre of a ball there is no direction to push to, and no force.
+ * A stiff sphere that pushes out particles inside it, or pushes them in if it is hollow; the formula is in {@link
+ * Penalty}. At the centre of a ball, which has no normal, the force is 0.
  */
 public final class PenaltySphere extends Penalty {
     private final Sphere sphere;
     private final double side;
 
     /**
-     * @param particles on whom it acts
-     * @param sphere    where it is
-     * @param stiffness k, the push for each metre of depth (N/m), 0 or more
-     * @param loss      b, by what part the push is larger for each m/s of speed inwards (s/m), 0 or more; 0 loses no
+     * @param particles the particles on which it acts
+     * @param sphere    the sphere
+     * @param stiffness k, the force per metre of depth (N/m), 0 or more
+     * @param loss      b, the relative increase of the force per m/s of inward speed (s/m), 0 or more; 0 loses no
      *                  energy
      * @throws IllegalArgumentException if a number is out of its range
      */
@@ -77,7 +77,7 @@ public final class PenaltySphere extends Penalty {
 
     /** Penalty spheres in scenes. */
     public static final class Keys extends EffectKind {
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("penaltySphere", "A stiff ball that pushes particles out, or a hollow one that pushes them in.",
                     SharedKeys.CENTRE, SharedKeys.RADIUS, SharedKeys.HOLLOW, SharedKeys.STIFFNESS, SharedKeys.LOSS);

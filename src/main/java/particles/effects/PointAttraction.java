@@ -12,13 +12,13 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * Attraction by a fixed point, as of planets by the sun: with r the way from the point to the particle,
+ * Attraction by a fixed point, as of planets by the sun: with r the vector from the point to the particle,
  * <pre>
  *   F = -m mu r / (|r|^2 + s^2)^(3/2)
  * </pre>
- * mu is G times the mass at the point. Without softening (s = 0) orbits are Kepler's ellipses, and there is no finite
- * force at the point itself. With s &gt; 0 the force falls to 0 within about s of the point, which lets particles pass
- * through it with reasonable steps, and ellipses turn slowly.
+ * mu is G times the mass at the point. Without softening (s = 0) orbits are Kepler's ellipses, and the force is
+ * infinite at the point itself. With s &gt; 0 the force falls to 0 within about s of the point, so that particles can
+ * pass through it with reasonable steps, and ellipses precess slowly.
  *
  * <p>Potential energy -m mu / sqrt(|r|&sup2; + s&sup2;). Source of the softening: H. Plummer (1911), S. Aarseth (1963).
  */
@@ -36,9 +36,9 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
     private final double[] dFdV = new double[9];            // stays 0
 
     /**
-     * @param particles on whom it acts
+     * @param particles the particles on which it acts
      * @param centre    the point (m)
-     * @param strength  mu (m&sup3;/s&sup2;); negative pushes away
+     * @param strength  mu (m&sup3;/s&sup2;); negative repels
      * @param softening s (m), 0 or more
      * @throws IllegalArgumentException if a number is not finite or the softening negative
      */
@@ -102,7 +102,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
         }
     }
 
-    /** {@inheritDoc} Fixed particles, which nothing can move, are left out. */
+    /** {@inheritDoc} Fixed particles are left out. */
     @Override
     public double getPotentialEnergy(double[] state, double time) {
         double energy = 0;
@@ -127,7 +127,7 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
                 "s: the force is that at the distance sqrt(r^2 + s^2), so that particles may pass through the"
                         + " centre (m).");
 
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("attraction", "Attracts every particle to a point, as the sun does.", STRENGTH, CENTRE, SOFTENING);
         }

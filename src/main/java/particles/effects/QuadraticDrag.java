@@ -6,8 +6,8 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 
 /**
- * Quadratic air drag, that of things larger than dust and faster than a crawl: F = -c |v - u| (v - u), where u is the
- * velocity of the air and c = rho A C<sub>d</sub>/2, half the air's density times cross-section times drag coefficient.
+ * Quadratic air drag, as on a thrown ball: F = -c |v - u| (v - u), where u is the velocity of the air and c = rho A
+ * C<sub>d</sub>/2, half the air's density times cross-section times drag coefficient.
  *
  * <p>From rest under gravity v = v<sub>t</sub> tanh(g t/v<sub>t</sub>) with the terminal speed v<sub>t</sub> = sqrt(m
  * g/c). The force's derivative is continuous at v = u, its second derivative is not.
@@ -18,7 +18,7 @@ public final class QuadraticDrag extends AirDrag {
     /**
      * @param particles the particles in the air
      * @param c         the drag coefficient (N s&sup2;/m&sup2;, which is kg/m), 0 or more
-     * @param wind      how the air moves
+     * @param wind      the velocity field of the air
      * @throws IllegalArgumentException if c is negative or not finite
      */
     public QuadraticDrag(Particles particles, double c, Wind wind) {
@@ -58,7 +58,7 @@ public final class QuadraticDrag extends AirDrag {
                 "c, the force divided by the square of the speed through the air: half of air density times"
                         + " cross-section times drag coefficient (kg/m).");
 
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("quadraticDrag", "Air resistance proportional to the square of the speed through the"
                     + " air.", COEFFICIENT);

@@ -11,11 +11,11 @@ import particles.spec.WholeNumberType;
 
 /** Scene keys that several effects and rules have in common. */
 public final class SharedKeys {
-    /** Which random numbers. */
+    /** The seed of random numbers. */
     public static final Key<Integer> SEED = Key.withDefault("seed", new WholeNumberType(0, 1_000_000_000), 1,
             "The seed of the random numbers; the same seed gives the same run on every machine.");
 
-    /** The middle of a sphere. */
+    /** The centre of a sphere. */
     public static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Its centre (m).");
     /** The radius of a sphere. */
     public static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "Its radius (m).");
@@ -35,7 +35,7 @@ public final class SharedKeys {
     }
 
     /**
-     * @param values what a scene says of a sphere
+     * @param values a scene's values for a sphere
      * @return the sphere
      */
     public static Sphere sphere(Values values) {

@@ -11,14 +11,13 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /**
- * Turbulent air: a steady wind that carries eddies of many sizes along, smooth in space and time,
+ * Turbulent wind: a steady wind that carries eddies of many sizes, smooth in space and time,
  * <pre>
  *   u(x, t) = mean + sum of a_k e_k cos(k . (x - mean t) - w_k t + phase_k),     e_k perpendicular to k
  * </pre>
- * Each wave is free of divergence, so air is nowhere made or lost. Wave lengths go in a geometric sequence from twice
- * the size of the largest eddies to an eighth of that; amplitudes go with |k|<sup>-1/3</sup>, as Kolmogorov's spectrum
- * has it for waves in a geometric sequence, and an eddy lives about as long as it takes to turn once. The field follows
- * from the seed alone, and is the same on every machine.
+ * Each wave is divergence-free. Wavelengths form a geometric sequence from twice the size of the largest eddies down to
+ * an eighth of that. Amplitudes are proportional to |k|<sup>-1/3</sup>, which gives Kolmogorov's spectrum for this
+ * sequence, and an eddy lives about as long as one turn takes. The same seed gives the same field on every machine.
  *
  * <p>Source: R. Kraichnan, "Diffusion by a random velocity field", Physics of Fluids 13 (1970).
  */
@@ -36,8 +35,8 @@ public final class TurbulentWind implements Wind {
     /**
      * @param mean     the steady part (m/s)
      * @param strength the root mean square of the varying part's speed (m/s), 0 or more
-     * @param eddySize of the largest eddies (m), positive: half a wave length
-     * @param seed     which of all such fields
+     * @param eddySize the size of the largest eddies (m), positive: half their wavelength
+     * @param seed     the seed of the random field
      * @throws IllegalArgumentException if a number is out of its range
      */
     public TurbulentWind(Vector3 mean, double strength, double eddySize, long seed) {
@@ -123,7 +122,7 @@ public final class TurbulentWind implements Wind {
         private static final Key<Vector3> MEAN = Key.withDefault("mean", VectorType.of("m/s"), Vector3.ZERO,
                 "The steady wind that carries the eddies along (m/s).");
 
-        /** The one for all scenes. */
+        /** Called once, by {@link EffectCatalog}. */
         public Keys() {
             super("turbulence", "Moves the air in eddies of many sizes; drag then carries particles along.", STRENGTH,
                     EDDY_SIZE, MEAN, SharedKeys.SEED);

@@ -1,12 +1,12 @@
 /**
- * Force laws: one law, one file. Each law says what energy it stores, dissipates or brings in, and which properties
- * it claims ({@link particles.law.Effect.Trait}); tests hold it to that. Its nested class {@code Keys} declares its
- * keys in a scene, and {@link particles.effects.EffectCatalog} lists all laws.
+ * Force laws: one law, one file. Each law reports the energy it stores, dissipates or brings in and claims properties
+ * ({@link particles.law.Effect.Trait}); tests check both. Its nested class {@code Keys} declares its keys in a scene,
+ * and {@link particles.effects.EffectCatalog} lists all laws.
  *
  * <h2>A law of your own</h2>
  * {@code gradle newEffect -Pclass=MyForce} writes a class to start from, and {@code gradle checkEffect
- * -Peffect=exercises.MyForce} checks it. This is a complete law, {@code src/main/java/exercises/Coriolis.java}; a
- * test compiles and runs it:
+ * -Peffect=exercises.MyForce} checks it. This is a complete law, {@code src/main/java/exercises/Coriolis.java}; a test
+ * compiles and runs it:
  * <pre>{@code
  * package exercises;
  *
@@ -73,7 +73,7 @@
  * <h2>Adding a law to the program</h2>
  * Move the class into this package, give its {@code Keys} a short name, and add a line to {@link
  * particles.effects.EffectCatalog}. The test {@code SceneSchemaTest} then writes the new schema to {@code
- * build/scene.schema.json}: copy it over {@code scenes/scene.schema.json}. {@code gradle gallery} writes the
- * reference in {@code scenes/README.md} again.
+ * build/scene.schema.json}: copy it over {@code scenes/scene.schema.json}. {@code gradle gallery} writes the reference
+ * in {@code scenes/README.md} again.
  */
 package particles.effects;

@@ -4,7 +4,7 @@ package particles.law;
 public interface AnchorMotion {
 
     /**
-     * Where the point is and how it moves.
+     * Writes the position, velocity and acceleration of the point at a time.
      *
      * @param time   t (s)
      * @param values receives nine numbers: position (m), its first derivative (m/s) and its second (m/s&sup2;)

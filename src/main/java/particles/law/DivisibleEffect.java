@@ -1,10 +1,10 @@
 package particles.law;
 
 /**
- * An effect whose forces are split into parts that several threads can evaluate at once. The parts form a binary tree:
- * the n leaves are blocks, which own disjoint ranges of particles; an inner node, a joint, has the forces between its
- * two children and is evaluated after them. The tree does not depend on the number of threads, so that sums have the
- * same bits for any number.
+ * An effect whose forces are split into parts that several threads can evaluate at once. The parts form a binary tree.
+ * Its n leaves are blocks, each with a range of particles of its own; an inner node, called a joint, holds the forces
+ * between its two children and is evaluated after them. The tree does not depend on the number of threads, so neither
+ * do the bits of the sums.
  */
 public interface DivisibleEffect extends Effect {
 
@@ -15,7 +15,7 @@ public interface DivisibleEffect extends Effect {
      */
     int countBlocks();
 
-    /** @return the number of forces to be computed, by which to judge whether several threads pay */
+    /** @return the number of forces to compute; it decides whether several threads are worth their overhead */
     int size();
 
     /**
@@ -32,7 +32,7 @@ public interface DivisibleEffect extends Effect {
      *              join these, and so on up to 2 n - 2, which joins all
      * @param state the particles' state; read only
      * @param time  t (s)
-     * @param force adds the forces (N) where the velocities stand in the state
+     * @param force add each force (N) to the entries that hold the particle's velocity in the state
      */
     void addPart(int part, double[] state, double time, double[] force);
 }

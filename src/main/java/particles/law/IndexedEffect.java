@@ -1,10 +1,10 @@
 package particles.law;
 
-/** An effect that keeps indices of particles, and has to follow when particles are removed. */
+/** An effect that stores particle indices and must update them when particles are removed. */
 public interface IndexedEffect extends Effect {
 
     /**
-     * Particles were removed from the system.
+     * Called after particles were removed from the system.
      *
      * @param newIndex the new index of each particle by its old one, -1 for those that are gone
      */

@@ -1,12 +1,12 @@
 package particles.law;
 
-/** The boundary of a solid that particles stay outside of: a plane, a ball, the wall of a hollow. */
+/** The surface of a solid that particles stay outside of: a plane, a ball, the wall of a hollow. */
 public interface Obstacle {
     /**
      * @param x a point's first coordinate (m)
      * @param y its second (m)
      * @param z its third (m)
-     * @return how far the point is outside; negative inside the solid (m)
+     * @return the signed distance from the surface (m): positive outside, negative inside the solid
      */
     double distance(double x, double y, double z);
 
@@ -14,8 +14,8 @@ public interface Obstacle {
     Vector3 normal(double x, double y, double z);
 
     /**
-     * How the distance curves: along a path its second derivative is N . a + curvature |v_t|&sup2;, with v_t the
-     * velocity across N.
+     * The curvature of the surface: along a path, the second derivative of the distance is N . a + curvature
+     * |v_t|&sup2;, where v_t is the tangential velocity.
      *
      * @return 0 for a plane, 1/r for a ball, -1/r for a hollow, with r the point's distance from the centre (1/m)
      */
@@ -25,13 +25,13 @@ public interface Obstacle {
     boolean isFlat();
 
     /**
-     * Where a cubic curve is outside. The result bounds it: where no coefficient is negative, no point of the curve is
-     * inside.
+     * Bounds the distance along a cubic curve: if no coefficient is negative, no point of the curve is inside the
+     * solid.
      *
      * @param points       the four B&eacute;zier points of the curve, three coordinates each (m)
-     * @param coefficients receives the B&eacute;zier (Bernstein) coefficients of a polynomial of the curve's parameter
-     *                     that has the sign of the distance; at least seven places
-     * @return how many coefficients it has
+     * @param coefficients receives the B&eacute;zier (Bernstein) coefficients of a polynomial in the curve's parameter
+     *                     that has the sign of the distance; length at least 7
+     * @return the number of coefficients
      */
     int separation(double[] points, double[] coefficients);
 }

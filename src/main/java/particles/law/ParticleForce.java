@@ -1,8 +1,9 @@
 package particles.law;
 
 /**
- * The simplest way to write a force law: the force on one particle, from where it is and how it moves. A subclass
- * writes {@link #getForce}, and if the force is conservative also {@link #getPotentialEnergy(Vector3, double, double)}.
+ * The simplest way to write a force law: the force on one particle from its position, velocity and mass and the time. A
+ * subclass implements {@link #getForce} and, if the force is conservative, also {@link #getPotentialEnergy(Vector3,
+ * double, double)}.
  */
 public abstract class ParticleForce implements Effect {
     private final Particles particles;

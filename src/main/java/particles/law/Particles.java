@@ -3,8 +3,8 @@ package particles.law;
 import java.util.Arrays;
 
 /**
- * What particles are, beside where they are: id, mass, whether they are fixed. Flat arrays, grown as particles are
- * added; the index of a particle is its place in the state: its position begins at entry 6 i, its velocity at 6 i + 3.
+ * The constant data of all particles: id, mass, whether they are fixed. Positions and velocities are in the state: the
+ * position of particle i begins at entry 6 i, its velocity at 6 i + 3.
  */
 public final class Particles {
     /** Doubles per particle in a state: three positions, three velocities. */
@@ -20,7 +20,7 @@ public final class Particles {
     public Particles() {
     }
 
-    /** Refuses places and velocities that cannot be. */
+    /** Throws if a position or velocity is not finite, or a fixed particle has a velocity. */
     public static void requirePossible(String id, Vector3 position, Vector3 velocity, boolean fixed) {
         if (!position.isFinite() || !velocity.isFinite()) {
             throw new IllegalArgumentException("particle '" + id + "' has position " + position + " and velocity "
@@ -33,7 +33,7 @@ public final class Particles {
         }
     }
 
-    /** Refuses to let a free particle follow a given motion. */
+    /** Throws if the particle is free: only a fixed one can follow a given motion. */
     public void requireFixed(int particle) {
         if (!isFixed(particle)) {
             throw new IllegalArgumentException("particle '" + id(particle)
@@ -62,7 +62,7 @@ public final class Particles {
         return count++;
     }
 
-    /** Moves what is known of a particle to a smaller index. */
+    /** Moves a particle's data to a smaller index. */
     public void move(int from, int to) {
         ids[to] = ids[from];
         masses[to] = masses[from];
@@ -86,7 +86,7 @@ public final class Particles {
         return count;
     }
 
-    /** @return the id of particle i, its own for the whole run and never another's */
+    /** @return the id of particle i, unique in the whole run */
     public String id(int i) {
         return ids[i];
     }
@@ -101,24 +101,25 @@ public final class Particles {
         return inverseMasses[i] == 0;
     }
 
-    /** @return the simulated time at which particle i came into being (s) */
+    /** @return the simulated time at which particle i was born (s) */
     public double birthTime(int i) {
         return birthTimes[i];
     }
 
-    /** @return the simulated time at which particle i is to die of age (s); infinite if it is not */
+    /** @return the simulated time at which particle i will die of age (s); infinity if it does not age */
     public double deathTime(int i) {
         return deathTimes[i];
     }
 
     /**
-     * @return the masses themselves (kg), for inner loops: {@link #count()} are valid, to be read only, not to be kept
+     * @return the array of masses itself (kg), for inner loops; the first {@link #count()} entries are valid; do not
+     *         change it or keep a reference
      */
     public double[] masses() {
         return masses;
     }
 
-    /** @return 1/m (1/kg), 0 for fixed particles, for inner loops, as with {@link #masses()} */
+    /** @return the array of 1/m (1/kg), 0 for fixed particles; the rules of {@link #masses()} apply */
     public double[] inverseMasses() {
         return inverseMasses;
     }

@@ -1,9 +1,8 @@
 package particles.law;
 
 /**
- * An effect whose force on a particle depends on that particle alone, as gravity and drag do, and which can be
- * evaluated for any range of particles, by several threads at once. {@link ParticleForce} is simpler to write, and runs
- * on one thread.
+ * An effect whose force on a particle depends on that particle alone, as gravity and drag do, so that several threads
+ * can evaluate ranges of particles at once. {@link ParticleForce} is simpler to write, and runs on one thread.
  */
 public interface PerParticleEffect extends Effect {
 
@@ -12,7 +11,7 @@ public interface PerParticleEffect extends Effect {
      *
      * @param state the particles' state (m, m/s); read only
      * @param time  t (s)
-     * @param force adds each particle's force (N) where its velocity stands in the state
+     * @param force add each force (N) to the entries that hold the particle's velocity in the state
      * @param from  first particle
      * @param to    one past the last particle
      */

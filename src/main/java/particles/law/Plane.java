@@ -4,7 +4,7 @@ package particles.law;
  * A plane that bounds a half-space: particles belong on the side to which the normal points.
  *
  * @param point  any point of the plane (m)
- * @param normal N, out of the solid; made a unit vector
+ * @param normal N, pointing out of the solid; it is normalised
  */
 public record Plane(Vector3 point, Vector3 normal) implements Obstacle {
     /** @throws IllegalArgumentException if the normal has no direction or the point is not finite */

@@ -1,42 +1,41 @@
 package particles.law;
 
 /**
- * A force that answers the total of all others: resting contact and its friction push back just as hard as they are
- * pushed. Acts after all effects.
+ * A force that depends on the sum of all other forces, such as the normal force of a contact, static friction, or the
+ * tension of a rod. Reactions are added after all effects.
  */
 public interface Reaction {
 
     /** @return the name in scenes and legends, such as {@code contact} */
     String getName();
 
-    /** @return whether any particle is held at present; if none is, {@link #addForces} need not be called */
+    /** @return whether the reaction acts on any particle at present; if not, {@link #addForces} need not be called */
     boolean isActive();
 
     /**
-     * Adds the answering forces.
+     * Adds the reaction forces.
      *
      * @param state the particles' state, to be read only
      * @param time  t (s)
-     * @param force holds the total force of all effects (N), in the entries where the velocities stand; receives the
-     *              answer on top
+     * @param force holds the total force of all effects (N) in the entries of the velocities; the reaction is added to
+     *              it
      */
     void addForces(double[] state, double time, double[] force);
 
     /** @return whether the force depends on velocities, as friction does */
     boolean dependsOnVelocity();
 
-    /** @return whether {@link #addForceDerivatives} adds all there is */
+    /** @return whether {@link #addForceDerivatives} adds all derivatives; if not, solvers use finite differences */
     default boolean hasForceDerivatives() {
         return false;
     }
 
     /**
-     * Makes the derivatives of the forces so far those of the forces with the answer.
+     * Turns the derivatives of the forces so far into those of the forces including the reaction.
      *
      * @param state  the particles' state, to be read only
      * @param time   t (s)
-     * @param force  the total force before this reaction (N), in the entries where the velocities stand; to be read
-     *               only
+     * @param force  the total force before this reaction (N), in the entries of the velocities; read only
      * @param derivatives holds what the effects have added
      */
     default void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
@@ -46,14 +45,13 @@ public interface Reaction {
      * @param state the particles' state
      * @param time  t (s)
      * @param force the total force of all effects (N), without reactions
-     * @return the power that physics gives (W): negative where friction turns it into heat, that of moving anchors
-     *         through rods, 0 for rods, wires and surfaces that stand still, whatever a state that is not quite on them
-     *         would give
+     * @return the exact power of the reaction (W): negative for friction, the work rate of moving anchors for rods, and
+     *         0 for rods, wires and surfaces at rest, even if the state is slightly off the constraint
      */
     double getPower(double[] state, double time, double[] force);
 
     /**
-     * Particles were taken out of the system.
+     * Called after particles were removed from the system.
      *
      * @param newIndex the new index of each particle by its old one, -1 for those that are gone
      */

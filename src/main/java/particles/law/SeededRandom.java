@@ -1,8 +1,8 @@
 package particles.law;
 
 /**
- * Random numbers that are the same on every machine and every JDK for a given seed: SplitMix64, written out, because
- * the library's generators promise good numbers but not always the same ones.
+ * Random number generator SplitMix64: the same seed gives the same numbers on every machine and JDK, which the
+ * library's generators do not all promise.
  *
  * <p>Source: G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
  */
@@ -25,13 +25,13 @@ public final class SeededRandom {
         return z ^ (z >>> 31);
     }
 
-    /** @return a number of 0 &le; r &lt; 1, any multiple of 2<sup>-53</sup> equally likely */
+    /** @return a uniform random number, 0 &le; r &lt; 1, a multiple of 2<sup>-53</sup> */
     public double nextDouble() {
         return (nextLong() >>> 11) * UNIT;
     }
 
     /**
-     * A direction in a cone, all parts of its cap equally likely.
+     * Returns a random direction, uniform over a cone.
      *
      * @param axis      the middle of the cone, of length 1
      * @param halfAngle from its axis to its side (rad); pi for any direction in space

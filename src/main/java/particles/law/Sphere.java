@@ -3,7 +3,7 @@ package particles.law;
 /**
  * A sphere that bounds a solid: a ball that particles stay outside of, or a hollow that they stay inside of.
  *
- * @param centre where its middle is (m)
+ * @param centre the centre (m)
  * @param radius R (m), positive
  * @param hollow whether particles belong inside
  */
@@ -31,7 +31,7 @@ public record Sphere(Vector3 centre, double radius, boolean hollow) implements O
         return new Vector3(x - centre.x(), y - centre.y(), z - centre.z());
     }
 
-    /** {@inheritDoc} At the centre itself, where there is none, it points up. */
+    /** {@inheritDoc} At the centre, where it is undefined, it points up. */
     @Override
     public Vector3 normal(double x, double y, double z) {
         Vector3 r = fromCentre(x, y, z);

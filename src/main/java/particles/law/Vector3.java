@@ -36,7 +36,7 @@ public record Vector3(double x, double y, double z) {
         return new Vector3(y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x);
     }
 
-    /** @return whether all three are zero, of whichever sign */
+    /** @return whether all components are 0 or -0 */
     public boolean isZero() {
         return x == 0 && y == 0 && z == 0;
     }
@@ -66,7 +66,7 @@ public record Vector3(double x, double y, double z) {
     }
 
     /**
-     * @param name what the vector is, in the message
+     * @param name the name of the vector in the message
      * @return this vector
      * @throws IllegalArgumentException if one of the three is not a finite number
      */

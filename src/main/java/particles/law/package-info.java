@@ -1,7 +1,8 @@
 /**
- * What a law of motion is made of: {@link particles.law.Effect} and {@link particles.law.ParticleForce} for forces
- * that depend on state and time, {@link particles.law.Reaction} for forces that answer the total of the others, and
- * the data they speak of: {@link particles.law.Particles}, {@link particles.law.Vector3}, planes and spheres.
+ * Interfaces for force laws, and the data they use: {@link particles.law.Effect} and {@link
+ * particles.law.ParticleForce} for forces that depend on state and time, {@link particles.law.Reaction} for forces that
+ * depend on the sum of the others, and {@link particles.law.Particles}, {@link particles.law.Vector3}, planes and
+ * spheres.
  *
  * <p>This is all one needs to know to write a force law. The optional interfaces ({@link
  * particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect}, {@link particles.law.DifferentiableEffect},

@@ -3,7 +3,7 @@ package particles.rules;
 import particles.law.AnchorMotion;
 import particles.law.Vector3;
 
-/** Round and round an axis, a turning crank: counter-clockwise seen against the axis. */
+/** Uniform motion of an anchor on a circle, as of a crank: counter-clockwise when the axis points at the viewer. */
 public final class CircleMotion implements AnchorMotion {
     private final Vector3 centre;
     private final Vector3 cosine;
@@ -14,7 +14,7 @@ public final class CircleMotion implements AnchorMotion {
      * @param start  where the point is at t = 0 (m)
      * @param centre any point of the axis (m)
      * @param axis   its direction
-     * @param period of one turn (s), other than 0; negative turns the other way
+     * @param period the time of one turn (s), not 0; a negative one turns the other way
      * @throws IllegalArgumentException if the axis has no direction, the period is 0 or a number not finite
      */
     public CircleMotion(Vector3 start, Vector3 centre, Vector3 axis, double period) {

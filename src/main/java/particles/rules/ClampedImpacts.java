@@ -21,34 +21,33 @@ import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.ContactSurface;
 
 /**
- * Particles bounce off planes and spheres, the slides' "Particle/Plane Collisions": at an impact v_n' = -r v_n and
- * v_t' = v_t. "Should back-off simulation until it's just on the plane. But usually don't bother!" - this rule does not
- * bother: a particle found below a surface after a step is put onto it, at the end of the step.
+ * Collisions with planes and spheres at the end of the step (clamp), the slides' "Particle/Plane Collisions": at an
+ * impact v_n' = -r v_n and v_t' = v_t. "Should back-off simulation until it's just on the plane. But usually don't
+ * bother!" - this rule does not bother: after a step, a particle found below a surface is moved onto it.
  *
- * <p>It is put there with the speed that it had there. With the acceleration a across the surface as constant within
- * the step, a = delta v/deltaT, its square is v_n&sup2; + 2 a depth: whoever is lifted against gravity pays with speed.
- * So a bounce multiplies the energy across the surface by r&sup2;, and adds none; what the solver's own steps add or
- * lose it leaves. Each bounce comes late, by less than deltaT; {@link ExactImpacts} is in time.
+ * <p>It gets the speed that it had at the surface. If the normal acceleration a = delta v/deltaT is constant within the
+ * step, the square of that speed is v_n&sup2; + 2 a depth, so a particle that is lifted against gravity loses speed. A
+ * bounce thus multiplies the energy of the normal motion by r&sup2; and adds none. Each bounce comes late, by less than
+ * deltaT; {@link ExactImpacts} finds the exact time.
  *
- * <p>It also decides what happens where bounces get smaller and smaller. A particle that would leave slower than the
- * surface's rest speed, or slower than the speed it gained by acceleration within the step (a bounce which the step
- * cannot resolve), stays in contact. In contact it slides, or sticks once it is slower than the friction's threshold or
- * has turned round within a step, provided that static friction can hold it.
+ * <p>A particle that would leave slower than the surface's rest speed, or slower than the speed it gained within the
+ * step (a bounce too short for deltaT), stays in contact. There it slides; it sticks once it is slower than the
+ * friction's threshold or has reversed within a step, if static friction can hold it.
  */
 public final class ClampedImpacts implements Rule {
     private static final int STRIDE = Particles.STRIDE;
 
     private final RestingContacts contacts;
     private final ContactModes modes;
-    private double[] before = {};                       // the state where the step began,
-    private double[] arrived = {};                      // and where it ended, before anything was clamped
+    private double[] before = {};                       // the state at the beginning of the step
+    private double[] arrived = {};                      // the state at its end, before clamping
     private double[] force = {};
     private boolean forceKnown;
     private final FirstCrossing crossing = new FirstCrossing();
     private final double[] points = new double[12];
     private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
 
-    /** @param contacts the surfaces, and what touches them */
+    /** @param contacts the surfaces and the particles in contact with them */
     public ClampedImpacts(RestingContacts contacts) {
         this.contacts = contacts;
         this.modes = contacts.getModes();
@@ -59,7 +58,7 @@ public final class ClampedImpacts implements Rule {
         return "impacts";
     }
 
-    /** Particles that begin on a surface and do not move away from it or into it rest on it from the start. */
+    /** Particles that begin on a surface with no normal velocity rest on it from the start. */
     @Override
     public void start(ParticleSystem system) {
         beforeStep(system);
@@ -116,7 +115,8 @@ public final class ClampedImpacts implements Rule {
     }
 
     /**
-     * After all have been put back: what sticks moves no more, and a rod between two that stick could not be put right.
+     * Called after all particles have been moved back: a rod between two sticking particles could no longer be
+     * corrected.
      */
     private boolean slideOrStickAll(ParticleSystem system) {
         double[] state = system.getOwnState();
@@ -131,7 +131,7 @@ public final class ClampedImpacts implements Rule {
         return changed;
     }
 
-    /** A particle that was free: an impact if it is below the surface now. */
+    /** Handles a particle that was free: an impact if it is now below the surface. */
     private boolean collide(ParticleSystem system, int p, int i, double deltaT) {
         double[] state = system.getOwnState();
         ContactSurface surface = contacts.getSurfaces().get(p);
@@ -156,14 +156,14 @@ public final class ClampedImpacts implements Rule {
         return true;
     }
 
-    /** Lets a particle leave a surface, or stay on it if it would leave slower than a step can show. */
+    /** Lets a particle leave a surface, or rest on it if the bounce is too small for the step. */
     private void bounce(ParticleSystem system, int p, int i, double leaving, double gained, double deltaT) {
         double[] state = system.getOwnState();
         ContactSurface surface = contacts.getSurfaces().get(p);
         Vector3 normal = normal(surface, state, i);
         boolean rests = leaving <= Math.max(surface.restSpeed(), gained);
         if (contacts.isCoupled(i)) {
-            contacts.strike(p, i, rests ? 0 : leaving, state);      // its rods and wires pass the blow on
+            contacts.strike(p, i, rests ? 0 : leaving, state);      // its rods and wires transmit the impulse
         } else if (rests) {
             stopAlong(normal, state, i);
         } else {
@@ -176,8 +176,8 @@ public final class ClampedImpacts implements Rule {
     }
 
     /**
-     * A particle that came to rest on surface p may touch others: in the bottom of a groove it is put onto all of them.
-     * One that it leaves so slowly that it would be back within half a step is not left.
+     * Puts a particle that came to rest on surface p onto the other surfaces it touches, as at the bottom of a groove.
+     * It also stays on one that it leaves so slowly that it would be back within half a step.
      */
     private void keepOnOthers(ParticleSystem system, int p, int i, double deltaT) {
         double[] state = system.getOwnState();
@@ -199,7 +199,7 @@ public final class ClampedImpacts implements Rule {
         forceKnown = false;
     }
 
-    /** A particle that was in contact: it may leave, be pressed in by another surface, begin or cease to slide. */
+    /** Handles a particle that was in contact: it may leave, hit another surface, begin to slide or stop. */
     private boolean keepInContact(ParticleSystem system, int p, int i, double[] state) {
         ContactSurface surface = contacts.getSurfaces().get(p);
         if (!surface.obstacle().isFlat()) {
@@ -208,7 +208,7 @@ public final class ClampedImpacts implements Rule {
                 modes.set(p, i, Mode.FREE);
                 return true;
             }
-            putOn(surface, state, i);                     // the solver's error, which would let it drift off
+            putOn(surface, state, i);                     // removes drift by the solver's error
             return false;
         }
         double depth = distance(surface, state, i);
@@ -227,7 +227,7 @@ public final class ClampedImpacts implements Rule {
     }
 
     /**
-     * A particle that sticks begins to slide where it cannot be held; one that slides sticks where it stops and can be.
+     * A sticking particle begins to slide if friction cannot hold it; a sliding one that stops sticks if friction can.
      */
     private boolean slideOrStick(ParticleSystem system, int i, double[] state) {
         if (!modes.isTouching(i)) {
@@ -255,16 +255,13 @@ public final class ClampedImpacts implements Rule {
         return true;
     }
 
-    /** The effects' forces are only added up in steps in which a particle may stop. */
+    /** Evaluates the effects' forces at most once a step, and only if a particle may stop in it. */
     private boolean canHold(ParticleSystem system, int i, double[] state) {
         addUpForces(system, state);
         return contacts.holdMargin(i, state, force) >= 0;
     }
 
-    /**
-     * Takes a particle that flew through a ball within the step back to where it went in, so that it is found there
-     * with the velocity that it had there.
-     */
+    /** Moves a particle that flew through a ball within the step back to where it entered, with its velocity there. */
     private void stopFlight(ContactSurface surface, int i, double[] state, double deltaT) {
         bezier(before, state, deltaT, i, points);
         int count = surface.obstacle().separation(points, coefficients);

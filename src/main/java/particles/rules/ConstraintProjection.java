@@ -5,18 +5,17 @@ import particles.Rule;
 import particles.reactions.RigidConstraints;
 
 /**
- * Rods keep their lengths and beads their wires to rounding: after every step positions and velocities are moved onto
- * the constraints, what has less mass more, as little as possible.
+ * Projection onto the constraints: after every step, positions and velocities are corrected so that rods keep their
+ * lengths and beads stay on their wires up to round-off. The corrections are the smallest, weighted by mass.
  *
- * <p>The price: a step's end is changed almost every time, by about the error of the step, and a solver is told so. One
- * that builds on earlier steps - adams, the adaptive ones' next step - starts anew each time; that is right, for its
- * memory is of a motion that was not gone on with, but adams is then no better than what it starts with. Rods that only
- * need to be accurate to a solver's order do without, by the feedback of {@link RigidConstraints} alone.
+ * <p>The price: the state changes after almost every step, and a solver that uses earlier steps (adams, the step size
+ * of adaptive solvers) must restart each time, so that adams is no better than its starting method. Rods that only need
+ * the accuracy of the solver can use the feedback of {@link RigidConstraints} without projection.
  */
 public final class ConstraintProjection implements Rule {
     private final RigidConstraints constraints;
 
-    /** @param constraints what is to be kept */
+    /** @param constraints the rods and wires */
     public ConstraintProjection(RigidConstraints constraints) {
         this.constraints = constraints;
     }

@@ -18,15 +18,15 @@ import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.Friction;
 
 /**
- * What happens to particles in contact, at its time: a surface no longer presses and lets go, a sliding particle comes
- * to a stop, a sticking one breaks away. Each is a function of the state that is positive until then; whether it
- * changed its sign is looked at at the end of every motion.
+ * Event functions for particles in contact: the contact force vanishes and the surface lets go, a sliding particle
+ * stops, a sticking one breaks away. Each function is positive until its event; its sign is checked at the end of every
+ * motion.
  */
 final class ContactEvents {
     private static final int STRIDE = Particles.STRIDE;
-    /** Relative to a speed: what is less is the rounding of a few operations. */
+    /** Round-off of a few operations, relative to a speed. */
     private static final double ROUNDING = 1e-12;
-    /** How many roundings of the clock an event may be off its time. */
+    /** How many ulps of the clock an event may be off its time. */
     private static final int CLOCK_ROUNDINGS = 4;
 
     private final RestingContacts contacts;
@@ -38,7 +38,7 @@ final class ContactEvents {
         this.modes = contacts.getModes();
     }
 
-    /** An event of particle i: its function, what to do, and the end of the motion as a guess of when. */
+    /** An event of one particle: its function, its action, and the end of the motion as a first guess of the time. */
     private record Change(double time, ToDoubleFunction<ParticleSystem> function, Consumer<ParticleSystem> deed)
             implements Event {
         @Override
@@ -57,7 +57,7 @@ final class ContactEvents {
         }
     }
 
-    /** Something that changed its sign within the motion, if there is any; which is first shows when it is located. */
+    /** Finds an event function that changed its sign within the motion, not necessarily the first one. */
     Optional<Event> find(Motion motion) {
         if (!modes.isAnyTouching()) {
             return Optional.empty();
@@ -99,7 +99,7 @@ final class ContactEvents {
                 : Optional.of(new Change(end, moving, s -> stop(s, i, speed)));
     }
 
-    /** The speed across a curved surface that is left here is the solver's error, and would be taken for an impact. */
+    /** Removes the normal velocity on a curved surface: it is the solver's error and would be taken for an impact. */
     private void letGo(ParticleSystem system, int p, int i) {
         if (!contacts.getSurfaces().get(p).obstacle().isFlat()) {
             putOn(contacts.getSurfaces().get(p), system.getOwnState(), i);
@@ -128,10 +128,9 @@ final class ContactEvents {
     }
 
     /**
-     * Sliding has slowed down to the threshold, or has turned round: by way of a stop, or by more than a right angle
-     * within the step while it goes on. Only what is as slow as the threshold or as rounding stops; after that it
-     * sticks, or slides off again from rest where it cannot be held. Otherwise nothing changes but the direction that
-     * friction opposes.
+     * Handles a sliding particle that has slowed to the threshold or turned by more than a right angle within the step.
+     * If it is slower than the threshold or round-off, it stops, and sticks if friction can hold it. Otherwise only the
+     * direction of friction changes.
      *
      * @param speed its speed at the beginning of the motion (m/s)
      */
@@ -145,13 +144,13 @@ final class ContactEvents {
             modes.setWhereTouching(i, Mode.STICKING);
             contacts.settle(i, state);
             stickOthers(system);
-        } else if (now <= rounding && !contacts.isCoupled(i)) {     // rods would give it a speed again, either way
+        } else if (now <= rounding && !contacts.isCoupled(i)) {     // rods would set it moving again in either case
             moveAlong(velocity(state, i), state, STRIDE * i + 3, -1);
         }
         contacts.beginStep(system);
     }
 
-    /** A speed that is 0 but for the rounding of a larger one, and of the clock while a force acts (m/s). */
+    /** The round-off of a speed (m/s): that of the earlier speed, and acceleration times that of the clock. */
     private double rounding(ParticleSystem system, int i, double speed) {
         int f = STRIDE * i + 3;
         double acceleration = new Vector3(force[f], force[f + 1],
@@ -159,9 +158,7 @@ final class ContactEvents {
         return ROUNDING * speed + CLOCK_ROUNDINGS * Math.ulp(system.getTime()) * acceleration;
     }
 
-    /**
-     * What hangs on what has come to rest may rest as well; on its own it would not be asked, since it does not slide.
-     */
+    /** Lets particles that are coupled to one that came to rest stick too; they have no event of their own. */
     void stickOthers(ParticleSystem system) {
         double[] state = system.getOwnState();
         for (int i = 0; i < system.getParticles().count(); i++) {

@@ -6,14 +6,14 @@ import particles.reactions.RestingContacts;
 import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.ContactSurface;
 
-/** Where particles are with respect to surfaces, and small moves of one particle in a flat state. */
+/** Distances and normals of surfaces for a particle in a flat state, and corrections of its position and velocity. */
 final class ContactGeometry {
     private static final int STRIDE = Particles.STRIDE;
-    /** A particle in contact is on the surface but for rounding, relative to 1 m plus its distance from the origin. */
+    /** Largest distance from a surface in contact, relative to 1 m plus the distance from the origin. */
     private static final double ON_SURFACE = 1e-9;
     /**
-     * Relative to 1 m plus the distance from the origin: how far off all surfaces a particle may be put that touches
-     * several.
+     * Where {@link #putOnAll} stops: largest distance from all surfaces, relative to 1 m plus the distance from the
+     * origin.
      */
     private static final double ROUNDING = 1e-13;
     private static final int MOST_SWEEPS = 100;
@@ -21,7 +21,7 @@ final class ContactGeometry {
     private ContactGeometry() {
     }
 
-    /** How far off a surface a particle in contact may be by rounding (m). */
+    /** The distance that a particle in contact may have from a surface by round-off (m). */
     static double slack(double[] state, int i) {
         int x = STRIDE * i;
         return ON_SURFACE * (1 + Math.abs(state[x]) + Math.abs(state[x + 1]) + Math.abs(state[x + 2]));
@@ -47,17 +47,17 @@ final class ContactGeometry {
         }
     }
 
-    /** Puts a particle onto a surface that it touches and takes away its speed across it. */
+    /** Moves a particle onto a surface that it touches and removes its normal velocity. */
     static void putOn(ContactSurface surface, double[] state, int i) {
         moveAlong(normal(surface, state, i), state, STRIDE * i, -distance(surface, state, i));
         stopAlong(normal(surface, state, i), state, i);
     }
 
     /**
-     * Puts a particle onto all surfaces that it touches, and takes away its speed across them: what the one moves, the
-     * other puts right, in turn, until nothing but rounding is left.
+     * Moves a particle onto all surfaces that it touches and removes its normal velocities: one surface after the
+     * other, until only round-off is left.
      *
-     * @param slow a speed that is rounding (m/s)
+     * @param slow speeds below this are round-off (m/s)
      */
     static void putOnAll(RestingContacts contacts, int i, double[] state, double slow) {
         double near = ROUNDING / ON_SURFACE * slack(state, i);
@@ -91,7 +91,7 @@ final class ContactGeometry {
         moveAlong(normal, state, v, -(normal.x() * state[v] + normal.y() * state[v + 1] + normal.z() * state[v + 2]));
     }
 
-    /** Adds a multiple of a direction to the three entries from place on. */
+    /** Adds a multiple of a direction to the three entries that begin at an index. */
     static void moveAlong(Vector3 direction, double[] state, int place, double amount) {
         state[place] += amount * direction.x();
         state[place + 1] += amount * direction.y();

@@ -2,17 +2,17 @@ package particles.rules;
 
 import particles.ParticleSystem;
 
-/** Takes the particles out of a system that a test picks. */
+/** Removes the particles of a system for which a test is true. */
 final class Deaths {
     private Deaths() {
     }
 
-    /** Which particles go. */
+    /** Selects the particles to remove. */
     interface Test {
         boolean goes(ParticleSystem system, int i);
     }
 
-    /** Returns whether any went; looks first, so that a step without a death allocates nothing. */
+    /** Returns whether any particle was removed; a step without a death allocates nothing. */
     static boolean remove(ParticleSystem system, Test test) {
         int n = system.getParticles().count();
         int first = 0;

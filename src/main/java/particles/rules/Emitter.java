@@ -6,10 +6,9 @@ import particles.law.SeededRandom;
 import particles.law.Vector3;
 
 /**
- * A source of particles: the nozzle of a fountain, a fire's embers. Particle number n comes into being n/rate after the
- * run began, whatever the step; one that is due within a step is put where it would be at the step's end if nothing had
- * acted on it. Where and in which direction follows from the seed alone. Ids are the emitter's own with a number that
- * is never used again: {@code fountain[17]}.
+ * A source of particles, such as the nozzle of a fountain. Particle n is born n/rate after the beginning of the run,
+ * for any deltaT; one that is born within a step moves freely until the step's end. Places and directions are random
+ * and depend on the seed only. Ids are the emitter's id with a number that is never reused: {@code fountain[17]}.
  */
 public final class Emitter implements Rule {
     private final Nozzle nozzle;
@@ -18,18 +17,18 @@ public final class Emitter implements Rule {
     private long born;
 
     /**
-     * What an emitter is.
+     * The parameters of an emitter.
      *
-     * @param id        its name, with which its particles' ids begin
-     * @param position  where particles begin (m)
-     * @param radius    how far from there at most, anywhere in a ball (m), 0 or more
-     * @param direction where they go, the middle of the cone; of length 1
-     * @param spread    the largest angle between a particle's direction and the middle (rad), 0 to pi
-     * @param speed     how fast they go (m/s), 0 or more
-     * @param rate      how many are born in a second (1/s), positive
-     * @param mass      of each (kg), positive
-     * @param lifetime  how long each lives (s), positive; may be infinite
-     * @param seed      of the random numbers
+     * @param id        the emitter's id, with which its particles' ids begin
+     * @param position  the centre of the ball in which particles are born (m)
+     * @param radius    the radius of that ball (m), 0 or more
+     * @param direction the axis of the cone of initial directions; of length 1
+     * @param spread    the half-angle of the cone (rad), 0 to pi
+     * @param speed     the initial speed (m/s), 0 or more
+     * @param rate      births per second (1/s), positive
+     * @param mass      the mass of each particle (kg), positive
+     * @param lifetime  the lifetime of each particle (s), positive; may be infinite
+     * @param seed      the seed of the random numbers
      */
     public record Nozzle(String id, Vector3 position, double radius, Vector3 direction, double spread, double speed,
                          double rate, double mass, double lifetime, long seed) {
@@ -49,7 +48,7 @@ public final class Emitter implements Rule {
         }
     }
 
-    /** @param nozzle what it is */
+    /** @param nozzle the parameters */
     public Emitter(Nozzle nozzle) {
         this.nozzle = nozzle;
         random = new SeededRandom(nozzle.seed());

@@ -23,19 +23,16 @@ import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.ContactSurface;
 
 /**
- * Particles bounce off planes and spheres exactly when they meet them: "should back-off simulation until it's just on
- * the plane", done. At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than the surface's
- * rest speed while it is pressed on stays in contact. {@link ContactEvents} ends contacts, sliding and sticking, at
- * their times too. Nothing is ever lifted, so that no energy is added and the solver keeps its order from impact to
- * impact.
+ * Collisions with planes and spheres at their exact times, by event location: the slides' "should back-off simulation
+ * until it's just on the plane". At an impact v_n' = -r v_n and v_t' = v_t; a particle that would leave no faster than
+ * the surface's rest speed while it is pressed on stays in contact. {@link ContactEvents} ends contact, sliding and
+ * sticking at their exact times too. Particles are never lifted, so no energy is added and the solver keeps its order.
  */
 public final class ExactImpacts implements EventRule {
     private static final int STRIDE = Particles.STRIDE;
-    /** Relative to what is compared: what is less is the rounding of a few operations. */
+    /** Round-off of a few operations, relative to the numbers compared. */
     private static final double ROUNDING = 1e-13;
-    /**
-     * Relative to the size of what moves: 32 roundings, those of a solver's stages, a spring's force and a distance.
-     */
+    /** Relative to the size of the motion: 32 round-offs, for a solver's stages, a spring's force and a distance. */
     private static final double DEEP = 0x1p-48;
 
     private final RestingContacts contacts;
@@ -45,7 +42,7 @@ public final class ExactImpacts implements EventRule {
     private final double[] points = new double[12];
     private final double[] coefficients = new double[FirstCrossing.MOST_COEFFICIENTS];
 
-    /** @param contacts the surfaces, and what touches them */
+    /** @param contacts the surfaces and the particles in contact with them */
     public ExactImpacts(RestingContacts contacts) {
         this.contacts = contacts;
         this.modes = contacts.getModes();
@@ -58,7 +55,7 @@ public final class ExactImpacts implements EventRule {
         return "impacts";
     }
 
-    /** Particles that begin on a surface and neither leave it nor move into it rest on it from the start. */
+    /** Particles that begin on a surface with no normal velocity rest on it from the start. */
     @Override
     public void start(ParticleSystem system) {
         double[] state = system.getOwnState();
@@ -86,8 +83,8 @@ public final class ExactImpacts implements EventRule {
     }
 
     /**
-     * All that this rule does happens at events. Only the solver's error is taken away that would let particles drift
-     * off a curved surface: no change of the laws, and no energy to be booked.
+     * Removes the solver's error that would let particles drift off a curved surface; everything else happens at
+     * events. The laws do not change, and no energy is booked.
      */
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {
@@ -127,14 +124,14 @@ public final class ExactImpacts implements EventRule {
     }
 
     /**
-     * Looks when particle i first goes below a surface, by the cubic between the motion's ends. Where it begins on the
-     * surface, because it bounced or was let go or was born there, its place and the sign of its first small motion are
-     * rounding: it meets the surface again only where it goes deeper than that, or than it was. How deep decides the
-     * solver's step, not the cubic. That may well dip: of what is let go at 0 speed and 0 acceleration, rising as
-     * t&sup3;, its error of the order of t&sup2; h&sup2; is the larger part at first.
+     * Finds when particle i first goes below a surface, on the cubic between the motion's ends. A particle that begins
+     * on the surface (after a bounce, a release or a birth) has a distance of round-off size there; it meets the
+     * surface again only if it goes deeper than that, by the solver's step and not only by the cubic. The cubic may dip
+     * falsely: a particle released with no speed and no acceleration rises as t&sup3;, and at first the cubic's error
+     * of order t&sup2; h&sup2; is larger than that.
      *
      * @param begins whether it begins on the surface
-     * @param size   what positions are rounded to the last bits of (m); of use where it begins on the surface
+     * @param size   the length to which round-off of positions is relative (m); used if it begins on the surface
      */
     private void lookForMeeting(int p, int i, Motion motion, boolean begins, double size, List<Event> found) {
         ContactSurface surface = contacts.getSurfaces().get(p);
@@ -155,7 +152,7 @@ public final class ExactImpacts implements EventRule {
         }
     }
 
-    /** The radius of a curved surface, which its distances are rounded with; 0 for a plane. */
+    /** The radius of a curved surface, 0 for a plane: distances are rounded relative to it. */
     private static double radius(ContactSurface surface, double[] state, int i) {
         int x = STRIDE * i;
         return surface.obstacle().isFlat() ? 0
@@ -163,9 +160,8 @@ public final class ExactImpacts implements EventRule {
     }
 
     /**
-     * The largest coordinate of any particle, or the way that its speed takes it, if that is more (m). What a spring
-     * pulls is rounded with its length, and in a stable step that moves its ends no further than some roundings of the
-     * length.
+     * The largest coordinate of any particle, or the path in this motion if that is longer (m): round-off in a spring's
+     * force is relative to its length and, in a stable step, moves its ends by a few round-offs of that.
      */
     private static double size(Motion motion) {
         double h = motion.getEndTime() - motion.getStartTime();
@@ -211,7 +207,7 @@ public final class ExactImpacts implements EventRule {
             moveAlong(normal, state, STRIDE * i, -distance(surface, state, i));
             double speed = velocity(state, i).length();
             double approach = normalSpeed(surface, state, i);
-            double leaving = approach < 0 ? -surface.restitution() * approach : approach;   // born inside, it may leave
+            double leaving = approach < 0 ? -surface.restitution() * approach : approach;   // born inside: it leaves
             if (contacts.isCoupled(i)) {
                 strike(system, leaving, leaving <= surface.restSpeed(), speed);
                 return;
@@ -225,7 +221,7 @@ public final class ExactImpacts implements EventRule {
             contacts.beginStep(system);
         }
 
-        /** A particle that hangs on rods or wires passes the blow on, and may lift others off. */
+        /** A particle on rods or wires transmits the impulse, which may lift others off. */
         private void strike(ParticleSystem system, double leaving, boolean rests, double speed) {
             contacts.strike(p, i, rests ? 0 : leaving, system.getOwnState());
             if (rests) {
@@ -237,7 +233,7 @@ public final class ExactImpacts implements EventRule {
         }
 
         /**
-         * A push by one surface must not drive the particle into another one on which it rests, but may lift it off.
+         * An impulse from one surface must not push the particle into another on which it rests, but may lift it off.
          */
         private void stayOutOfAll(double rounding, double[] state) {
             contacts.stopEntering(i, state);
@@ -252,7 +248,7 @@ public final class ExactImpacts implements EventRule {
         }
     }
 
-    /** Lets a particle stay on a surface if it is pressed on. */
+    /** Lets a particle rest on a surface if the forces press it on. */
     private void rest(ParticleSystem system, int p, int i) {
         stopAlong(normal(contacts.getSurfaces().get(p), system.getOwnState(), i), system.getOwnState(), i);
         modes.set(p, i, Mode.SLIDING);

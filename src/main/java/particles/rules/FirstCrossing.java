@@ -1,22 +1,21 @@
 package particles.rules;
 
 /**
- * The first place where a polynomial becomes negative, by subdivision of its B&eacute;zier form: a piece whose
- * coefficients are all not negative is nowhere negative, so that nothing is missed, however short the dip. (Method: T.
+ * Finds the first root at which a polynomial becomes negative, by subdivision of its B&eacute;zier form: a piece
+ * without negative coefficients is nowhere negative, so that no crossing is missed, however short. (Method: T.
  * Sederberg, T. Nishita 1990, B&eacute;zier clipping, with halving in place of clipping.)
  */
 final class FirstCrossing {
-    /** Enough for the square of a cubic. */
+    /** The number of coefficients of a squared cubic. */
     static final int MOST_COEFFICIENTS = 7;
     private static final int DEEPEST = 45;
 
-    /** The right halves that are still to be looked at, by depth; the piece in hand is at its own depth. */
+    /** The right halves still to be searched, by depth, and the current piece at its own depth. */
     private final double[][] pieces = new double[DEEPEST + 2][MOST_COEFFICIENTS];
 
     /**
-     * @param coefficients B&eacute;zier coefficients; for a cubic the value at 0, that plus a third of the slope there,
-     *                     the value at 1 minus a third of the slope there, and that
-     * @param count        how many there are
+     * @param coefficients B&eacute;zier coefficients; for a cubic f: f(0), f(0) + f'(0)/3, f(1) - f'(1)/3, f(1)
+     * @param count        the number of coefficients
      * @return the u in 0 ... 1 where the polynomial first becomes negative, within 2^-45; NaN if it never does
      */
     double of(double[] coefficients, int count) {
@@ -41,7 +40,7 @@ final class FirstCrossing {
         }
         double half = (from + to) / 2;
         double[] left = pieces[depth + 1];
-        for (int level = 0; level < count; level++) {   // de Casteljau: what is left in b is the right half
+        for (int level = 0; level < count; level++) {   // de Casteljau: b ends as the right half
             left[level] = b[0];
             for (int k = 0; k < count - 1 - level; k++) {
                 b[k] = (b[k] + b[k + 1]) / 2;

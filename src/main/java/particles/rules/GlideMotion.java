@@ -4,10 +4,10 @@ import particles.law.AnchorMotion;
 import particles.law.Vector3;
 
 /**
- * Straight from one place to another, starting and stopping without a jerk: the part of the way is s = u&sup3; (10 - 15
- * u + 6 u&sup2;) with u = t/duration, so that velocity and acceleration begin and end with 0; then it stays.
+ * Smooth motion of an anchor along a straight line: the fraction covered is s = u&sup3; (10 - 15 u + 6 u&sup2;) with u
+ * = t/duration, so that velocity and acceleration are 0 at both ends. Afterwards the anchor stays.
  *
- * <p>Source: T. Flash, N. Hogan, "The coordination of arm movements" (1985): the motion of least jerk.
+ * <p>Source: T. Flash, N. Hogan, "The coordination of arm movements" (1985): the minimum-jerk motion.
  */
 public final class GlideMotion implements AnchorMotion {
     private final double[] from;

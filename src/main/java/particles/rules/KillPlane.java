@@ -5,11 +5,11 @@ import particles.Rule;
 import particles.law.Particles;
 import particles.law.Plane;
 
-/** Particles that are behind a plane at the end of a step are gone: the drain of a fountain, the end of the world. */
+/** Removes particles that are behind a plane at the end of a step, such as the drain of a fountain. */
 public final class KillPlane implements Rule {
     private final Plane plane;
 
-    /** @param plane those on the side away from its normal go; fixed ones stay */
+    /** @param plane free particles on the side away from its normal are removed */
     public KillPlane(Plane plane) {
         this.plane = plane;
     }

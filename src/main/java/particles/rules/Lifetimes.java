@@ -3,9 +3,7 @@ package particles.rules;
 import particles.ParticleSystem;
 import particles.Rule;
 
-/**
- * Particles die of age: those whose time has come are gone at the end of a step. Only emitted ones have such a time.
- */
+/** Removes particles whose lifetime is over, at the end of a step. Only emitted particles have a lifetime. */
 public final class Lifetimes implements Rule {
     @Override
     public String getName() {

@@ -11,12 +11,12 @@ import particles.view.SpringView;
 
 /**
  * Keeps the density of samples even, the slides' "birth/death rules e.g. to maintain uniform density of samples": at
- * the end of a step two particles that are too close become one, and one that is too lonely becomes two. Mass and
- * momentum stay: a merged particle has both masses, sits at their centre and moves with their common velocity; the
- * halves of a split one move alike. The energy of the motion of two that merge against each other is lost.
+ * the end of a step two particles that are too close merge, and one without near neighbours splits. Mass and momentum
+ * are conserved: a merged particle has both masses, the centre of mass and its velocity; the halves of a split one have
+ * equal velocities. A merger loses the kinetic energy of the relative motion.
  *
- * <p>Particles that are fixed or at a spring's end stay as they are. New particles have ids of their own,
- * {@code sample[3]}, and the span of life of the one they came from, the heavier one of two.
+ * <p>Fixed particles and those with springs neither merge nor split. New particles have new ids, {@code sample[3]}, and
+ * the lifetime of the particle they came from, of the heavier one in a merger.
  */
 public final class ParticleResampler implements Rule {
     private static final int STRIDE = Particles.STRIDE;
@@ -30,18 +30,18 @@ public final class ParticleResampler implements Rule {
     private final NeighbourGrid grid = new NeighbourGrid();
     private int[] near = {};
     private int[] partner = {};
-    private double[] square = {};                       // of the distance to the partner; infinite if there is none
+    private double[] square = {};                       // squared distance to the partner; infinity without one
     private boolean[] tied = {};
     private long made;
 
     /**
-     * @param id       the name with which ids of new particles begin, not used otherwise
-     * @param springs  whose ends are left alone
-     * @param closest  two that are closer become one (m), positive
-     * @param farthest one that has no other within this distance becomes two, at half of it from each other (m), more
+     * @param id       the prefix of new particles' ids, unused by others
+     * @param springs  the springs whose particles are left alone
+     * @param closest  particles closer than this merge (m), positive
+     * @param farthest a particle without a neighbour within this distance splits into two, half of it apart (m); more
      *                 than twice the closest
-     * @param lightest no particle becomes lighter than this by a split (kg), positive
-     * @param seed     of the random directions of splits
+     * @param lightest the smallest mass that a split may give (kg), positive
+     * @param seed     the seed for the random directions of splits
      * @throws IllegalArgumentException if a number is out of its range
      */
     public ParticleResampler(String id, SpringView springs, double closest, double farthest, double lightest,
@@ -95,7 +95,7 @@ public final class ParticleResampler implements Rule {
         return !tied[i] && !system.getParticles().isFixed(i);
     }
 
-    /** The nearest of all particles within the farthest distance, for each. */
+    /** Finds each particle's nearest neighbour within the farthest distance. */
     private void findPartners(ParticleSystem system, int n) {
         if (partner.length < n) {
             near = new int[n + n / 3];

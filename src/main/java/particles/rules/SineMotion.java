@@ -3,18 +3,16 @@ package particles.rules;
 import particles.law.AnchorMotion;
 import particles.law.Vector3;
 
-/**
- * To and fro: x = centre + amplitude sin(2 pi t / period), the hand that shakes a spring. Begins in the middle, moving.
- */
+/** Sinusoidal motion of an anchor, as of a hand that shakes a spring: x = centre + amplitude sin(2 pi t / period). */
 public final class SineMotion implements AnchorMotion {
     private final double[] centre;
     private final double[] amplitude;
     private final double omega;
 
     /**
-     * @param centre    the middle (m)
-     * @param amplitude how far and in which direction (m)
-     * @param period    of the oscillation (s), positive
+     * @param centre    the centre (m)
+     * @param amplitude the vector from the centre to the end point (m)
+     * @param period    the period (s), positive
      * @throws IllegalArgumentException if the period is not positive or a number not finite
      */
     public SineMotion(Vector3 centre, Vector3 amplitude, double period) {

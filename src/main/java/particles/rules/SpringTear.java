@@ -5,16 +5,16 @@ import particles.Rule;
 import particles.effects.springs.SpringForce;
 
 /**
- * Springs tear when they are stretched too far: at the end of a step a spring longer than (1 + strain) times its rest
- * length is gone, and what it stored with it. Springs of rest length 0 have no strain and never tear.
+ * Tearing of overstretched springs: at the end of a step a spring longer than (1 + strain) times its rest length is
+ * removed, and the energy it stored is lost. Springs of rest length 0 have no strain and never tear.
  */
 public final class SpringTear implements Rule {
     private final SpringForce springs;
     private final double strain;
 
     /**
-     * @param springs which may tear
-     * @param strain  the stretch over the rest length beyond which one does, over 0
+     * @param springs the springs
+     * @param strain  the largest strain (extension/rest length) before a spring tears, positive
      * @throws IllegalArgumentException if the strain is out of its range
      */
     public SpringTear(SpringForce springs, double strain) {

@@ -1,5 +1,5 @@
 /**
- * What acts between steps, never inside the derivative: bounces and the changes of what touches, slides and sticks;
- * birth, death and tearing; constraints that are put right. The given motions of anchors are here too.
+ * Rules that act between steps, never inside the derivative: impacts, contact, sliding and sticking; birth, death and
+ * tearing; projection onto constraints. The given motions of anchors are here too.
  */
 package particles.rules;

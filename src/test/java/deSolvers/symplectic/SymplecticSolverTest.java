@@ -31,7 +31,7 @@ class SymplecticSolverTest {
     private static void inAStep(int d, Moves moves) {
         new SymplecticSolver() {
             @Override
-            void kicksAndDrifts(DEStateSource source, double[] s, double deltaT) {
+            void kickAndDrift(DEStateSource source, double[] s, double deltaT) {
                 moves.of(this);
             }
         }.stepState(new SecondOrderProblem(d, new double[2 * d * BLOCKS]) {

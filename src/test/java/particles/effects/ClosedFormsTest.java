@@ -34,7 +34,7 @@ class ClosedFormsTest {
      * m = 1, k = 100, c = 2, x0 = 1: x(1) = -0.336851680590413. Measured with rk4 at 0.001: 2.5e-10 (h^4 (h omega)...).
      */
     @Test
-    void dampedSpring() {
+    void rk4MeetsTheClosedFormOfADampedSpring() {
         ParticleSystem system = damped(100, 5, 2, 1);
         run(system, new RK4Solver(), 0.001, 1);
         assertEquals(5 - 0.336851680590413, entry(system, 6), 1e-9);
@@ -45,7 +45,7 @@ class ClosedFormsTest {
 
     /** m = 1, c = 0.5, g = 9.81 from rest: v(1) and the fall in 1 s of the reference values. Measured: 2e-13. */
     @Test
-    void fallWithLinearDrag() {
+    void fallWithLinearDragMeetsTheReferenceValues() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         system.addEffect(new LinearDrag(system.getParticles(), 0.5, Wind.STILL));
@@ -56,7 +56,7 @@ class ClosedFormsTest {
         assertEquals(-19.62, entry(system, 4), 1e-10, "terminal speed m g / c");
     }
 
-    /** Free fall is a parabola, which the midpoint rule and anything of order 2 meets but for rounding. */
+    /** Free fall is a parabola, which midpoint and any other method of order 2 reproduce up to rounding. */
     @Test
     void freeFallIsAParabola() {
         ParticleSystem system = oneParticle(new Vector3(0, 10, 0), new Vector3(3, 4, 0));
@@ -68,11 +68,11 @@ class ClosedFormsTest {
     }
 
     /**
-     * v' = -c (v - a sin(w t)) from rest has v = c a / (c&sup2; + w&sup2;) (c sin w t - w cos w t + w e^-ct): the
-     * wind's time is the stage's time, or rk4 would not be this close. Measured: 7e-12.
+     * v' = -c (v - a sin(w t)) from rest has v = c a / (c&sup2; + w&sup2;) (c sin w t - w cos w t + w e^-ct): rk4 is
+     * this close only if the wind is evaluated at each stage's time. Measured: 7e-12.
      */
     @Test
-    void particleInAGust() {
+    void windIsEvaluatedAtTheTimeOfEachStage() {
         double c = 0.8;
         double a = 3;
         double w = 2 * Math.PI / 1.5;
@@ -89,7 +89,7 @@ class ClosedFormsTest {
      * the rod stretches by 3 m g / k = 3e-5 of its length at the bottom, so the quarter period is met to about 1e-5.
      */
     @Test
-    void pendulumPeriod() {
+    void aStiffSpringSwingsWithThePendulumsPeriod() {
         ParticleSystem system = new ParticleSystem();
         int pivot = system.addParticle("pivot", 1, Vector3.ZERO, Vector3.ZERO, true);
         int bob = system.addParticle("bob", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
@@ -101,6 +101,6 @@ class ClosedFormsTest {
         run(system, new RK4Solver(), 2e-4, quarter);
         double speed = entry(system, 9);
         assertEquals(-Math.sqrt(2 * 9.81), speed, 1e-3, "speed at the bottom, from the energy");
-        assertEquals(0, entry(system, 6) / speed, 2e-5, "time by which it passes the bottom late");
+        assertEquals(0, entry(system, 6) / speed, 2e-5, "delay at the bottom");
     }
 }

@@ -21,7 +21,7 @@ import particles.law.Vector3;
 import particles.teaching.effects.EffectClaims;
 import particles.teaching.effects.EffectSample;
 
-/** Every effect keeps what it claims, and effects with a planted error do not. */
+/** Every effect has the properties that it claims, and planted errors are found. */
 class EffectClaimsTest {
     private static final GustyWind WIND = new GustyWind(new Vector3(2, 0, 1), new Vector3(1, 0.5, 0), 1.7);
 
@@ -41,9 +41,9 @@ class EffectClaimsTest {
         return broken.stream().map(line -> line.substring(0, line.indexOf(' '))).distinct().sorted().toList();
     }
 
-    /** Every check by itself: an effect that is wrong in one way only is found by the check for that way. */
+    /** An effect with one kind of error fails exactly the check for that kind. */
     @Test
-    void aWrongDerivativeIsFoundByNothingElse() {
+    void onlyTheDerivativeCheckFindsAWrongDerivative() {
         assertEquals(List.of("derivative:"), kinds(broken(p -> new WrongDerivative(springs(p, 0.8)) {
             @Override
             public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
@@ -120,7 +120,7 @@ class EffectClaimsTest {
         assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, Wind.STILL), 1, -1)).isEmpty(), "drag that drives");
         assertFalse(broken(p -> new Altered(new LinearDrag(p, 0.4, WIND), 1, 1.01)).isEmpty(),
                 "a percent too much drag");
-        assertFalse(broken(p -> new Altered(springs(p, 0), 0, 1)).isEmpty(), "a partner that is forgotten");
+        assertFalse(broken(p -> new Altered(springs(p, 0), 0, 1)).isEmpty(), "no force on the partner");
         assertFalse(broken(p -> new Altered(new PointAttraction(p, Vector3.ZERO, 3, 0.5), 1, -1)).isEmpty(),
                 "repulsion");
         assertFalse(broken(p -> new Altered(new Cohesion(p, 1.9, 1.1, 2, 0.5), 1, 1.01)).isEmpty(),
@@ -128,10 +128,10 @@ class EffectClaimsTest {
         assertFalse(broken(p -> new Altered(new QuadraticDrag(p, 0.4, TURBULENCE), 1, 1.01)).isEmpty(),
                 "a percent too much");
         assertFalse(broken(p -> new Altered(new PenaltyPlane(p, Plane.ground(0.5), 30, 0.8), 1, -1)).isEmpty(),
-                "a plane that sucks");
+                "a plane that pulls inwards");
     }
 
-    /** An effect as it is, but for the derivatives of its forces. */
+    /** An effect with wrong force derivatives and otherwise unchanged. */
     private abstract static class WrongDerivative extends Altered implements DifferentiableEffect {
         WrongDerivative(Effect effect) {
             super(effect, 1, 1);

@@ -20,9 +20,7 @@ import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 
-/**
- * What each law says of itself to those who evaluate it, and the numbers it takes: all up to the ends of their ranges.
- */
+/** The interfaces and flags of each law, and the limits of its parameters. */
 class EffectFactsTest {
     private static final double MAX = Double.MAX_VALUE;
     private static final double TINY = Double.MIN_VALUE;
@@ -31,7 +29,7 @@ class EffectFactsTest {
 
     private static final Plane GROUND = Plane.ground(0);
     private static final Sphere BALL = new Sphere(Vector3.ZERO, 1, false);
-    /** Blows harder with the height, and does not say how. */
+    /** Wind that grows with height and has no known gradient. */
     private static final Wind SHEAR = (state, time, wind, from, to) ->
             Arrays.fill(wind, 6 * from, 6 * to, state[6 * from + 1]);
 
@@ -48,7 +46,7 @@ class EffectFactsTest {
     }
 
     @Test
-    void eachSaysWhatItIs() {
+    void eachLawDeclaresItsInterfacesAndFlags() {
         assertFacts(new Gravity(particles, Vector3.ZERO), "gravity", true, false, Effect.Trait.CONSERVATIVE);
         assertFacts(new PointAttraction(particles, Vector3.ZERO, 1, 0), "attraction", true, false,
                 Effect.Trait.CONSERVATIVE);
@@ -64,7 +62,7 @@ class EffectFactsTest {
         assertEquals(0.25, new LinearDrag(particles, 0.25, Wind.STILL).getCoefficient());
     }
 
-    /** The first spring without damping: one that is damped is enough. */
+    /** Two springs, only the second damped: one is enough to depend on velocity. */
     private static SpringForce twoSprings(double damping) {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
@@ -75,9 +73,9 @@ class EffectFactsTest {
         return springs;
     }
 
-    /** Drag's derivative by the place is the wind's gradient: without that, it is not all there is. */
+    /** The derivative of drag with respect to position needs the wind's gradient. */
     @Test
-    void dragKnowsItsDerivativesWhereTheWindDoes() {
+    void dragHasDerivativesOnlyIfTheWindHasAGradient() {
         TurbulentWind turbulence = new TurbulentWind(Vector3.ZERO, 1, 1, 1);
         GustyWind gusts = new GustyWind(Vector3.ZERO, new Vector3(1, 0, 0), 1);
         assertTrue(turbulence.hasGradient());
@@ -97,7 +95,7 @@ class EffectFactsTest {
 
     /** u = mean + gust sin(2 pi t / period). */
     @Test
-    void aGustIsASine() {
+    void gustsVaryAsASineInTime() {
         GustyWind wind = new GustyWind(new Vector3(1, 2, 3), new Vector3(0.5, 0.25, -1), 4);
         double[][] expected = {{0, 1, 2, 3}, {1, 1.5, 2.25, 2}, {3, 0.5, 1.75, 4}, {1.0 / 3, 1.25, 2.125, 2.5}};
         for (double[] row : expected) {
@@ -126,7 +124,7 @@ class EffectFactsTest {
     private static final double[] ZERO_OR_LESS = {0, -0.0, -TINY, -1, NAN, INFINITE, -INFINITE};
 
     @Test
-    void numbersUpToTheEndsOfTheirRangesAreTaken() {
+    void parametersAreAcceptedUpToTheirLimits() {
         assertRange("drag", c -> new LinearDrag(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
         assertRange("quadratic drag", c -> new QuadraticDrag(particles, c, Wind.STILL), ZERO_OR_MORE, LESS);
         assertRange("softening", s -> new PointAttraction(particles, Vector3.ZERO, 1, s), ZERO_OR_MORE, LESS);
@@ -152,12 +150,9 @@ class EffectFactsTest {
         assertThrows(IllegalArgumentException.class, () -> new TurbulentWind(nowhere, 1, 1, 1));
     }
 
-    /**
-     * At the surface, at the end of the range and at the centre a law is the limit from either side: nothing, and a
-     * number.
-     */
+    /** At a surface, at the end of a range and at a centre the force is 0, not NaN. */
     @Test
-    void nothingHappensJustAtTheEdge() {
+    void forceIsZeroAtSurfacesRangesAndCentres() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 1, Vector3.ZERO, new Vector3(0, -1, 0), false);
         system.addParticle("b", 1, new Vector3(1, 0, 0), new Vector3(1, 0, 0), false);
@@ -169,8 +164,7 @@ class EffectFactsTest {
             effect.addForces(state, 0, force);
             assertArrayEquals(new double[12], force, effect.getName());
         }
-        // The particle at a ball's centre is as deep as can be, and there is no way out that would be nearer than
-        // another.
+        // At a ball's centre the depth is largest, but no direction leads out faster than another.
         assertEquals(3.5, new PenaltySphere(both, BALL, 7, 0.5).getPotentialEnergy(state, 0));
         assertEquals(0, new PenaltyPlane(both, GROUND, 7, 0.5).getPotentialEnergy(state, 0));
         assertEquals(0, new Cohesion(both, 1, 0.5, 7, 0.5).getPotentialEnergy(state, 0));

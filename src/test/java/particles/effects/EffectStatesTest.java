@@ -19,7 +19,7 @@ import particles.law.Plane;
 import particles.law.Sphere;
 import particles.law.Vector3;
 
-/** Of the particles an effect sees the state that it is given: nothing beyond it, and none that it was given before. */
+/** An effect depends only on the state it is given, not on earlier calls. */
 class EffectStatesTest {
     private static final int COUNT = 5;
     private static final Wind WIND = new TurbulentWind(new Vector3(1, 0.2, -0.5), 0.7, 1.3, 4);
@@ -49,7 +49,7 @@ class EffectStatesTest {
         return random.doubles(6 * COUNT, 0, 1).toArray();
     }
 
-    /** All that an effect says of a state: its force, energy, powers, and derivatives. */
+    /** Everything an effect computes from a state: force, energy, powers and derivatives. */
     private static double[] all(Effect effect, double[] state) {
         double[] force = new double[6 * COUNT];
         effect.addForces(state, 0.3, force);
@@ -78,13 +78,13 @@ class EffectStatesTest {
 
         @Override
         public void transformRow(int i, double[] matrix) {
-            throw new AssertionError("an effect does not answer other forces");
+            throw new AssertionError("only reactions transform rows");
         }
     }
 
     @ParameterizedTest
     @MethodSource("effects")
-    void nothingIsRememberedOfOtherStates(Function<Particles, Effect> maker) {
+    void resultsDoNotDependOnEarlierCalls(Function<Particles, Effect> maker) {
         ParticleSystem system = new ParticleSystem();
         for (int i = 0; i < COUNT; i++) {
             system.addParticle("p" + i, 1 + i, Vector3.ZERO, Vector3.ZERO, i == 2);

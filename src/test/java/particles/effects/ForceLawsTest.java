@@ -23,7 +23,7 @@ class ForceLawsTest {
      * v = v_t tanh(g t/v_t), fall = v_t&sup2;/g ln cosh(g t/v_t), v_t = sqrt(m g/c). Measured with rk4 at 0.01: 7e-9.
      */
     @Test
-    void fallWithQuadraticDrag() {
+    void fallWithQuadraticDragMeetsTheClosedForm() {
         double c = 0.3;
         double terminal = Math.sqrt(9.81 / c);
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
@@ -36,9 +36,9 @@ class ForceLawsTest {
         assertEquals(-terminal, entry(system, 4), 1e-12, "terminal speed");
     }
 
-    /** In a steady wind the particle ends with the wind: v - u = 1/(c t + 1/w0). Measured: 2e-11. */
+    /** A particle ends up moving with a steady wind: v - u = 1/(c t + 1/w0). Measured: 2e-11. */
     @Test
-    void quadraticDragCarriesWithTheWind() {
+    void windCarriesParticlesByQuadraticDrag() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
         system.addEffect(new QuadraticDrag(system.getParticles(), 0.5, new GustyWind(new Vector3(3, 4, 0), Vector3.ZERO,
                 1)));
@@ -53,7 +53,7 @@ class ForceLawsTest {
      * one back. Measured with yoshida4 at T/2000: 3e-7, 2e-9.
      */
     @Test
-    void orbitIsKeplers() {
+    void orbitsAreKeplerEllipses() {
         double mu = 2;
         double a = 1.5;
         double e = 0.5;
@@ -71,12 +71,9 @@ class ForceLawsTest {
         assertEquals(energy, system.getEnergy(system.getOwnState(), 0), 1e-8);
     }
 
-    /**
-     * Softened, a small oscillation through the centre has omega&sup2; = mu/s&sup3;; the contrary: the orbit above
-     * turns.
-     */
+    /** With softening, a small oscillation through the centre has omega&sup2; = mu/s&sup3;. */
     @Test
-    void softeningLetsParticlesThrough() {
+    void softeningLetsParticlesPassThroughTheCentre() {
         double s = 0.5;
         double mu = 2;
         ParticleSystem system = oneParticle(new Vector3(1e-4, 0, 0), Vector3.ZERO);
@@ -86,9 +83,12 @@ class ForceLawsTest {
         assertEquals(-1e-4, entry(system, 0), 1e-10);
     }
 
-    /** Without loss: inside for pi sqrt(m/k) and out as fast as in, through a plane, off a ball, and in a hollow. */
+    /**
+     * Without loss a particle is inside for pi sqrt(m/k) and leaves as fast as it came: on a plane, a ball and in a
+     * hollow.
+     */
     @Test
-    void aPenaltyWithoutLossGivesAllBack() {
+    void aPenaltyWithoutLossReturnsAllEnergy() {
         double k = 1e4;
         double inside = Math.PI / Math.sqrt(k);
         ParticleSystem plane = oneParticle(Vector3.ZERO, new Vector3(3, -2, 0));
@@ -111,7 +111,7 @@ class ForceLawsTest {
      * b (v0 + w) = ln((1 + b v0)/(1 - b w)). Measured: 1e-7 of v0 (the end of contact lies within a step).
      */
     @Test
-    void aPenaltyWithLossHasItsRestitution() {
+    void bounceLossGivesTheRestitutionOfItsClosedForm() {
         double b = 0.4;
         double v0 = 2;
         ParticleSystem system = oneParticle(new Vector3(0, 0, 0), new Vector3(0, -v0, 0));
@@ -123,11 +123,11 @@ class ForceLawsTest {
     }
 
     /**
-     * Two particles swing about the distance of balance with omega&sup2; = 2 e (dX/dr)&sup2;/(m/2). Measured: 2e-8 of
-     * the swing.
+     * Two particles oscillate about the distance of balance with omega&sup2; = 2 e (dX/dr)&sup2;/(m/2). Measured: 2e-8
+     * of the amplitude.
      */
     @Test
-    void twoThatCohereSwingAboutTheirDistance() {
+    void aCohesivePairOscillatesAboutItsDistanceOfBalance() {
         double h = 1;
         double d = 0.6;
         double e = 0.5;
@@ -143,9 +143,9 @@ class ForceLawsTest {
         assertEquals(d - swing, entry(system, 6) - entry(system, 0), 1e-4 * swing);
     }
 
-    /** Cells are only a way to find pairs: the sum over all pairs is the same, also across the origin and far away. */
+    /** The grid finds the same pairs as a loop over all of them, also across the origin and far away. */
     @Test
-    void noNeighbourIsMissedOrTakenTwice() {
+    void theGridFindsEveryNeighbourOnce() {
         SeededRandom random = new SeededRandom(3);
         for (double far : new double[] {0, 1e6}) {
             ParticleSystem system = new ParticleSystem();
@@ -173,7 +173,7 @@ class ForceLawsTest {
         }
     }
 
-    /** Eight times as many particles at the same density make eight times as many pairs to look at: measured 8.4. */
+    /** Eight times as many particles at the same density give eight times as many candidate pairs: measured 8.4. */
     @Test
     void workGrowsWithTheNumberOfParticles() {
         double ratio = pairsToLookAt(8000) / (double) pairsToLookAt(1000);
@@ -198,7 +198,10 @@ class ForceLawsTest {
         return pairs;
     }
 
-    /** A cube of 64 in flight becomes a round drop: nobody leaves, its corners come in, its momentum stays. */
+    /**
+     * A flying cube of 64 particles becomes a round drop: no particle leaves, the corners move in, momentum is
+     * conserved.
+     */
     @Test
     void aDropHoldsTogether() {
         ParticleSystem system = new ParticleSystem();

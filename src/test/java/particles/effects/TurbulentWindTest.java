@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import particles.law.SeededRandom;
 import particles.law.Vector3;
 
-/** What the turbulent field promises: no divergence, its strength, its mean, the same field for the same seed. */
+/** Properties of the turbulent field: no divergence, its strength, its mean, the same field for the same seed. */
 class TurbulentWindTest {
     private static final Vector3 MEAN = new Vector3(3, 0, -1);
 
@@ -21,7 +21,7 @@ class TurbulentWindTest {
 
     /** By central differences of 1e-5 m; measured at most 4e-9 /s where the rates are about 5 /s. */
     @Test
-    void airIsNowhereMadeOrLost() {
+    void theFieldIsDivergenceFree() {
         TurbulentWind wind = new TurbulentWind(MEAN, 2, 1.5, 1);
         SeededRandom random = new SeededRandom(2);
         for (int n = 0; n < 100; n++) {
@@ -39,9 +39,9 @@ class TurbulentWindTest {
         }
     }
 
-    /** Over 20000 places far apart; measured: rms 2.00, mean within 0.02. */
+    /** Over 20,000 distant points; measured: rms 2.00, mean within 0.02. */
     @Test
-    void itHasItsStrengthAndItsMean() {
+    void theFieldHasItsStrengthAndMean() {
         TurbulentWind wind = new TurbulentWind(MEAN, 2, 1.5, 5);
         SeededRandom random = new SeededRandom(6);
         double[] sum = new double[3];
@@ -60,9 +60,9 @@ class TurbulentWindTest {
         assertArrayEquals(new double[] {MEAN.x(), MEAN.y(), MEAN.z()}, sum, 0.05);
     }
 
-    /** Bits of one place are written down: they are the same on every machine. */
+    /** The bits at one point are pinned: they are the same on every machine. */
     @Test
-    void theSeedIsTheField() {
+    void theSameSeedGivesTheSameField() {
         double[] u = velocity(new TurbulentWind(MEAN, 2, 1.5, 715), 0.1, 0.2, 0.3, 0.4);
         assertArrayEquals(u, velocity(new TurbulentWind(MEAN, 2, 1.5, 715), 0.1, 0.2, 0.3, 0.4));
         assertNotEquals(u[0], velocity(new TurbulentWind(MEAN, 2, 1.5, 716), 0.1, 0.2, 0.3, 0.4)[0]);

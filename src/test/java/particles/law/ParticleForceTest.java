@@ -11,13 +11,13 @@ import org.junit.jupiter.api.Test;
 import particles.Cloth;
 import particles.ParticleSystem;
 
-/** A force on one particle is a whole law: its forces and energies are the sums over all particles. */
+/** Tests {@link ParticleForce}: a force on one particle is applied to all, and its energies are summed. */
 class ParticleForceTest {
     private static final double G = 9.75;
-    /** Position, velocity and force, where the compiler does not leave the objects out. */
+    /** Bytes for position, velocity and force, if the compiler does not remove the objects. */
     private static final long THREE_VECTORS = 3 * 40;
 
-    /** Weight, which counts how often it is asked. */
+    /** A weight that counts its calls. */
     private static final class Weight extends ParticleForce {
         private long calls;
 
@@ -38,7 +38,7 @@ class ParticleForceTest {
     }
 
     @Test
-    void forcesAreAddedWhereTheVelocitiesStand() {
+    void forcesAreAddedToTheVelocityEntries() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 2, new Vector3(1, 2, 3), new Vector3(4, 5, 6), false);
         system.addParticle("b", 3, Vector3.ZERO, Vector3.ZERO, true);
@@ -56,7 +56,7 @@ class ParticleForceTest {
     }
 
     @Test
-    void energyIsThatOfTheParticlesThatAreFree() {
+    void energyCountsFreeParticlesOnly() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 2, new Vector3(1, 2, 3), Vector3.ZERO, false);
         system.addParticle("b", 3, new Vector3(1, 4, 3), Vector3.ZERO, false);
@@ -66,11 +66,9 @@ class ParticleForceTest {
         assertEquals("Weight", weight.getName());
     }
 
-    /**
-     * One call and at most three small objects for each particle and evaluation, of which the compiler leaves most out.
-     */
+    /** One call and at most three small objects for each particle and evaluation; the compiler removes most of them. */
     @Test
-    void aStepCostsOneCallForEachParticleAndEvaluation() {
+    void aStepCallsTheForceOncePerParticleAndEvaluation() {
         ParticleSystem cloth = Cloth.hanging(64, 20, 0.02);
         Weight weight = new Weight(cloth.getParticles());
         cloth.addEffect(weight);

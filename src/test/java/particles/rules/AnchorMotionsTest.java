@@ -14,9 +14,7 @@ import particles.effects.springs.SpringForce;
 import particles.law.AnchorMotion;
 import particles.law.Vector3;
 
-/**
- * Given motions: their derivatives are derivatives, and an oscillator that is shaken swings as its closed form says.
- */
+/** Given motions of anchors: their derivatives are right, and a shaken oscillator follows its closed form. */
 class AnchorMotionsTest {
     private static final List<AnchorMotion> MOTIONS = List.of(
             new SineMotion(new Vector3(1, 2, 3), new Vector3(0.3, -0.2, 0.1), 1.7),
@@ -42,7 +40,7 @@ class AnchorMotionsTest {
     }
 
     @Test
-    void eachBeginsWhereItShould() {
+    void eachMotionBeginsAtItsStart() {
         for (AnchorMotion motion : MOTIONS) {
             double[] values = new double[9];
             motion.at(0, values);
@@ -69,7 +67,7 @@ class AnchorMotionsTest {
      * 1.5e-8.
      */
     @Test
-    void resonanceGrows() {
+    void amplitudeGrowsWithoutBoundInResonance() {
         double w = 3;
         double a = 0.01;
         ParticleSystem system = shaken(w, a, w);
@@ -84,7 +82,7 @@ class AnchorMotionsTest {
      * 4.6e-10.
      */
     @Test
-    void offResonanceItBeats() {
+    void amplitudeBeatsOffResonance() {
         double w = 3;
         double shake = 4;
         double a = 0.01;

@@ -31,9 +31,7 @@ import particles.reactions.RestingContacts;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
-/**
- * Births, deaths, tears, merges and splits: when they come, what they keep, and what the energy ledger says of them.
- */
+/** Births, deaths, tears, mergers and splits: their times, conserved quantities, and entries in the energy ledger. */
 class BirthAndDeathTest {
 
     private static Emitter emitter(double rate, double lifetime, long seed) {
@@ -55,11 +53,9 @@ class BirthAndDeathTest {
         return Arrays.copyOf(system.getOwnState(), system.getStateSize());
     }
 
-    /**
-     * Number n at n/rate: 70 in 1 s whatever the step; at its birth each is in the nozzle and flies inside the cone.
-     */
+    /** Particle n is born at n/rate: 70 in 1 s for any deltaT, each in the nozzle and moving inside the cone. */
     @Test
-    void birthsComeAtTheirTimesInTheCone() {
+    void particlesAreBornAtTheirTimesInTheCone() {
         for (double deltaT : new double[] {0.25, 0.01, 0.001}) {
             ParticleSystem system = new ParticleSystem();
             simulation(system, deltaT, 1.005, emitter(70, 9, 1)).run();
@@ -82,7 +78,7 @@ class BirthAndDeathTest {
     }
 
     @Test
-    void theSeedIsTheRun() {
+    void theSameSeedGivesTheSameRun() {
         List<double[]> runs = new ArrayList<>();
         for (long seed : new long[] {1, 1, 2}) {
             ParticleSystem system = new ParticleSystem();
@@ -93,9 +89,11 @@ class BirthAndDeathTest {
         assertFalse(Arrays.equals(runs.get(0), runs.get(2)));
     }
 
-    /** As many die as are born: rate times lifetime are alive, none older than that, and no id ever comes twice. */
+    /**
+     * In equilibrium rate times lifetime particles are alive, none older than its lifetime, and no id is used twice.
+     */
     @Test
-    void thoseWhoseTimeHasComeAreGone() {
+    void particlesDieAtTheEndOfTheirLifetime() {
         ParticleSystem system = new ParticleSystem();
         Emitter emitter = emitter(200, 0.5, 1);
         Set<String> seen = new HashSet<>();
@@ -123,10 +121,7 @@ class BirthAndDeathTest {
         assertTrue(system.getParticles().count() > 40, "" + system.getParticles().count());
     }
 
-    /**
-     * Energy in by births, out by deaths, each once: what remains unexplained is rounding although thousands come and
-     * go.
-     */
+    /** The ledger books the energy of each birth and death once: after thousands only round-off remains unexplained. */
     @Test
     void birthsDeathsAndImpactsAreBookedOnce() {
         ParticleSystem system = new ParticleSystem();
@@ -151,10 +146,7 @@ class BirthAndDeathTest {
         assertEquals(0, ledger.getNumericalError(), 1e-9 * ledger.getWork().get("emitter"));
     }
 
-    /**
-     * A hand pulls slowly: the spring tears at 1.5 times its length,
-     * with k (l/2)&sup2;/2 = 12.5 J of which the ledger tells once.
-     */
+    /** A slowly pulled spring tears at 1.5 times its length; the ledger books its k (l/2)&sup2;/2 = 12.5 J once. */
     @Test
     void aTornSpringsEnergyIsBookedOnce() {
         ParticleSystem system = new ParticleSystem();
@@ -179,9 +171,12 @@ class BirthAndDeathTest {
         assertEquals(0, ledger.getEnergy(), 1e-12);
     }
 
-    /** Merging keeps mass and momentum and loses the motion against each other, m v&sup2;/4 with m the mass of each. */
+    /**
+     * Merging conserves mass and momentum and loses the energy of the relative motion, m v&sup2;/4 with m the mass of
+     * each.
+     */
     @Test
-    void twoThatMeetBecomeOne() {
+    void closeParticlesMerge() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 1, new Vector3(-1, 0, 0), new Vector3(1, 0, 0), false);
         system.addParticle("b", 3, new Vector3(1, 0, 0), new Vector3(-1, 2, 0), false);
@@ -261,7 +256,7 @@ class BirthAndDeathTest {
         return sum;
     }
 
-    /** Particles at the ends of springs and fixed ones stay as they are, however close or lonely. */
+    /** Fixed particles and those with springs stay as they are, however close or isolated. */
     @Test
     void tiedAndFixedParticlesNeitherMergeNorSplit() {
         ParticleSystem system = new ParticleSystem();
@@ -275,12 +270,9 @@ class BirthAndDeathTest {
         assertEquals(4, system.getParticles().count());
     }
 
-    /**
-     * Indices of springs follow when particles in front of them die; laws that know of all particles follow by
-     * themselves.
-     */
+    /** Springs keep their particles when particles with smaller indices die. */
     @Test
-    void lawsFollowWhenParticlesGo() {
+    void springsKeepTheirParticlesWhenOthersDie() {
         ParticleSystem system = new ParticleSystem();
         for (int i = 0; i < 6; i++) {
             system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);

@@ -27,13 +27,13 @@ import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
 /**
- * A clamped bounce has the speed of the surface, not of the depth where the step ended: the energy after n bounces is
- * that of the formula, r<sup>2n</sup> m g h, whatever the step; only the times are late.
+ * A clamped bounce uses the speed at the surface, not at the depth where the step ended: after n bounces the energy is
+ * r<sup>2n</sup> m g h for any deltaT; only the times are late.
  */
 class ClampedBouncesTest {
     private static final double G = 9.81;
 
-    /** A particle of 1 kg under gravity that hits surfaces; notes the energy after every change. */
+    /** A particle of 1 kg that bounces under gravity; records its energy after every change. */
     private static final class Bounces implements Observer {
         private final ParticleSystem system;
         private final EnergyLedger ledger = new EnergyLedger();
@@ -58,7 +58,7 @@ class ClampedBouncesTest {
             times.add(bounced.getTime());
         }
 
-        /** The largest departure from the energy at the beginning, over that. */
+        /** The largest relative change of the initial energy. */
         double worst() {
             double worst = 0;
             for (double energy : energies) {
@@ -77,13 +77,12 @@ class ClampedBouncesTest {
     }
 
     /**
-     * Dropped from 1 m, it rises to r<sup>2n</sup> m after n bounces. Each comes late, by less than a step: between the
-     * closed form's time and n steps after it. They end where a step does not resolve them, r<sup>n</sup> v &lt;= g
-     * deltaT.
+     * Dropped from 1 m, it rises to r<sup>2n</sup> m after n bounces. Each bounce is late by less than a step, so the
+     * n-th by less than n steps. Bounces end when a step cannot resolve them, r<sup>n</sup> v &lt;= g deltaT.
      */
     @ParameterizedTest
     @CsvSource({"0.9, 0.01", "0.9, 0.02", "0.9, 0.0333", "0.8, 0.01", "0.95, 0.005"})
-    void heightsAreThoseOfTheFormulaAndEndInRest(double r, double deltaT) {
+    void bounceHeightsFollowTheFormulaUntilRest(double r, double deltaT) {
         double fall = Math.sqrt(2 / G);
         Bounces ball = new Bounces(new Vector3(0, 1, 0), Vector3.ZERO, deltaT, 30, ground(r, 0));
         int last = ball.energies.size() - 1;
@@ -92,12 +91,12 @@ class ClampedBouncesTest {
             double time = fall + 2 * fall * r * (1 - Math.pow(r, n)) / (1 - r);
             assertEquals(time + (n + 1) * deltaT / 2, ball.times.get(n), (n + 1) * deltaT / 2, "bounce " + n);
         }
-        assertEquals(Math.ceil(Math.log(deltaT / fall) / Math.log(r)), last + 1, 1, "bounces that a step resolves");
+        assertEquals(Math.ceil(Math.log(deltaT / fall) / Math.log(r)), last + 1, 1, "bounces that deltaT can resolve");
         assertEquals(0, entry(ball.system, 1));
         assertEquals(0, entry(ball.system, 4));
     }
 
-    /** After 1000 bounces it has the energy of the beginning. */
+    /** Its energy is unchanged after 1000 bounces. */
     @ParameterizedTest
     @ValueSource(doubles = {0.005, 0.01, 0.02, 0.0333})
     void anElasticBallKeepsItsEnergy(double deltaT) {
@@ -106,15 +105,15 @@ class ClampedBouncesTest {
         assertEquals(0, ball.worst(), 4e-14, "measured: 5e-15 at most");
     }
 
-    /** What an impact takes is (1 - r&sup2;) m g h, and the books say so, with a step as long as a frame. */
+    /** An impact loses (1 - r&sup2;) m g h, and the ledger books that, even at a step as long as a frame. */
     @Test
-    void theBooksSayWhatAnImpactTakes() {
+    void theLedgerBooksTheLossOfAnImpact() {
         Bounces ball = new Bounces(new Vector3(0, 1, 0), Vector3.ZERO, 1.0 / 30, 0.6, ground(0.5, 0));
         assertEquals(-0.75 * G, ball.ledger.getWork().get("impacts"), 1e-13, "measured: 2e-15");
         assertEquals(0, ball.ledger.getNumericalError(), 1e-13, "measured: 1e-15");
     }
 
-    /** Two slopes that meet, and a ball hit off its top, inside which a step ends: as much energy as before. */
+    /** Energy stays the same in a groove of two slopes, and on a ball hit off-centre so that a step ends inside it. */
     @ParameterizedTest
     @ValueSource(doubles = {0.002, 0.01, 0.02})
     void slopesAndBallsAddNoEnergy(double deltaT) {
@@ -124,12 +123,12 @@ class ClampedBouncesTest {
         ContactSurface ball = new ContactSurface("ball", new Sphere(Vector3.ZERO, 0.5, false), 1, Friction.NONE, 0);
         Bounces off = new Bounces(new Vector3(0.2, 1.5, 0.1), Vector3.ZERO, deltaT, 1, ball);
         assertEquals(1, off.energies.size(), "bounces");
-        assertEquals(0, off.worst(), 5e-9, "it is taken to 1e-9 m below the surface; measured: 1.04e-9");
+        assertEquals(0, off.worst(), 5e-9, "the entry point is 1e-9 m below the surface; measured: 1.04e-9");
     }
 
-    /** Who begins below the surface and comes out pays for the way there: v&sup2; = v0&sup2; - 2 g depth. */
+    /** A particle that begins below the surface and rises loses speed on the way: v&sup2; = v0&sup2; - 2 g depth. */
     @Test
-    void whoComesOutHasTheSpeedOfTheSurface() {
+    void aParticleFromBelowLeavesWithItsSpeedAtTheSurface() {
         Bounces born = new Bounces(new Vector3(0, -0.02, 0), new Vector3(0, 5, 0), 0.001, 0.001, ground(0.5, 0));
         assertEquals(0, entry(born.system, 1), 1e-16);
         assertEquals(Math.sqrt(25 - 2 * G * 0.02), entry(born.system, 4), 1e-13);

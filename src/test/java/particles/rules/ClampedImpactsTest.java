@@ -48,8 +48,8 @@ class ClampedImpactsTest {
     }
 
     /**
-     * Dropped from 1 m: the contacts come at 0.4515 s, 0.9030 s, 1.1288 s of the reference values. An impact is noticed
-     * up to a step late and the particle lifted by up to v h, so that the times are met to a few steps of 1e-4 s.
+     * Dropped from 1 m: the contacts come at 0.4515 s, 0.9030 s, 1.1288 s of the reference values. Each impact is up to
+     * a step late, so the times are met within a few steps of 1e-4 s.
      */
     @Test
     void bouncesComeAtTheirTimes() {
@@ -70,7 +70,7 @@ class ClampedImpactsTest {
         assertEquals(4, seen[0], "bounces");
     }
 
-    /** At t1 (1 + r)/(1 - r) = 1.3546 s it rests, and stays exactly where it is from then on. */
+    /** It comes to rest at t1 (1 + r)/(1 - r) = 1.3546 s and does not move at all after that. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 1e-2, 1.0 / 30})
     void bouncingEndsInRest(double deltaT) {
@@ -85,7 +85,7 @@ class ClampedImpactsTest {
 
     /** The lecture's friction with the dissipative sign: v = v0 exp(-k_f g t). Measured with rk4 at 0.01: 3e-12. */
     @Test
-    void slidingByTheLecturesLaw() {
+    void lectureFrictionSlowsExponentially() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 1));
         run(system, new RK4Solver(), 0.01, 1, planes(system, ground(0, new Friction(Friction.Law.SLIDE, 0.1, 0, 0))));
         double factor = Math.exp(-0.1 * G);
@@ -124,7 +124,7 @@ class ClampedImpactsTest {
 
     /** tan 20 = 0.364: held by 0.4, not by 0.3; then it slides with g (sin a - mu cos a). */
     @Test
-    void aSlopeHoldsOrLetsSlide() {
+    void aSlopeHoldsAParticleIfFrictionExceedsItsTangent() {
         ParticleSystem held = oneParticle(Vector3.ZERO, Vector3.ZERO);
         run(held, new RK4Solver(), 0.01, 10, planes(held, slope(20, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0))));
         assertEquals(0, Math.abs(entry(held, 0)) + Math.abs(entry(held, 1)), 1e-15);
@@ -137,9 +137,9 @@ class ClampedImpactsTest {
         assertEquals(-acceleration / 2 * Math.sin(a), entry(sliding, 1), 1e-10);
     }
 
-    /** Pushed up a slope that cannot hold it, a particle turns round and comes down. */
+    /** Pushed up a slope too steep to hold it, a particle reverses and slides down. */
     @Test
-    void upAndDownASteepSlope() {
+    void aParticleSlidesUpASteepSlopeAndDownAgain() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(1, 1, 0));
         run(system, new RK4Solver(), 0.001, 1,
                 planes(system, slope(45, new Friction(Friction.Law.COULOMB, 0.2, 0.2, 0))));
@@ -147,7 +147,7 @@ class ClampedImpactsTest {
         double turn = Math.sqrt(2) / up;
         double down = G * Math.sqrt(0.5) * 0.8;
         double speed = down * (1 - turn);
-        assertEquals(-speed * Math.sqrt(0.5), entry(system, 3), 5e-3, "but for the step in which it turned");
+        assertEquals(-speed * Math.sqrt(0.5), entry(system, 3), 5e-3, "apart from the step of the reversal");
     }
 
     @Test
@@ -162,9 +162,9 @@ class ClampedImpactsTest {
         }
     }
 
-    /** Pulled up by more than its weight, a particle leaves the ground; the contact lets go. */
+    /** Pulled up by more than its weight, a particle leaves the ground. */
     @Test
-    void contactDoesNotHoldBack() {
+    void contactDoesNotPull() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
         RestingContacts contacts = new RestingContacts(system.getParticles(), List.of(ground(0.5, Friction.NONE)));
         system.addEffect(new Gravity(system.getParticles(), new Vector3(0, 2, 0)));
@@ -178,7 +178,7 @@ class ClampedImpactsTest {
     }
 
     @Test
-    void frictionOnlyTakesEnergy() {
+    void frictionNeverAddsEnergy() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 1));
         RestingContacts contacts = new RestingContacts(system.getParticles(),
                 List.of(ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0))));

@@ -21,9 +21,9 @@ import particles.reactions.RigidConstraints;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
-/** Linkages that fall onto rough ground and come to rest there, by steps that are clamped. */
+/** Rod linkages that fall onto rough ground and come to rest, with clamped impacts. */
 class ClampedRodsTest {
-    /** Places of particles of 1 kg, a common velocity, and rods between pairs. */
+    /** Positions of particles of 1 kg, their common velocity, and rods between pairs. */
     private record Shape(double[][] places, Vector3 velocity, int[][] rods) {
     }
 
@@ -35,7 +35,7 @@ class ClampedRodsTest {
             {1.4, 0.9, 0}},
             Vector3.ZERO, new int[][] {{0, 1}, {1, 2}, {2, 3}});
 
-    /** The longest error of any rod and the highest energy at the end of any step. */
+    /** Records the largest error of a rod's length and the highest energy at the end of a step. */
     private static final class Watch implements Observer {
         private final RigidConstraints rods;
         private double worstLength;
@@ -60,9 +60,8 @@ class ClampedRodsTest {
     }
 
     /**
-     * All ends come to lie on the ground and stick there, whichever touches down last: it is lifted onto the ground,
-     * and the rods are put right, before friction holds it. (If friction holds it at once, the rods of the chain cannot
-     * be kept.)
+     * All particles end on the ground and stick there. The last one is moved onto the ground and the rods are corrected
+     * before friction holds it; otherwise the rods of the chain could not keep their lengths.
      */
     @ParameterizedTest
     @CsvSource({"thrown, 0.3, 2", "toppling, 0.5, 1", "chain, 0.3, 1.6", "chain, 0.8, 1.6"})
@@ -100,7 +99,7 @@ class ClampedRodsTest {
         }
         assertEquals(0, watch.worstLength, 1e-7, "measured: 3e-8 at most");
         assertEquals(0, Math.max(0, watch.mostEnergy - ledger.getStartEnergy()), 1e-3,
-                "who is put onto the ground is lifted; measured: 2.4e-4 J of the toppling triangle, of the others"
+                "clamping lifts particles; measured: 2.4e-4 J for the toppling triangle, for the others"
                 + " 1e-13");
         assertTrue(ledger.getWork().get("contact") < 0 && ledger.getWork().get("impacts") < -5,
                 ledger.getWork().toString());

@@ -36,7 +36,7 @@ class ExactImpactsTest {
             1.326350695396};
 
     /**
-     * Bars: contact times within 1e-9 s, rest at 1.354570922957 s within 1e-6. Measured: 6e-13 (the table's digits),
+     * Bounds: contact times within 1e-9 s, rest at 1.354570922957 s within 1e-6. Measured: 6e-13 (digits of the table),
      * 4e-7.
      */
     @Test
@@ -60,7 +60,7 @@ class ExactImpactsTest {
 
     /** Restitutions 0.8 and 0.9 come to rest at 4.0637 s and 8.5789 s, with steps far longer than the last bounces. */
     @Test
-    void theLongSequencesEndToo() {
+    void longBounceSequencesEndAtTheirTimes() {
         double[][] cases = {{0.8, 4.063712768872}, {0.9, 8.578949178729}};
         for (double[] one : cases) {
             ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
@@ -76,9 +76,9 @@ class ExactImpactsTest {
         }
     }
 
-    /** One step over three bounces; two particles that hit at once; an elastic ball that keeps its energy. */
+    /** One step over three bounces; two particles that hit at the same time; an elastic ball conserves its energy. */
     @Test
-    void manyImpactsInOneStep() {
+    void oneStepHandlesManyImpacts() {
         ParticleSystem system = oneParticle(new Vector3(0, 1, 0), Vector3.ZERO);
         system.addParticle("q", 3, new Vector3(5, 1, 0), Vector3.ZERO, false);
         Simulation simulation = simulation(system, contacts(system, ground(0.5, Friction.NONE)), RK4Solver::new, 1.2,
@@ -98,8 +98,8 @@ class ExactImpactsTest {
     }
 
     /**
-     * With drag, through three bounces: rk4 keeps order 4 (bar: 3.8 at least; measured 3.97 to 4.03), euler its order
-     * 1, while putting a particle back after the step (clamp) costs rk4 all orders but about one.
+     * With drag, through three bounces: rk4 keeps order 4 (bound: 3.8; measured 3.97 to 4.03) and euler order 1; with
+     * clamp, rk4 falls to about order 1.
      */
     @Test
     void theSolverKeepsItsOrderThroughBounces() {
@@ -152,7 +152,7 @@ class ExactImpactsTest {
 
     /** Coulomb friction stops at v0/(mu g) after v0&sup2;/(2 mu g), at steps of 0.1 s. Measured: 2e-16. */
     @Test
-    void slidingStopsAtItsTime() {
+    void coulombFrictionStopsAtItsTime() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(1.2, 0, 1.6));
         RestingContacts contacts = contacts(system, ground(0, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
         Simulation simulation = simulation(system, contacts, RK4Solver::new, 0.1, 2);
@@ -167,7 +167,7 @@ class ExactImpactsTest {
 
     /** The lecture's friction slows to the static threshold at ln(v0/v_eps)/(k_f g), after (v0 - v_eps)/(k_f g). */
     @Test
-    void slidingByTheLecturesLawStopsAtTheThreshold() {
+    void lectureFrictionStopsAtTheThreshold() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(2, 0, 0));
         RestingContacts contacts = contacts(system, ground(0, new Friction(Friction.Law.SLIDE, 0.1, 0.3, 0.1)));
         Simulation simulation = simulation(system, contacts, RK4Solver::new, 0.01, 5);
@@ -180,7 +180,7 @@ class ExactImpactsTest {
 
     /** Up a slope too steep to hold: stops at v0/(g (sin + mu cos)), then slides down with g (sin - mu cos). */
     @Test
-    void upAndDownASlope() {
+    void aParticleSlidesUpASlopeAndDownAgain() {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(1, 1, 0));
         double root = Math.sqrt(0.5);
         ContactSurface slope = new ContactSurface("slope", new Plane(Vector3.ZERO, new Vector3(-1, 1, 0)), 0,
@@ -193,11 +193,11 @@ class ExactImpactsTest {
     }
 
     /**
-     * What begins inside a solid is put onto its surface. From there it flies off if it is on its way out, y = v t - g
-     * t&sup2;/2, bounces if it is on its way in, and rests if it does neither. Measured: 2e-15 m.
+     * A particle that begins inside a solid is moved onto its surface. There it flies off if it moves outwards, y = v t
+     * - g t&sup2;/2, bounces if it moves inwards, and otherwise rests. Measured: 2e-15 m.
      */
     @Test
-    void whatIsBornInsideLeavesWithItsSpeed() {
+    void aParticleBornInsideLeavesWithItsSpeed() {
         double t = 0.3;
         for (double speed : new double[] {5, -5, 0}) {
             ParticleSystem system = oneParticle(new Vector3(0, -0.05, 0), new Vector3(1, speed, 0));
@@ -213,11 +213,10 @@ class ExactImpactsTest {
     }
 
     /**
-     * Down one side of a sharp groove into the other: the pushes of both together bring it to rest, and neither is
-     * entered.
+     * A particle slides down one side of a sharp groove into the other: both together bring it to rest, outside both.
      */
     @Test
-    void restInASharpGroove() {
+    void aParticleComesToRestInASharpGroove() {
         ParticleSystem system = oneParticle(new Vector3(0.3, 2, 0), Vector3.ZERO);
         RestingContacts contacts = contacts(system,
                 new ContactSurface("right", new Plane(Vector3.ZERO, new Vector3(-2, 1, 0)), 0.4, Friction.NONE, 1e-6),

@@ -17,7 +17,7 @@ import particles.reactions.RestingContacts;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
-/** Runs with exact impacts, and what is noted of them. */
+/** Set-up and observers for runs with exact impacts. */
 final class ExactRuns {
     static final double G = 9.81;
 
@@ -42,7 +42,7 @@ final class ExactRuns {
         return simulation;
     }
 
-    /** Notes when rules acted, and the lowest place between. */
+    /** Records when rules acted, and the lowest position in between. */
     static final class Watch implements Observer {
         final List<Double> times = new ArrayList<>();
         double lowest = Double.POSITIVE_INFINITY;

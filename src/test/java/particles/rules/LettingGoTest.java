@@ -29,17 +29,15 @@ import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
-/**
- * Where contacts end: what is lifted off or breaks away does so at its time, once, and meets nothing that is not there.
- */
+/** Ends of contact: a particle lifts off or breaks away at its time, once, without false impacts afterwards. */
 class LettingGoTest {
 
     /**
-     * Wind that swells lifts a particle off and static friction gives way when the push passes mu_s N: both at their
+     * Rising wind lifts a particle off, and static friction gives way when the force exceeds mu_s N, each at its exact
      * time.
      */
     @Test
-    void contactLetsGoAndStickingBreaksAtTheirTimes() {
+    void contactAndStickingEndAtTheirTimes() {
         ParticleSystem system = oneParticle(Vector3.ZERO, Vector3.ZERO);
         RestingContacts contacts = contacts(system, ground(0.5, new Friction(Friction.Law.COULOMB, 0.3, 0.4, 0)));
         double gust = 6;
@@ -63,7 +61,7 @@ class LettingGoTest {
         assertTrue(entry(lifted, 1) > 0.1);
     }
 
-    /** Air that rises ever faster, as speed (e^(k t) - 1/2). */
+    /** Rising air with velocity speed (e^(k t) - 1/2). */
     private record Updraught(double speed, double k) implements Wind {
         @Override
         public boolean isUniform() {
@@ -92,13 +90,13 @@ class LettingGoTest {
     }
 
     /**
-     * Such a force lifts a weight at ln(3/2)/2, and from then on y'' = 3/2 g (e^(2 s) - 1): it rises as s&sup3; at
-     * first, with a fourth derivative that lets the cubic between the ends of a step dip below the ground, and with
-     * midpoint not at all within the first step. One event all the same, and no impact. Measured: the time to the last
-     * bit or its neighbour with every solver, the rise by rk4 within 2.8e-5 m.
+     * This force lifts a weight at ln(3/2)/2; from then on y'' = 3/2 g (e^(2 s) - 1). It rises as s&sup3; at first, and
+     * the cubic between the ends of a step dips below the ground; with midpoint it does not rise at all in the first
+     * step. There must be one event and no impact. Measured: the time within an ulp with every solver, the rise by rk4
+     * within 2.8e-5 m.
      */
     @Test
-    void whatIsLetGoDoesNotMeetTheGroundAgain() {
+    void aReleasedParticleDoesNotHitTheGroundAgain() {
         double let = Math.log(1.5) / 2;
         double s = 1 - let;
         double rise = 1.5 * G * (Math.expm1(2 * s) / 4 - s / 2 - s * s / 2);
@@ -111,7 +109,7 @@ class LettingGoTest {
                 ExactRuns.Watch watch = new ExactRuns.Watch();
                 simulation.addObserver(watch);
                 simulation.run();
-                assertEquals(1, watch.times.size(), "it is let go once, and hits nothing");
+                assertEquals(1, watch.times.size(), "one release and no impact");
                 assertEquals(let, watch.times.get(0), 1e-16);
             }
             ParticleSystem system = lifted(height);
@@ -121,11 +119,11 @@ class LettingGoTest {
     }
 
     /**
-     * The dip of the cubic that is none does not hide what another particle does later in the same step: it falls with
-     * y'' = g (e^(2 t) - 3/2) and hits the ground at 0.25 s. Measured: within 5.1e-6 s.
+     * The cubic's false dip does not hide a later impact of another particle in the same step, which falls with y'' = g
+     * (e^(2 t) - 3/2) and hits the ground at 0.25 s. Measured: within 5.1e-6 s.
      */
     @Test
-    void whatDoesNotHappenHidesNothing() {
+    void aFalseDipHidesNoOtherImpact() {
         ParticleSystem system = lifted(0);
         double from = G * (0.75 * 0.25 * 0.25 - (Math.expm1(0.5) - 0.5) / 4);
         system.addParticle("q", 1, new Vector3(1, from, 0), Vector3.ZERO, false);
@@ -133,7 +131,7 @@ class LettingGoTest {
         ExactRuns.Watch watch = new ExactRuns.Watch();
         simulation.addObserver(watch);
         simulation.run();
-        assertEquals(2, watch.times.size(), "one is let go, one hits: " + watch.times);
+        assertEquals(2, watch.times.size(), "one release, one impact: " + watch.times);
         assertEquals(0.25, watch.times.get(1), 3e-5);
     }
 }

@@ -29,7 +29,7 @@ class SlidingTurnsTest {
     private final EnergyLedger ledger = new EnergyLedger();
     private long events;
 
-    /** Slides from the origin with speeds up the slope and along it. */
+    /** Runs a slide from the origin with given speeds up and across the slope. */
     private ParticleSystem slide(double up, double along, double threshold, double deltaT, double duration) {
         ParticleSystem system = oneParticle(Vector3.ZERO, new Vector3(up * SLOPE, up * SLOPE, along));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
@@ -46,11 +46,11 @@ class SlidingTurnsTest {
     }
 
     /**
-     * Straight up it stops after v/(g (sin + mu cos)), and slides down from there with g (sin - mu cos). Whatever the
-     * threshold below which friction would hold it on a gentler slope: one event for that, one for the turn.
+     * Straight up, it stops after v/(g (sin + mu cos)) and slides down with g (sin - mu cos), for any threshold below
+     * which friction would hold it on a gentler slope: one event for the threshold, one for the reversal.
      */
     @Test
-    void straightUpItTurnsRoundOnce() {
+    void aSlideStraightUpReversesOnce() {
         double g = 9.81 * SLOPE;
         double turn = 1 / (g * (1 + MU));
         for (double threshold : new double[] {0, 0.01, 0.3}) {
@@ -63,13 +63,12 @@ class SlidingTurnsTest {
     }
 
     /**
-     * Obliquely it never stops, however large the steps. Within a step of 0.01 s it turns by more than a right angle,
-     * at a hundredth of the speed, and goes on with what it has along the slope, which is not taken for rounding:
-     * nothing is booked as a jump, and it comes to where steps a fiftieth as long take it (measured: 3.5e-5 m apart,
-     * and 2 % of the speed along).
+     * An oblique slide never stops, however large the steps. Within a step of 0.01 s it turns by more than a right
+     * angle at a hundredth of its speed, and keeps its velocity across the slope: no jump is booked, and it ends where
+     * steps a fiftieth as long take it (measured: 3.5e-5 m apart, and 2 % of the speed across).
      */
     @Test
-    void obliquelyItTurnsWithoutAStop() {
+    void anObliqueSlideTurnsWithoutStopping() {
         ParticleSystem small = slide(1, 0.05, 0, 0.0002, 0.4);
         double alongSmall = entry(small, 5);
         double downSmall = entry(small, 0);

@@ -28,7 +28,7 @@ import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
-/** Spheres as obstacles, from outside and from inside: impacts, rest, sliding along and off, nobody gets through. */
+/** Balls and hollows as obstacles: impacts, rest, sliding along and off, and no tunnelling. */
 class SphereImpactsTest {
     private static final double G = 9.81;
     private static final Sphere BALL = new Sphere(Vector3.ZERO, 1, false);
@@ -91,9 +91,9 @@ class SphereImpactsTest {
         assertEquals(2 * 1.6 * 0.6, entry(system, 4), 1e-13);
     }
 
-    /** One step would carry it from one side to the other, or from one side of the hollow a thousand times across. */
+    /** One step would carry it through the ball, or a thousand times across the hollow. */
     @Test
-    void theFastDoNotGetThrough() {
+    void fastParticlesDoNotTunnel() {
         ParticleSystem outside = oneParticle(new Vector3(-3, 0, 0), new Vector3(1e5, 0, 0));
         exact(outside, contacts(outside, solid(BALL, 0.5, Friction.NONE)), 0.01, 0.01).run();
         assertEquals(-5e4, entry(outside, 3), 1e-9);
@@ -115,7 +115,7 @@ class SphereImpactsTest {
 
     /**
      * Pushed off the top, a particle slides down a ball and leaves it where cos = (2 + v0&sup2;/(g R))/3: its energy is
-     * kept, and the ball lets go where it would have to pull. Measured: 3e-10.
+     * conserved, and contact ends where the ball would have to pull. Measured: 3e-10.
      */
     @Test
     void slidingOffABallLeavesAtItsAngle() {
@@ -142,8 +142,8 @@ class SphereImpactsTest {
     }
 
     /**
-     * In a smooth bowl it swings like a pendulum: from 90 degrees the quarter period is 1.1803405990 times sqrt(R/g)
-     * pi/2.
+     * In a smooth bowl a particle swings like a pendulum: from 90 degrees the quarter period is 1.1803405990 times
+     * sqrt(R/g) pi/2.
      */
     @Test
     void slidingInABowlIsAPendulum() {
@@ -158,7 +158,7 @@ class SphereImpactsTest {
         assertEquals(-Math.sqrt(2 * G * (1 - Math.cos(Math.PI / 4))), entry(system, 3), 1e-8);
     }
 
-    /** On a ball with friction it stays where tan of the slope is less than mu, and does not where it is more. */
+    /** On a rough ball a particle stays if the tangent of the slope is less than mu, and slides if it is more. */
     @Test
     void frictionHoldsOnTheTopOfABall() {
         for (double angle : new double[] {0.25, 0.35}) {
@@ -176,9 +176,9 @@ class SphereImpactsTest {
         }
     }
 
-    /** Between a ball and the ground both push: it rests in the wedge, and neither is entered. */
+    /** A particle rests in the wedge between a ball and the ground, outside both. */
     @Test
-    void restInAWedgeOfBallAndWall() {
+    void aParticleRestsInAWedgeOfBallAndWall() {
         ParticleSystem system = oneParticle(new Vector3(0.9, 0.9, 0), Vector3.ZERO);
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         RestingContacts contacts = contacts(system, solid(BALL, 0.3, Friction.NONE),
@@ -219,9 +219,7 @@ class SphereImpactsTest {
         return entry(system, 1);
     }
 
-    /**
-     * What clamp allows: it slides in a bowl and down a ball too, with the solver's drift taken away after each step.
-     */
+    /** With clamp, particles also slide in a bowl and down a ball; the solver's drift is removed after each step. */
     @Test
     void clampedParticlesSlideAlongSpheres() {
         ParticleSystem system = oneParticle(new Vector3(Math.sin(Math.PI / 4), -Math.cos(Math.PI / 4), 0),

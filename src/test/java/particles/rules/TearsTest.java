@@ -24,8 +24,8 @@ import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
 /**
- * Springs tear with what they store, k (l - L)&sup2;/2 each, which the energy ledger books as lost by tearing, once:
- * kinetic energy, potentials and booked work stay one sum through tears, to the solver's error.
+ * A torn spring loses its stored energy k (l - L)&sup2;/2, which the energy ledger books once: the sum of kinetic
+ * energy, potentials and booked work stays the same through tears, up to the solver's error.
  */
 class TearsTest {
     private static final double STIFFNESS = 80;
@@ -34,8 +34,8 @@ class TearsTest {
     private final ParticleSystem system = new ParticleSystem();
     private final SpringForce springs = new SpringForce(system.getParticles());
     private final EnergyLedger ledger = new EnergyLedger();
-    private double stored;                              // by all springs, as the last motion or rule left them (J)
-    private double torn;                                // by those that tore (J)
+    private double stored;                              // energy of all springs after the last motion or rule (J)
+    private double torn;                                // energy of the torn springs (J)
     private int tearings;
     private int impactsInTheStepOfATear;
 
@@ -70,7 +70,7 @@ class TearsTest {
         return simulation;
     }
 
-    /** A bob below several nails beside each other, thrown downwards so fast that all springs tear. */
+    /** Hangs a bob from several nails and throws it down so fast that all springs tear. */
     private void hang(int count, double damping, double down) {
         int bob = system.addParticle("bob", 1, new Vector3(0, -LENGTH, 0), new Vector3(0, -down, 0), false);
         for (int k = 0; k < count; k++) {
@@ -81,7 +81,7 @@ class TearsTest {
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
     }
 
-    /** The ledger's remainder after all springs tore. */
+    /** The ledger's unexplained energy after all springs tore. */
     private static double remainder(int count, double damping, double deltaT) {
         TearsTest run = new TearsTest();
         run.hang(count, damping, 7);
@@ -90,18 +90,18 @@ class TearsTest {
         simulation.run();
         assertEquals(0, run.springs.springCount());
         assertEquals(1, run.tearings, "all in one step");
-        assertTrue(run.torn > count * STIFFNESS / 2 * 0.2 * 0.2, "past the strain each stores " + run.torn);
+        assertTrue(run.torn > count * STIFFNESS / 2 * 0.2 * 0.2, "energy stored beyond the strain " + run.torn);
         assertEquals(-run.torn, run.ledger.getWork().get("tear"), 1e-14 * run.torn);        // measured 1e-15 of it
         return run.ledger.getNumericalError();
     }
 
     /**
-     * One spring and three that tear in the same step, undamped and damped: what is left over falls with rk4's order
-     * through the tear. Were the tear forgotten or booked twice, it would be 1.6 J and more at any step.
+     * One spring, or three that tear in the same step, undamped and damped: the unexplained energy falls with rk4's
+     * order. If a tear were forgotten or booked twice, it would be at least 1.6 J at any step.
      */
     @ParameterizedTest
     @CsvSource({"1, 0", "1, 2", "3, 0", "3, 1"})
-    void whatTearsIsBookedOnce(int count, double damping) {
+    void aTearIsBookedOnce(int count, double damping) {
         double coarse = Math.abs(remainder(count, damping, 0.01));
         double fine = Math.abs(remainder(count, damping, 0.0025));
         assertTrue(coarse < 1e-4, "coarse " + coarse);                  // measured 5.3e-7 to 1.7e-5 J
@@ -112,7 +112,7 @@ class TearsTest {
      * Without damping the motion is known: the energy after the tear is that of the beginning minus k (l - L)&sup2;/2.
      */
     @Test
-    void theClosedFormOfATear() {
+    void energyAfterATearMeetsTheClosedForm() {
         hang(1, 0, 7);
         double start = 0.5 * 49 - 9.81 * LENGTH;
         Simulation simulation = simulation(0.001, 0.4);
@@ -131,14 +131,13 @@ class TearsTest {
     }
 
     /**
-     * The bob hits the ground and its spring, stretched to the limit there, tears at the end of the same step: one
-     * bounce and one tear, each with its own loss, stopped at the impact or put back after the step,
-     * and whichever rule comes first.
+     * The bob hits the ground and its spring tears at the end of the same step: one bounce and one tear, each with its
+     * own loss, with exact impacts and clamp, and in either order of the rules.
      */
     @ParameterizedTest
     @CsvSource({"true, 0, true", "true, 3, true", "false, 0, true", "false, 3, true", "true, 3, false",
             "false, 3, false"})
-    void aTearAndABounceInTheSameStep(boolean exact, double damping, boolean impactsFirst) {
+    void aTearAndABounceInTheSameStepAreBookedSeparately(boolean exact, double damping, boolean impactsFirst) {
         double down = 3;
         int nail = system.addParticle("nail", 1, new Vector3(0, 1, 0), Vector3.ZERO, true);
         int bob = system.addParticle("bob", 1, new Vector3(0, 0.02, 0), new Vector3(0, -down, 0), false);

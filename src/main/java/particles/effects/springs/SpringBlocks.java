@@ -4,18 +4,17 @@ import particles.law.DivisibleEffect;
 import particles.law.Particles;
 
 /**
- * A division of many springs into blocks that several threads can evaluate at once, and joints, as
- * {@link DivisibleEffect} says: each block has a range of particles to itself, and both ends of its springs are in
- * there. Springs that join two ranges come after all blocks. The division follows from the springs alone, not from the
- * number of threads, and each particle's force is added up in the order of the table: so it has the same bits, whoever
- * evaluates which block.
+ * Divides springs into the blocks and joints of {@link DivisibleEffect}, for several threads. A block has a range of
+ * particles to itself and all springs with both ends in it; springs between two ranges are in joints, evaluated after
+ * the blocks. The division does not depend on the number of threads, and each particle's force is summed in the order
+ * of the table, so the result has the same bits on any number of threads.
  */
 final class SpringBlocks {
-    /** Fewer springs are evaluated sooner than another thread is told of them. */
+    /** For fewer springs, waking another thread takes longer than evaluating them. */
     private static final int SPRINGS_PER_BLOCK = 4096;
-    /** More threads than that find no memory to keep them busy. */
+    /** The largest number of blocks; more threads would only wait for memory. */
     private static final int MOST = 16;
-    /** Where more than this part of the springs join two ranges, as in a random network, nothing is to be gained. */
+    /** Springs are not divided if more than this fraction of them join two ranges, as in a random network. */
     private static final double MOST_BETWEEN = 0.25;
 
     private int count = 1;
@@ -24,12 +23,12 @@ final class SpringBlocks {
     private int[] firstParticles = new int[MOST];       // of the blocks' ranges
 
     /**
-     * Divides the springs.
+     * Assigns the springs to blocks and joints.
      *
-     * @param from  where their first particles stand in the state, in ascending order
-     * @param to    where their second ones do
-     * @param total how many springs there are
-     * @return the springs in the order of blocks and joints, those of each in the order in which they were
+     * @param from  the state indices of the springs' first particles, ascending
+     * @param to    the state indices of their second particles
+     * @param total the number of springs
+     * @return the springs sorted by block and joint; within each they keep their order
      */
     int[] divide(int[] from, int[] to, int total) {
         count = Math.max(1, Math.min(MOST, Integer.highestOneBit(total / SPRINGS_PER_BLOCK)));
@@ -41,7 +40,7 @@ final class SpringBlocks {
         return order;
     }
 
-    /** Sorts the springs by what they are in, as many to a range of particles as possible. */
+    /** Counting sort of the springs by block or joint. */
     private int[] collect(int[] from, int[] to, int total) {
         for (int b = 1; b < count; b++) {
             firstParticles[b] = from[(int) ((long) total * b / count)] / Particles.STRIDE;
@@ -71,13 +70,13 @@ final class SpringBlocks {
         return b;
     }
 
-    /** The block if both are the same, else the joint of the smallest part of the tree that has both. */
+    /** The block itself if a = b, otherwise the joint of the smallest subtree that contains both. */
     private int home(int a, int b) {
         int level = Integer.SIZE - Integer.numberOfLeadingZeros(a ^ b);
         return 2 * count - (2 * count >> level) + (a >> level);
     }
 
-    /** Springs are about to go, the others stay in their order and in their blocks. */
+    /** Adapts the blocks to the removal of springs; the others keep their order. */
     void remove(boolean[] gone) {
         int[] before = starts.clone();
         int stay = 0;
@@ -89,7 +88,7 @@ final class SpringBlocks {
         }
     }
 
-    /** Particles were taken out; the others moved up in their order, and the ranges with them. */
+    /** Adapts the ranges after particles were removed. */
     void reindex(int[] newIndex) {
         int[] before = firstParticles.clone();
         for (int i = 0, stay = 0, b = 1; b < count; i++) {

@@ -17,11 +17,11 @@ import particles.view.SpringView;
  * </pre>
  * k stiffness, l rest length, k_d damping. (The slide's r' is printed with a sign lost; it is the derivative of r.)
  *
- * <p>Two particles at the same place give no direction to push in: such a spring exerts no force at that instant. For
- * l = 0 that is the law's own limit; for l &gt; 0 it is the unstable balance of a spring compressed to a point.
+ * <p>A spring between two particles at the same place has no direction and exerts no force. For l = 0 that is the limit
+ * of the law; for l &gt; 0 it is an unstable equilibrium.
  *
- * <p>Springs are numbered as they were added until forces are first evaluated; then they are sorted by the particle
- * where they begin. Numbers are valid until springs are added.
+ * <p>Spring indices are in the order of adding until forces are first evaluated; then springs are sorted by their first
+ * particle. Indices become invalid when springs are added.
  *
  * <p>Potential energy k (|r| - l)&sup2; / 2, dissipated power k_d (d|r|/dt)&sup2;. Source: COMPSCI 715 (2003), slides
  * "Spring Force" and "Damped Spring Force".
@@ -32,7 +32,7 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     private boolean damped;
     private final SpringJacobian derivative = new SpringJacobian();
 
-    /** @param particles whom the springs connect */
+    /** @param particles the particles that springs can connect */
     public SpringForce(Particles particles) {
         this.particles = particles;
     }
@@ -181,16 +181,16 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
         return SpringKernel.isOrdinary(square) ? Math.sqrt(square) : new Vector3(rx, ry, rz).length();
     }
 
-    /** {@inheritDoc} Springs go with either of their ends. */
+    /** {@inheritDoc} A spring is removed with either of its ends. */
     @Override
     public void reindex(int[] newIndex) {
         table.reindex(newIndex);
     }
 
     /**
-     * Takes springs out. Those that stay keep their order.
+     * Removes springs. The others keep their order.
      *
-     * @param gone by index, true for springs to be taken out; as many as there are springs
+     * @param gone for each spring, whether to remove it
      */
     public void removeSprings(boolean[] gone) {
         table.remove(gone);

@@ -9,13 +9,13 @@ import particles.law.Particles;
  *   dF_ij/dr  = k u u^T + tau/|r| (1 - u u^T) + k_d/|r| u (w - (u . w) u)^T
  *   dF_ij/dr' = k_d u u^T
  * </pre>
- * and dF_ij/dx_i = -dF_ij/dr. The second term is negative across a compressed spring, which would buckle. The last one
- * is not symmetric; it is there where a damped spring turns.
+ * and dF_ij/dx_i = -dF_ij/dr. The second term is negative for a compressed spring, which tends to buckle. The last one
+ * is not symmetric; it appears when a damped spring rotates.
  *
  * <p>Source: derived from the slide "Damped Spring Force"; for l = 0 or k_d = 0 as in D. Baraff, A. Witkin (1998).
  */
 final class SpringJacobian {
-    /** Shorter springs have no direction that could be told from rounding. */
+    /** The direction of shorter springs is only round-off. */
     private static final double SHORTEST = 1e-140;
 
     private final double[] dFdX = new double[9];
@@ -26,8 +26,8 @@ final class SpringJacobian {
     /**
      * Adds the blocks of one spring.
      *
-     * @param i where the particle on which F_ij acts begins in the state
-     * @param j where the other one does
+     * @param i state index of the particle on which F_ij acts
+     * @param j state index of the other particle
      */
     void add(double[] state, int i, int j, double stiffness, double restLength, double damping,
             ForceDerivatives derivatives) {
@@ -58,7 +58,7 @@ final class SpringJacobian {
         derivatives.addPair(i / Particles.STRIDE, j / Particles.STRIDE, dFdX, dFdV);
     }
 
-    /** Writes u and returns |r|; both are 0 where there is no direction. */
+    /** Writes u and returns |r|; both are 0 for a spring too short to have a direction. */
     private double direction(double[] state, int i, int j) {
         double largest = 0;
         for (int c = 0; c < 3; c++) {

@@ -1,13 +1,13 @@
 package particles.effects.springs;
 
 /**
- * The inner loops of the spring force, for springs sorted by the particle where they begin. The law is that of
- * {@link SpringForce}; these loops are where a simulation of cloth spends its time.
+ * The inner loops of the spring force, for springs sorted by their first particle. The law is explained in {@link
+ * SpringForce}; a cloth simulation spends most of its time here.
  */
 final class SpringKernel {
     /**
-     * The bits of the square of a length from which on it does not lose digits, and how many follow before it
-     * overflows.
+     * Squares of lengths from this bit pattern on have full precision; ORDINARY is how many patterns follow before
+     * overflow.
      */
     private static final long SMALLEST = Double.doubleToRawLongBits(1e-280);
     private static final long ORDINARY = Double.doubleToRawLongBits(1e280) - SMALLEST;
@@ -15,7 +15,7 @@ final class SpringKernel {
     private SpringKernel() {
     }
 
-    /** Adds the forces of the springs first ... end - 1, if there are any. */
+    /** Adds the forces of the springs first ... end - 1. */
     static void addForces(SpringTable table, double[] state, double[] force, int first, int end) {
         if (first >= end) {
             return;
@@ -27,7 +27,7 @@ final class SpringKernel {
         }
     }
 
-    /** Spring by spring: best where a particle owns one or two, as in a chain. */
+    /** Spring by spring: faster if a particle begins one or two springs, as in a chain. */
     private static void addSingly(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
         int[] to = table.to;
@@ -61,8 +61,8 @@ final class SpringKernel {
     }
 
     /**
-     * Particle by particle, keeping what belongs to the first one in registers for all of its springs: best in cloth.
-     * One loop over all springs, since one within it would be over after a handful each time, before it gets fast.
+     * Particle by particle, with the first particle's data in registers for all of its springs: faster for cloth. It is
+     * a single loop because nested loops of a handful of springs each do not get fast.
      */
     private static void addGrouped(SpringTable table, double[] state, double[] force, int first, int end) {
         int[] from = table.from;
@@ -125,14 +125,14 @@ final class SpringKernel {
     }
 
     /**
-     * Whether the square of a length neither overflows nor loses digits: by the bits, whose order is that of the
-     * numbers and ends with NaN, in one comparison.
+     * Whether the square of a length neither overflows nor loses digits. Bit patterns are ordered like the numbers,
+     * with NaN last, so one comparison is enough.
      */
     static boolean isOrdinary(double square) {
         return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;
     }
 
-    /** The same law for lengths whose square would overflow or underflow: the direction is found after scaling. */
+    /** The same law for lengths whose square would overflow or underflow; r is scaled first. */
     private static void addExtremeForce(SpringTable table, int s, double[] state, double[] force) {
         int i = table.from[s];
         int j = table.to[s];

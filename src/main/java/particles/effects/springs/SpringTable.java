@@ -4,19 +4,19 @@ import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * The numbers of all springs in flat arrays, and how they are kept: added, taken out, followed when particles go, and
- * put into the order in which their forces are evaluated fastest.
+ * Flat arrays of all springs' data. Springs can be added and removed, follow when particles are removed, and are sorted
+ * into the order in which their forces are evaluated fastest.
  */
 final class SpringTable {
     private static final int NOT_COUNTED = -1;
 
     int count;
-    int[] from = new int[8];                            // where the particles' entries begin in the state
+    int[] from = new int[8];                            // state index of the first particle
     int[] to = new int[8];
     double[] stiffness = new double[8];
     double[] restLength = new double[8];
     double[] damping = new double[8];
-    // how many particles springs begin at, in the order of the table
+    // how many particles begin springs, in the order of the table
     private int owners = NOT_COUNTED;
     private boolean arranged;
     private boolean sorted = true;
@@ -44,7 +44,7 @@ final class SpringTable {
         damping = Arrays.copyOf(damping, capacity);
     }
 
-    /** Springs go with either of their ends. */
+    /** A spring is removed with either of its ends. */
     void reindex(int[] newIndex) {
         boolean[] gone = new boolean[count];
         for (int s = 0; s < count; s++) {
@@ -81,9 +81,8 @@ final class SpringTable {
     }
 
     /**
-     * Sorts the springs by the particle where they begin, those of one particle in the order in which they were added:
-     * so that its position, velocity and force stay in registers for all of its springs. A counting sort, linear in
-     * their number. Then divides them into blocks.
+     * Sorts the springs by their first particle with a stable counting sort, so that its position, velocity and force
+     * stay in registers for all of its springs; then divides them into blocks.
      */
     void arrange() {
         if (arranged && owners != NOT_COUNTED) {
@@ -103,12 +102,12 @@ final class SpringTable {
         }
     }
 
-    /** @return their blocks, once they are arranged */
+    /** @return the blocks; valid after {@link #arrange} */
     SpringBlocks blocks() {
         return blocks;
     }
 
-    /** @return whether a particle owns enough springs, two or more on average, to take them together */
+    /** @return whether particles begin enough springs, two or more on average, to evaluate them together */
     boolean isGrouped() {
         return count >= 2L * owners;
     }

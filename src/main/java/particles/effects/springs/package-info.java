@@ -1,5 +1,5 @@
 /**
- * The damped spring: the law itself in {@link particles.effects.springs.SpringForce}, its table of springs, the loop
- * that runs, and its derivative.
+ * Damped springs: the law in {@link particles.effects.springs.SpringForce}, the table of springs, the fast loops, and
+ * the derivative.
  */
 package particles.effects.springs;

@@ -99,10 +99,10 @@ function showStep() {
   const part = limit > 0 ? (Math.log10(limit) - slider.min) / (slider.max - slider.min) : -1;
   $('mark').hidden = !(part >= 0 && part <= 1);
   $('mark').style.left = `calc(${100 * part}% + ${8 - 16 * part}px)`;
-  $('limit').textContent = solver?.adaptive ? 'It chooses its own steps within deltaT.'
-      : limit === 0 ? 'Undamped springs grow at any step.'
-      : limit > 0 ? 'Steps up to ' + few(limit) + ' s are stable for the springs of this scene (the mark).'
-      : 'No limit of stability by springs.';
+  $('limit').textContent = solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
+      : limit === 0 ? 'Undamped springs gain energy at any deltaT.'
+      : limit > 0 ? 'Stable up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
+      : 'No spring limits deltaT here.';
 }
 
 // ---- running ----
@@ -231,7 +231,7 @@ worker.onmessage = ({data}) => ({
   frame: () => shown(data),
   phase: () => isChosen(data) && phase.set(data.points)
 })[data.type]?.();
-worker.onerror = event => { $('message').textContent = 'The page has a mistake: ' + event.message; };
+worker.onerror = event => { $('message').textContent = 'Error in the page: ' + event.message; };
 
 $('scene').onchange = () => choose($('scene').value);
 $('start').onclick = () => playing ? pause() : start();
@@ -272,6 +272,6 @@ function draw() {
   phase.plot && phase.draw();
   requestAnimationFrame(draw);
 }
-window.lab = {view, energy, phase};          // for whoever opens the console
+window.lab = {view, energy, phase};          // for the browser's console, and for tests
 worker.postMessage({type: 'solvers'});
 draw();

@@ -45,6 +45,7 @@ export class View {
     this.scene?.traverse(thing => { thing.geometry?.dispose(); thing.material?.dispose(); });
     this.scene = new THREE.Scene();
     this.trail = [];
+    this.fastest = 0;
     this.frame(facts, structure, state);
     const sun = new THREE.DirectionalLight(0xffffff, 2.2);
     sun.position.set(0.4, 1, 0.7);
@@ -350,8 +351,8 @@ export class View {
       for (let i = 0; i < this.structure.ids.length; i++) {
         fastest = Math.max(fastest, Math.hypot(state[6 * i + 3], state[6 * i + 4], state[6 * i + 5]));
       }
-      this.arrowScale = Math.max(this.arrowScale ?? 0, fastest);
-      const scale = fastest > 0 ? 0.12 * this.viewHeight / fastest : 0;
+      this.fastest = Math.max(this.fastest, fastest);           // since the start, so that lengths can be compared
+      const scale = this.fastest > 0 ? 0.12 * this.viewHeight / this.fastest : 0;
       for (let i = 0; i < this.structure.ids.length; i++) {
         for (const end of [0, scale]) {
           positions.push(state[6 * i] + end * state[6 * i + 3], state[6 * i + 1] + end * state[6 * i + 4],

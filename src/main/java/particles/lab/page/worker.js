@@ -1,6 +1,6 @@
 
 // Runs in a worker, after the compiled classes: makes steps while the page wants them, and tells what there is to see.
-const SLICE = 12;                       // milliseconds of steps between two messages
+const SLICE = 25;                       // milliseconds of steps between two messages, at most
 let playing = false, ticking = false, speed = 1, target = 0, lastTick = 0, catchUp = null;
 let knownStructure = null, file = null;
 

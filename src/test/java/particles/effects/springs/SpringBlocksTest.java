@@ -11,13 +11,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.law.Vector3;
 
-/**
- * Springs in blocks and joints: what each touches, that all of them act, and what becomes of them when particles go.
- */
+/** Springs in blocks and joints: which particles each touches, that all springs act, and removal of particles. */
 class SpringBlocksTest {
     private static final int PARTICLES = 3000;
 
-    /** Springs between particles whose numbers differ by no more than {@code reach}, in no order. */
+    /** Springs, in random order, between particles whose indices differ by at most {@code reach}. */
     private static ParticleSystem network(int reach) {
         ParticleSystem network = new ParticleSystem();
         Random random = new Random(11);
@@ -61,7 +59,7 @@ class SpringBlocksTest {
         assertArrayEquals(bySprings, inParts, 1e-14);           // measured 8.9e-16
     }
 
-    /** A block touches its range of particles only, a joint those of its blocks, and no half of it by itself. */
+    /** A block touches only its own particles; a joint touches both of its halves. */
     private static void assertRanges(SpringForce springs, int blocks, int particles) {
         assertEquals(blocks, springs.countBlocks());
         assertEquals(0, springs.getFirstParticle(0));
@@ -87,7 +85,7 @@ class SpringBlocksTest {
     /** Otherwise threads would lose forces. */
     @ParameterizedTest
     @ValueSource(ints = {40, 100, 250})
-    void blocksHaveTheirParticlesToThemselves(int reach) {
+    void blocksShareNoParticles(int reach) {
         ParticleSystem network = network(reach);
         SpringForce springs = springs(network);
         assertRanges(springs, 4, 3000);
@@ -103,6 +101,6 @@ class SpringBlocksTest {
         }
         network.removeParticles(gone);
         assertRanges(springs, 4, network.getParticles().count());
-        assertEquals(1, springs(network(2999)).countBlocks());      // nothing to gain there
+        assertEquals(1, springs(network(2999)).countBlocks());      // too many springs between ranges
     }
 }

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import particles.ParticleSystem;
 import particles.law.Vector3;
 
-/** A spring's force at lengths where squares overflow, underflow or vanish, and what no spring can be. */
+/** A spring's force at lengths where squares overflow, underflow or vanish, and refused parameters. */
 class SpringForceTest {
     private ParticleSystem system;
     private SpringForce springs;
@@ -36,7 +36,7 @@ class SpringForceTest {
     /** r = (3, 4, 0) length: |r| = 5 length, force k (|r| - l) and damping along (0.6, 0.8, 0). */
     @ParameterizedTest
     @ValueSource(doubles = {1e-300, 1e-200, 1e-141, 1e-139, 1e-20, 1, 1e20, 1e138, 1e141, 1e200, 1e300})
-    void forceAtAllLengths(double length) {
+    void forceFollowsTheLawAtAllLengths(double length) {
         double k = 2;
         springs.addSpring(0, 1, k, 2 * length, 0.5);
         double[] force = force(0, 0, 0, 0, 0, 0, 3 * length, 4 * length, 0, length, 0, 0);
@@ -80,7 +80,7 @@ class SpringForceTest {
     }
 
     @Test
-    void arraysGrowAndKeepWhatTheyHold() {
+    void arraysGrowAndKeepTheirValues() {
         for (int s = 0; s < 100; s++) {
             springs.addSpring(s % 2, 1 - s % 2, s, s + 1, s + 2);
         }
@@ -94,7 +94,7 @@ class SpringForceTest {
         assertEquals(79, springs.damping(77));
     }
 
-    /** Four springs between three particles, the second of which begin before the first. */
+    /** Four springs between three particles, not sorted by first particle. */
     private void addFour() {
         system.addParticle("c", 1, Vector3.ZERO, Vector3.ZERO, false);
         springs.addSpring(2, 1, 1, 1, 0);
@@ -107,9 +107,9 @@ class SpringForceTest {
         return IntStream.range(0, springs.springCount()).mapToObj(springs::stiffness).toList();
     }
 
-    /** By the particle where they begin, as soon as they are evaluated or divided. */
+    /** Sorted by first particle as soon as they are evaluated or divided into blocks. */
     @Test
-    void springsAreNumberedAnewWhenTheyAreEvaluated() {
+    void evaluationRenumbersSprings() {
         addFour();
         assertEquals(List.of(1.0, 2.0, 3.0, 4.0), stiffnesses());
         springs.addForces(new double[18], 0, new double[18]);
@@ -122,7 +122,7 @@ class SpringForceTest {
     }
 
     @Test
-    void springsGoByThemselvesOrWithTheirParticles() {
+    void springsAreRemovedAloneOrWithTheirParticles() {
         addFour();
         springs.removeSprings(new boolean[] {false, false, true, false});
         assertEquals(List.of(1.0, 2.0, 4.0), stiffnesses());

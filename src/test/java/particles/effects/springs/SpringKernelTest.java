@@ -14,7 +14,7 @@ import particles.law.Vector3;
 
 /**
  * The three loops for springs - spring by spring, particle by particle, and for lengths of which the square overflows -
- * held to the law as the slide has it, with ends anywhere and moving in any direction.
+ * compared with the slide's formula for random positions and velocities.
  */
 class SpringKernelTest {
     private static final int STRIDE = Particles.STRIDE;
@@ -114,10 +114,10 @@ class SpringKernelTest {
         }
     }
 
-    /** In one net, long ones, short ones, one of the usual size and one without any length, all on one particle. */
+    /** Long springs, short ones, one of ordinary size and one of length 0, all at one particle of a net. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5})
-    void extremesAmongOthersFollowTheLaw(int special) {
+    void extremeLengthsAmongOrdinaryOnesFollowTheLaw(int special) {
         Random random = new Random(special);
         double[] state = state(random, 1);
         double far = special % 2 == 0 ? 1e150 : 0;

@@ -16,11 +16,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.law.Particles;
 
-/** The flat arrays of springs beside a plain list of them, whatever is done to both. */
+/** The flat arrays of springs agree with a plain list through every operation. */
 class SpringTableTest {
     private static final int STRIDE = Particles.STRIDE;
 
-    /** A spring by its ends, which are counted in particles, and by a number that no other one has. */
+    /** A spring: the indices of its two particles and a unique number. */
     private record Spring(int from, int to, int number) {
     }
 
@@ -72,15 +72,15 @@ class SpringTableTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 7, 8, 9, 100})
-    void springsAreSortedByWhereTheyBegin(int count) {
+    void springsAreSortedByTheirFirstParticle(int count) {
         SpringTable table = new SpringTable();
         List<Spring> springs = random(count, 30, 12, table);
-        assertEquals(springs, springs(table), "before that, in the order in which they came");
+        assertEquals(springs, springs(table), "before sorting, in the order of adding");
         assertArranged(springs, table);
         assertArranged(springs, table);
     }
 
-    /** One more that begins before the last has to be sorted in; one that begins there has not, and comes last. */
+    /** A spring that begins before the last one is sorted in; one that begins at the same particle stays last. */
     @Test
     void springsAddedLaterAreSortedInToo() {
         SpringTable table = new SpringTable();
@@ -97,7 +97,7 @@ class SpringTableTest {
 
     /** The bound itself: two springs a particle. */
     @Test
-    void twoSpringsAParticleAreTakenTogether() {
+    void twoSpringsAParticleAreEvaluatedTogether() {
         SpringTable table = new SpringTable();
         for (int from : new int[] {0, 0, 1}) {
             table.add(from, 2, 0, 0, 0);
@@ -114,14 +114,14 @@ class SpringTableTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void springsGoWithEitherOfTheirEnds(boolean arranged) {
+    void aSpringIsRemovedWithEitherOfItsEnds(boolean arranged) {
         SpringTable table = new SpringTable();
         List<Spring> springs = random(200, 30, 12, table);
         if (arranged) {
             table.arrange();
             springs = sorted(springs);
         }
-        int[] newIndex = new int[30];                   // the particles 0, 5, 10 ... go, the others close up
+        int[] newIndex = new int[30];                   // particles 0, 5, 10 ... are removed, the others move up
         for (int i = 0; i < newIndex.length; i++) {
             newIndex[i] = i % 5 == 0 ? -1 : i - i / 5 - 1;
         }
@@ -129,16 +129,16 @@ class SpringTableTest {
                 .map(s -> new Spring(newIndex[s.from], newIndex[s.to], s.number)).toList();
         assertTrue(left.size() > 50 && left.size() < 150);
         assertTrue(left.stream().anyMatch(s -> s.from == 0) && left.stream().anyMatch(s -> s.to == 0),
-                "whoever is the first now keeps its springs");
+                "the new first particle keeps its springs");
         table.reindex(newIndex);
         assertEquals(left, springs(table));
         assertArranged(left, table);
     }
 
-    /** Where springs go, those that stay are in the block in which they were. */
+    /** After removals, the other springs are still in their blocks. */
     @ParameterizedTest
     @ValueSource(ints = {8191, 8192, 16_384, 40_000})
-    void blocksKeepTheirSprings(int count) {
+    void removalsLeaveOtherSpringsInTheirBlocks(int count) {
         SpringTable table = new SpringTable();
         List<Spring> springs = random(count, 3000, 40, table);
         table.arrange();
@@ -170,7 +170,7 @@ class SpringTableTest {
         assertSame(blocks, table.blocks());
         assertEquals(left, parts(table));
         table.arrange();
-        assertEquals(left, parts(table), "they need not be arranged again");
+        assertEquals(left, parts(table), "removals need no new sorting");
     }
 
     /** The springs of each block and of each joint. */
@@ -185,14 +185,11 @@ class SpringTableTest {
         return parts;
     }
 
-    /**
-     * Ranges of particles as the springs divide them: each block is all that lies within one, each joint what else in
-     * its two.
-     */
+    /** A block holds all springs within its range, a joint the others within its two ranges. */
     @Tag("slow")
     @ParameterizedTest
     @ValueSource(ints = {8192, 20_000, 40_000})
-    void aBlockIsAllThatLiesWithinItsRange(int count) {
+    void aBlockHoldsAllSpringsWithinItsRange(int count) {
         SpringTable table = new SpringTable();
         List<Spring> springs = sorted(random(count, 3000, 40, table));
         table.arrange();
@@ -222,21 +219,21 @@ class SpringTableTest {
      * In a random network most springs join two ranges; up to a quarter may, in a chain of two blocks of 4096 springs.
      */
     @Test
-    void aQuarterMayJoinTwoRanges() {
+    void springsAreDividedIfAtMostAQuarterJoinTwoRanges() {
         for (int joining : new int[] {2047, 2048, 2049}) {
             SpringTable table = new SpringTable();
             for (int s = 0; s < 8192; s++) {
                 table.add(s, s < joining ? 5000 : s + 1, s, s + 0.25, s + 0.5);
             }
             table.arrange();
-            assertEquals(joining < 2048 ? 2 : 1, table.blocks().count(), joining + " and the one in the middle join");
+            assertEquals(joining < 2048 ? 2 : 1, table.blocks().count(), joining + " and one more join two ranges");
             assertEquals(joining < 2048 ? 8192 - 2048 : 8192, table.blocks().start(table.blocks().count()));
         }
     }
 
-    /** One spring more, and a table in blocks is arranged as if all of them had just come. */
+    /** After adding one spring, a divided table is sorted and divided as if all springs were new. */
     @Test
-    void blocksAreDividedAnewWithTheNext() {
+    void addingASpringDividesTheBlocksAnew() {
         SpringTable table = new SpringTable();
         List<Spring> springs = random(9000, 3000, 40, table);
         table.arrange();
