@@ -95,13 +95,15 @@ public final class StabilityCommand extends ExperimentCommand {
                         + " eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet"
                         + " and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and"
                         + " with strong damping it is their limit."),
-                List.of(region("slides", "Explicit methods are stable in the shaded region: deltaT times each eigenvalue has to lie there",
+                List.of(region("slides", "Explicit methods are stable in the shaded region: deltaT times each eigenvalue"
+                                + " has to lie there",
                                 "The slides' solvers and adams. Of the imaginary axis, only 0 belongs to the regions"
                                 + " of euler, midpoint and adams; the outline of adams runs so close beside the axis,"
                                 + " up to 0.9, that the picture cannot show it: at 0.8 a step still grows by 0.7 %.",
                                 List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), progress,
                                 0.5),
-                        region("adaptive", "One sub-step of the explicit adaptive solvers is stable in the shaded region",
+                        region("adaptive",
+                                "One sub-step of the explicit adaptive solvers is stable in the shaded region",
                                 "Longer steps are divided, so these outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
                                 new Window(-14, 4, 12, 0.15),
@@ -123,7 +125,7 @@ public final class StabilityCommand extends ExperimentCommand {
     private static Picture region(String name, String title, String caption, List<String> solvers, Window window,
                                   ProgressListener progress, double done) {
         progress.reached(done, "regions of " + String.join(", ", solvers));
-        return Picture.panels("region-" + name, caption, title,
+        return Picture.compared("region-" + name, caption, title,
                 solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window))).toList());
     }
 }

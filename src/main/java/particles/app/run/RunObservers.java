@@ -130,7 +130,8 @@ final class RunObservers implements AutoCloseable {
             charts.addAll(books.charts(energy.getScale()));
             writer.write(RunFiles.ENERGY, charts);
         }
-        phase.ifPresent(history -> drawPhase(writer, history, Axis.values()[scene.phase().orElseThrow().axis()], title));
+        phase.ifPresent(history -> drawPhase(writer, history,
+                Axis.values()[scene.phase().orElseThrow().axis()], title));
     }
 
     private void drawPhase(ChartWriter writer, PhaseHistory history, Axis axis, String title) {

@@ -2,9 +2,10 @@ package particles.experiments.stability;
 
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -14,9 +15,6 @@ import particles.view.ChartData.Series;
  * code.
  */
 public final class StabilityRegion {
-    /** Stripes as wide as they are drawn meet when they are two rows of the grid apart. */
-    private static final int EVERY = 2;
-
     private StabilityRegion() {
     }
 
@@ -55,7 +53,7 @@ public final class StabilityRegion {
         SolverInfo info = SolverCatalog.info(solver);
         StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
         return chart(solver + ": " + limits(info),
-                new ArrayList<>(List.of(map.stripes("stable", EVERY), map.outline(solver))), window);
+                new ArrayList<>(List.of(map.stripes("stable", 1), map.outline(solver))), window);
     }
 
     private static ChartData chart(String title, List<Series> series, Window window) {
@@ -63,6 +61,10 @@ public final class StabilityRegion {
                 new double[] {-window.top, window.top}));
         return new ChartData(title, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
                 false, false, series);
+    }
+
+    private static String digits(double limit) {
+        return new BigDecimal(limit).round(new MathContext(4)).stripTrailingZeros().toPlainString();
     }
 
     /** How far a step may go, in a sentence. */
@@ -75,8 +77,7 @@ public final class StabilityRegion {
         if (Double.isNaN(damping)) {
             return "the first step of its table";
         }
-        return String.format(Locale.ROOT, "%s to %.4g, ", info.secondOrder() ? "critical damping" : "damping", damping)
-                + (springs > 0 ? String.format(Locale.ROOT, "undamped springs to %.4g", springs)
-                : "undamped springs always grow");
+        return (info.secondOrder() ? "critical damping to " : "damping to ") + digits(damping)
+                + (springs > 0 ? ", undamped springs to " + digits(springs) : "; undamped springs always grow");
     }
 }

@@ -30,6 +30,8 @@ final class Charts {
     /** The height of a row, in pixels as the other charts' heights, roughly. */
     static final int ROW = 17;
 
+    private static final int MAIN = 400;
+
     private Charts() {
     }
 
@@ -40,13 +42,18 @@ final class Charts {
 
     /** @return the chart of a panel, or its charts above each other */
     static FittedChart of(Panel panel) {
+        return of(panel, MAIN);
+    }
+
+    /** @param main the height of a chart above rows, in the same pixels as theirs */
+    static FittedChart of(Panel panel, int main) {
         return panel.kind() == Panel.Kind.PHASE ? PhasePlot.of(panel.charts().get(0), panel.field())
                 : finished(panel.title(), panel.charts().size() == 1 ? plot(panel.charts().get(0))
-                : stacked(panel.charts()), panel.kind());
+                : stacked(panel.charts(), main), panel.kind());
     }
 
     /** Charts above each other, over the x axis of the first; the upper one has more room, rows have what they need. */
-    private static XYPlot stacked(List<ChartData> data) {
+    private static XYPlot stacked(List<ChartData> data, int main) {
         Range x = data.stream().map(chart -> range(new ChartDataset(chart), true)).reduce(null, Range::combine);
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(), x,
                 onlyLines(data.get(0))));
@@ -57,7 +64,7 @@ final class Charts {
             int rows = data.get(k).rows().size();
             int series = data.get(k).series().size();
             all.add(plot(data.get(k), series > 1 ? looks : 0), rows > 0 ? ROW * (rows + 1) : k > 0 ? 153
-                    : ofQuantities > 1 ? 255 : 400);
+                    : ofQuantities > 1 ? 255 : main);
             looks += series;
         }
         return all;
@@ -106,7 +113,8 @@ final class Charts {
     }
 
     private static boolean isSolverLine(Series series) {
-        return series.mark() == Mark.LINE && SolverStyle.of(series.name()).isPresent();
+        return (series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS)
+                && SolverStyle.of(series.name()).isPresent();
     }
 
     /** Null where there is no point at all, as JFreeChart says it. */

@@ -73,7 +73,9 @@ final class EndLabels {
         List<Rectangle2D> taken = new ArrayList<>();
         g.setFont(ChartStyle.LABEL);
         for (int k : labelled) {
-            if (endX(k, area) > area.getMaxX() - EDGE * area.getWidth()) {
+            double width = g.getFontMetrics().stringWidth(data.name(k));
+            if (endX(k, area) > area.getMaxX() - EDGE * area.getWidth()
+                    || endX(k, area) + 3 * GAP + width > area.getMaxX()) {
                 outside.add(k);
             } else {
                 drawInside(g, k, area, line, taken);
@@ -83,16 +85,17 @@ final class EndLabels {
         double[] wanted = outside.stream().mapToDouble(k -> endY(k, area)).toArray();
         double[] places = spread(wanted, line, area.getMinY() + line / 2, area.getMaxY() - line / 2);
         for (int n = 0; n < places.length; n++) {
-            drawOutside(g, outside.get(n), area, wanted[n], places[n]);
+            drawOutside(g, outside.get(n), area, places[n]);
         }
     }
 
-    private void drawOutside(Graphics2D g, int k, Rectangle2D area, double end, double place) {
+    /** With a thin line from the end of the series. */
+    private void drawOutside(Graphics2D g, int k, Rectangle2D area, double place) {
         double x = area.getMaxX();
         g.setPaint(renderer.lookupSeriesFillPaint(k).equals(Color.WHITE) ? renderer.lookupSeriesPaint(k)
                 : renderer.lookupSeriesFillPaint(k));
         g.setStroke(THIN);
-        g.draw(new Line2D.Double(x + 1, end, x + LEADER - 1, place));
+        g.draw(new Line2D.Double(endX(k, area), endY(k, area), x + LEADER - 1, place));
         g.setStroke(renderer.lookupSeriesStroke(k));
         g.draw(new Line2D.Double(x + LEADER, place, x + LEADER + SAMPLE, place));
         if (renderer.getItemShapeVisible(k, 0)) {
@@ -106,7 +109,7 @@ final class EndLabels {
     /** Beside the end, or above or below it where another name stands. */
     private void drawInside(Graphics2D g, int k, Rectangle2D area, double line, List<Rectangle2D> taken) {
         double width = g.getFontMetrics().stringWidth(data.name(k));
-        double x = Math.min(endX(k, area) + 2 * GAP, area.getMaxX() - width - GAP);
+        double x = endX(k, area) + 2 * GAP;
         double end = Math.max(area.getMinY() + line / 2, Math.min(area.getMaxY() - line / 2, endY(k, area)));
         Rectangle2D box = new Rectangle2D.Double(x - 2, end - line / 2, width + 4, line);
         for (int n = 1; collides(box, taken) && n <= 2 * labelled.size(); n++) {

@@ -26,13 +26,13 @@ final class FittedChart extends JFreeChart {
     private static final double WIDENED = 1.12;
     /** Axes whose ranges differ by less than this factor have equal units. */
     private static final double ALIKE = 1.34;
-    private static final int TRIALS = 3;
+    private static final int TRIALS = 6;
 
     private final transient List<EndLabels> labels = new ArrayList<>();
     private final boolean equalUnits;
     private final boolean tellsUnits;
-    private final transient Range x;
-    private final transient Range y;
+    private transient Range x;
+    private transient Range y;
     private double leastRoom;
     private final TextTitle units = new TextTitle("", ChartStyle.TICKS);
 
@@ -47,9 +47,8 @@ final class FittedChart extends JFreeChart {
         if (kind == Panel.Kind.CHART) {
             subplots(plot).forEach(part -> labels.add(new EndLabels(part)));
         }
-        x = combined ? null : plot.getDomainAxis().getRange();
-        y = combined ? null : plot.getRangeAxis().getRange();
-        equalUnits = kind == Panel.Kind.MAP || kind == Panel.Kind.PHASE && areAlike(x, y);
+        equalUnits = !combined && (kind == Panel.Kind.MAP || kind == Panel.Kind.PHASE
+                && areAlike(plot.getDomainAxis().getRange(), plot.getRangeAxis().getRange()));
         tellsUnits = kind == Panel.Kind.PHASE && !equalUnits;
         if (tellsUnits) {
             units.setPosition(RectangleEdge.BOTTOM);
@@ -75,6 +74,11 @@ final class FittedChart extends JFreeChart {
     /** @return the names that stand at the ends of lines */
     List<String> labelledNames() {
         return labels.stream().flatMap(part -> part.names().stream()).toList();
+    }
+
+    /** Where something else names the lines. */
+    void removeLabels() {
+        labels.clear();
     }
 
     /** @return the room at the right that the names of lines need, in pixels of the layout */
@@ -109,6 +113,10 @@ final class FittedChart extends JFreeChart {
     /** By trial: how much room axes need depends on their labels, and these on the room. */
     private void fitUnits(Rectangle2D area) {
         XYPlot plot = getXYPlot();
+        if (x == null) {                                // when it is drawn first, before this changes them
+            x = plot.getDomainAxis().getRange();
+            y = plot.getRangeAxis().getRange();
+        }
         plot.setInsets(XYPlot.DEFAULT_INSETS);
         if (tellsUnits) {
             units.setText(" ");                         // as high as the text that will stand there

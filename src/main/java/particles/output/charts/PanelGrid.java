@@ -19,7 +19,12 @@ import org.jfree.data.Range;
 /** Small multiples: charts in a grid, under one title; the legend is in a cell that is left over, or below. */
 public final class PanelGrid {
     private static final int CELL = 360;
+    private static final int CHART_CELL = 500;
     private static final int LEAST_WIDTH = 1100;
+    /** The height of a chart above rows. */
+    private static final int MAIN = 250;
+    private static final double TALL = 1.5;
+    private static final double AXES = 0.85;
     private static final double HEIGHT_OF_WIDTH = 0.72;
     private static final int LINE = 21;
     private static final int MARGIN = 10;
@@ -42,8 +47,7 @@ public final class PanelGrid {
      */
     public PanelGrid(String title, List<Panel> panels, boolean oneScale) {
         this.title = title;
-        columns = columns(panels.size());
-        charts = panels.stream().map(Charts::of).toList();
+        charts = panels.stream().map(panel -> Charts.of(panel, MAIN)).toList();
         legend = ChartLegend.of(charts.stream().flatMap(chart -> FittedChart.subplots(chart.getXYPlot()).stream())
                 .sorted(Comparator.comparing((XYPlot plot) -> -plot.getDataset().getSeriesCount())).toList(),
                 charts.stream().flatMap(chart -> chart.labelledNames().stream()).toList(), true);
@@ -56,19 +60,27 @@ public final class PanelGrid {
             share(chart -> chart.getXYPlot().getDomainAxis());
             share(chart -> FittedChart.subplots(chart.getXYPlot()).get(0).getRangeAxis());
         }
-        boolean square = charts.stream().allMatch(FittedChart::hasEqualUnits);
+        boolean round = charts.stream().allMatch(FittedChart::hasEqualUnits);
         int tallest = panels.stream().flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size())
                 .max().orElse(0);
+        double shape = oneScale && round ? shape(charts.get(0).getXYPlot()) : 1;
+        columns = shape > TALL ? panels.size() : columns(panels.size());
         rows = (charts.size() + columns - 1) / columns;
-        width = Math.max(LEAST_WIDTH, columns * CELL);
+        width = Math.max(LEAST_WIDTH, columns * (round ? CELL : CHART_CELL));
         cellWidth = (width - 2.0 * MARGIN) / columns;
-        cellHeight = (square ? 1.02 : HEIGHT_OF_WIDTH) * cellWidth + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
+        cellHeight = (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH) * cellWidth
+                + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
         legendInCell = rows * columns > charts.size();
     }
 
     /** @return how many stand beside each other: rows are full where that is possible */
     static int columns(int panels) {
         return panels <= 3 ? panels : panels % 4 == 0 && panels > 4 ? 4 : panels % 3 == 0 || panels > 4 ? 3 : 2;
+    }
+
+    /** @return the height of a map over its width */
+    private static double shape(XYPlot map) {
+        return map.getRangeAxis().getRange().getLength() / map.getDomainAxis().getRange().getLength();
     }
 
     private void share(Function<FittedChart, ValueAxis> axis) {

@@ -6,11 +6,11 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
 import org.apache.batik.svggen.SVGGraphics2D;
 import org.w3c.dom.DOMImplementation;
 import org.w3c.dom.Element;
-import javax.xml.parsers.DocumentBuilderFactory;
-import javax.xml.parsers.ParserConfigurationException;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
@@ -29,7 +29,8 @@ final class SvgDrawing {
             Element root = g.getRoot();
             root.setAttribute("viewBox", "0 0 " + width + " " + height);
             g.stream(root, text, true, false);
-            file.write(text.toString().getBytes(StandardCharsets.UTF_8));
+            // without the document type, which names an address that some programs would wait for
+            file.write(text.toString().replaceFirst("<!DOCTYPE[^>]*>", "").getBytes(StandardCharsets.UTF_8));
             file.commit();
         } catch (IOException | ParserConfigurationException e) {
             throw new OutputException(folder.getPath().resolve(name), "write", new IOException(e));

@@ -90,7 +90,7 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * Writes {@code animation.gif} and a still of 16:9 with some moments.
+     * Writes {@code animation.gif} and a still of 16:9 of the end.
      *
      * @param writer   writes the sheet
      * @param folder   where they go
@@ -100,8 +100,8 @@ public final class RaceFilm implements AutoCloseable {
      * @param strip    what the chart shows, with a line of each run's name
      * @param progress hears which part is done
      */
-    public void write(ChartWriter writer, OutputFolder folder, String sheet, Head head, List<Words> words, ChartData strip,
-                      DoubleConsumer progress) {
+    public void write(ChartWriter writer, OutputFolder folder, String sheet, Head head, List<Words> words,
+                      ChartData strip, DoubleConsumer progress) {
         close();
         StripChart chart = new StripChart(strip);
         BufferedImage image = new BufferedImage(page.width(), page.height(), BufferedImage.TYPE_INT_RGB);
@@ -114,8 +114,8 @@ public final class RaceFilm implements AutoCloseable {
                 progress.accept((index + 1.0) / ghost.count());
             }
         }
-        RaceSheet.write(writer, sheet, head, RaceSheet.moments(films.size(), ghost.count() - 1),
-                words, this::panels, chart, rate);
+        int last = ghost.count() - 1;
+        RaceSheet.write(writer, sheet, head, words, panels(last), chart, last / rate);
     }
 
     /** @return each run's picture, over the ghost */

@@ -26,6 +26,7 @@ final class RacePage {
     /** The height of the two lines above a panel. */
     static final int LABEL = 38;
     private static final float LEAST_TYPE = 8;
+    private static final int SMALL_PANEL = 220;
     private static final int STRIP = 230;
     private static final Color GONE = new Color(255, 255, 255, 120);
     private static final Font TITLE = FontCheck.font(Font.BOLD, 17);
@@ -159,7 +160,7 @@ final class RacePage {
             g.setColor(GONE);
             g.fill(area);
             String text = String.format(Locale.ROOT, "left at t = %.3g s", left.getAsDouble());
-            g.setFont(NAME);
+            g.setFont(area.getWidth() > SMALL_PANEL ? NAME : SMALL);
             double width = g.getFontMetrics().stringWidth(text) + 36.0;
             RoundRectangle2D box = new RoundRectangle2D.Double(area.getCenterX() - width / 2, area.getMaxY() - 40,
                     width,

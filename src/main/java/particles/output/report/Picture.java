@@ -78,10 +78,21 @@ public final class Picture {
      * @param caption what it shows
      * @param title   over all panels
      * @param panels  row by row; those with series of the same names share the legend
-     * @return a picture with many charts
+     * @return a picture with many charts, each with its own scale
      */
     public static Picture panels(String name, String caption, String title, List<Panel> panels) {
         return new Picture(name, caption, title, false, panels);
+    }
+
+    /**
+     * @param name    of the picture's files, without an ending
+     * @param caption what it shows
+     * @param title   over all panels
+     * @param panels  row by row
+     * @return a picture with many charts that have the same axes
+     */
+    public static Picture compared(String name, String caption, String title, List<Panel> panels) {
+        return new Picture(name, caption, title, true, panels);
     }
 
     /**
