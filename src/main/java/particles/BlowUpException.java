@@ -1,7 +1,8 @@
 package particles;
 
 /**
- * A run whose kinetic energy grew beyond what the scene allows: almost always a time step that the solver cannot take.
+ * Thrown when the kinetic energy of a run exceeds the scene's limit, almost always because deltaT is too long for the
+ * solver.
  */
 public final class BlowUpException extends SimulationException {
     private static final long serialVersionUID = 1L;

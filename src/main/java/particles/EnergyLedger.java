@@ -11,20 +11,19 @@ import particles.law.Particles;
 import particles.law.Reaction;
 
 /**
- * The account of a run's energy: kinetic, what effects store, and the work that was done on the system - by drag,
- * damping, wind, friction, moving anchors as it goes, by bounces, births and deaths at once. What the books do not
- * explain is the error of the numbers: {@link #getNumericalError()} answers "is this loss physics or numerics?". Rods,
- * wires and surfaces that stand still do no work, so that what a step's error or its correction changes of the energy
- * there is an error too.
+ * Energy balance of a run: kinetic and potential energy, and the work done on the system - continuously by drag,
+ * damping, wind, friction and moving anchors, at once by bounces, births and deaths. A change of energy that no work
+ * explains is numerical error: {@link #getNumericalError()} answers "is this loss physics or numerics?". Rods, wires
+ * and surfaces at rest do no work, so any change of energy by their corrections counts as error.
  *
  * <p>Powers are integrated over each smooth piece of motion by Simpson's rule, from both ends and the middle of the
- * cubic between them: an error of O(h<sup>4</sup>), so that the remainder shows the order of any solver up to 4. The
- * ledger evaluates forces for itself, apart from the solver's count, and changes nothing.
+ * cubic between them. The error is O(h<sup>4</sup>), so the numerical error shows the order of any solver up to 4. The
+ * ledger evaluates forces itself; these evaluations are not counted as the solver's and change nothing.
  */
 public final class EnergyLedger implements Observer {
     private static final int STRIDE = Particles.STRIDE;
 
-    /** One kind of work: how to find its power, and the sum so far. */
+    /** One kind of work: its power and the sum so far. */
     private static final class Account {
         private final String name;
         private final Power power;
@@ -114,10 +113,7 @@ public final class EnergyLedger implements Observer {
         return force;
     }
 
-    /**
-     * What pulls at an anchor is answered by what moves it: minus the force of all springs and the like, times its
-     * velocity.
-     */
+    /** The power of whatever moves the anchors: minus the internal forces on each anchor, times its velocity. */
     private double anchorPower(ParticleSystem system, double[] state, double time) {
         if (pull.length != system.getStateSize()) {
             pull = new double[system.getStateSize()];
@@ -149,7 +145,7 @@ public final class EnergyLedger implements Observer {
     /**
      * The work done on the system so far.
      *
-     * @return by name, in joules; negative where energy was taken out
+     * @return the work (J) by name; negative if energy was taken out
      */
     public Map<String, Double> getWork() {
         Map<String, Double> work = new LinkedHashMap<>();
@@ -160,7 +156,7 @@ public final class EnergyLedger implements Observer {
         return work;
     }
 
-    /** @return the energy that no work explains: the total now, minus that at the beginning, minus all work (J) */
+    /** @return the numerical error (J): the total energy now, minus that at the beginning, minus all work */
     public double getNumericalError() {
         double explained = 0;
         for (double joules : getWork().values()) {

@@ -4,7 +4,7 @@ import java.util.Locale;
 import particles.law.Particles;
 
 /**
- * The kinetic energy beyond which a run has blown up, which shows within a step or two and is cheap to add up.
+ * Detects a blow-up: the kinetic energy above which a run is ended.
  *
  * @param joules positive; may be infinite
  */
@@ -15,7 +15,7 @@ record EnergyLimit(double joules) {
         }
     }
 
-    /** @throws BlowUpException if the system is beyond it; names the fastest particle */
+    /** @throws BlowUpException if the kinetic energy is above the limit; names the fastest particle */
     void check(ParticleSystem system) {
         double[] state = system.getOwnState();
         double energy = system.getKineticEnergy(state);

@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Finds when an event happens: the length of a step, from a given state, after which the event's function is 0. Each
- * trial is a step of a solver of its own from the same beginning, so that the state at the event is as accurate as any
- * other step's end; the step's solver keeps its memory.
+ * Event location: finds the step length, from a given state, at which an event function is 0. Each trial is a step from
+ * the same beginning with a separate solver, so that the state at the event is as accurate as any other step's end and
+ * the run's solver keeps its memory.
  *
- * <p>The function is bracketed and the bracket shrunk by the Illinois variant of regula falsi (M. Dowell, P. Jarratt
- * 1971), of order 1.44 and always inside the bracket, down to the resolution of the clock.
+ * <p>The root is bracketed, and the bracket shrunk to the resolution of the clock by the Illinois variant of regula
+ * falsi (M. Dowell, P. Jarratt 1971), of order 1.44.
  */
 final class EventLocator {
     private static final int MOST_TRIALS = 200;
@@ -30,20 +30,20 @@ final class EventLocator {
     }
 
     /**
-     * What happened first.
+     * The first event of a motion.
      *
-     * @param event what
-     * @param rule  whose event it is
+     * @param event the event
+     * @param rule the rule that found it
      */
     record Found(EventRule.Event event, EventRule rule) {
     }
 
     /**
-     * Takes a motion back to its first event, if it has any. The motion and the system end there.
+     * Moves the end of a motion, and the system, back to its first event, if it has any.
      *
      * @param system the system, at the motion's end
      * @param motion the step as it was made
-     * @param rules  whose events are looked for
+     * @param rules  the rules whose events are located
      * @return the event
      */
     Optional<Found> locateFirst(ParticleSystem system, Motion motion, List<EventRule> rules) {
@@ -53,13 +53,13 @@ final class EventLocator {
             Optional<Found> found = locateOne(system, motion, rules);
             if (found.isPresent()) {
                 first = found;
-                motion.end();                           // and look again: may something else come before?
+                motion.end();                           // look again for an earlier event
             }
         }
         return first;
     }
 
-    /** The earliest that does happen: what the cubic says in vain must not hide what comes after it. */
+    /** Locates the earliest event that really happens; false events found on the cubic are skipped. */
     private Optional<Found> locateOne(ParticleSystem system, Motion motion, List<EventRule> rules) {
         candidates.clear();
         for (EventRule rule : rules) {
@@ -79,12 +79,12 @@ final class EventLocator {
     }
 
     /**
-     * Leaves the system at the event: at the last moment before the function becomes negative, or the first after that.
+     * Moves the system to the event: to the last time before the function becomes negative, or the first after that.
      *
-     * @param system  the system, anywhere
-     * @param motion  the step in which an event was found; its beginning is where trials begin
-     * @param event   what was found in it
-     * @return whether there is such a moment; if not, the system is back at the end of the motion, to the last bit
+     * @param system  the system, in any state
+     * @param motion  the step in which an event was found; trials begin at its beginning
+     * @param event   the event
+     * @return whether the event happens; if not, the system is back at the end of the motion, bit for bit
      */
     private boolean locate(ParticleSystem system, Motion motion, EventRule.Event event) {
         begin = motion.getStartState();
@@ -97,18 +97,18 @@ final class EventLocator {
         double first = Math.min(event.time() - beginTime, longest);
         double low = 0;
         double lowValue = valueAfter(system, event, 0);
-        if (!(lowValue > 0)) {                          // begins at the last event: positive only in between
+        if (!(lowValue > 0)) {                          // the motion begins at the last event: positive only later
             low = first / 2;
             lowValue = valueAfter(system, event, low);
         }
         if (!(lowValue > 0)) {
             step(system, 0);
-            return true;                                // it happens right away
+            return true;                                // the event is at once
         }
         double high = first;
         double highValue = valueAfter(system, event, high);
         for (double more = 1e-6 * longest; highValue > 0 && high < longest; more *= 4) {
-            low = high;                                 // the cubic said so a little too early
+            low = high;                                 // the guess from the cubic was too early
             lowValue = highValue;
             high = Math.min(longest, high + more);
             highValue = valueAfter(system, event, high);
@@ -127,7 +127,7 @@ final class EventLocator {
                           double highValue) {
         double resolution = Math.ulp(beginTime + high);
         int side = 0;
-        if (event.happensAfter() && high - resolution > low) {      // when found again, it is at the end already
+        if (event.happensAfter() && high - resolution > low) {      // when located again, high is already the time
             double value = valueAfter(system, event, high - resolution);
             if (value > 0) {
                 return high;

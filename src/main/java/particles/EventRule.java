@@ -4,34 +4,34 @@ import java.util.List;
 
 /**
  * A rule that acts at exact times inside a step, "just on the plane": an impact, the end of sliding, the moment when a
- * contact lets go. The loop asks what happens first in the motion of a step, takes the step again so that it ends
- * there, lets the event act, and goes on with the rest.
+ * contact lets go. The loop finds the first event in a step, repeats the step so that it ends there, lets the event
+ * act, and continues with the rest of the step.
  */
 public interface EventRule extends Rule {
 
-    /** Something that happens when a function of the state changes its sign. */
+    /** An event, defined by a function of the state that changes its sign. */
     interface Event {
-        /** @return about when it happens (s); the motion's beginning for something that is due at once */
+        /** @return a guess of the event's time (s); the motion's beginning if it happens at once */
         double time();
 
         /**
-         * @param system the system; its present state and time are looked at
+         * @param system the system in its present state and time
          * @return positive before the event, 0 at it, negative after it
          */
         double value(ParticleSystem system);
 
         /**
-         * On which side of the sign change it happens: one rounding of the clock apart, but what has turned round or
-         * lets go goes on from there, and would do it again at once if it had not quite done it.
+         * Chooses the side of the sign change, a difference of one ulp of the clock. A reversal or release must be
+         * complete, or it would be found again at once.
          *
-         * @return false for the last moment before it, true for the first after it
+         * @return false for the last time before the sign change, true for the first after it
          */
         default boolean happensAfter() {
             return false;
         }
 
         /**
-         * Lets it happen.
+         * Applies the event.
          *
          * @param system the system at the time of the event, to be changed
          */
@@ -39,23 +39,21 @@ public interface EventRule extends Rule {
     }
 
     /**
-     * Looks for events in a motion. What only the cubic says need not be true: the loop tries by steps of the solver,
-     * the earliest first, and takes the first one whose function does change its sign.
+     * Finds possible events in a motion. They may be false, as the cubic is only an approximation: the loop checks them
+     * with steps of the solver, the earliest first, and takes the first whose function really changes its sign.
      *
-     * @param motion a step as it was made, whose end is the system's present state; its states and the cubic between
-     *               them are to be looked at
-     * @param found  receives all that may have happened, in any order
+     * @param motion the step's motion, whose end is the system's present state
+     * @param found  receives the possible events, in any order
      */
     void findEvents(Motion motion, List<Event> found);
 
     /**
-     * Says where a solver may fail although neither the scene nor its step is to blame: where laws are about to change
-     * within the step, and the solver has to go through what lies beyond before the event can be located. The loop then
-     * goes there in shorter pieces.
+     * Tells whether a solver may fail in a step because the law changes within it: the solver must step across the
+     * event before it can be located. The loop then retries in shorter pieces.
      *
      * @param system the system where a step began
      * @param time   the step's length (s)
-     * @return whether the way may turn sharply within that time
+     * @return whether the path may turn sharply within that time
      */
     default boolean mayTurnWithin(ParticleSystem system, double time) {
         return false;

@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Makes a run's steps, each from event to event: a motion that an event ends is taken back to it, the event happens,
- * and the rest of the step begins there.
+ * Makes the steps of a run and splits them at events: a motion with an event is moved back to it, the event acts, and
+ * the rest of the step begins there.
  */
 final class EventSteps {
-    /** Far more than any sequence of ever smaller bounces has before it ends in rest. */
+    /** Far more than any sequence of ever smaller bounces has before rest. */
     private static final int MOST_EVENTS = 100_000;
-    /** Of a step: less than any turn needs that is not a stop. */
+    /** The shortest piece to try, as a fraction of a step; any turn that is not a stop needs less precision. */
     private static final double SHORTEST_PIECE = 0x1p-40;
 
     private final ParticleSystem system;
@@ -25,9 +25,9 @@ final class EventSteps {
     private long events;
 
     /**
-     * @param system   what moves
-     * @param solver   what moves it
-     * @param observers is told of all motions but the last of a step, and of every event
+     * @param system   the system
+     * @param solver   its solver
+     * @param observers told of every event and of all motions but the last one of a step
      */
     EventSteps(ParticleSystem system, DESolver solver, Observers observers) {
         this.system = system;
@@ -35,7 +35,7 @@ final class EventSteps {
         this.observers = observers;
     }
 
-    /** Adds a rule whose events end motions; they are looked for by a solver that is used for nothing else. */
+    /** Adds a rule with events; searchSolver is used only to locate them. */
     void addRule(EventRule rule, DESolver searchSolver) {
         rules.add(rule);
         if (locator == null) {
@@ -43,28 +43,28 @@ final class EventSteps {
         }
     }
 
-    /** Whether a step may have events: its motions are then always noted down. */
+    /** Whether a step may have events; its motions are then always recorded. */
     boolean areLookedFor() {
         return !rules.isEmpty();
     }
 
-    /** The last motion, where it was noted down. */
+    /** The last motion, if it was recorded. */
     Motion getMotion() {
         return motion;
     }
 
-    /** How many events happened so far. */
+    /** The number of events so far. */
     long getEvents() {
         return events;
     }
 
     /**
-     * Moves the system by a step. Where the solver fails because the way may turn sharply ahead, it is taken in shorter
-     * pieces; where it may not, the failure is the solver's or the step's, and is said.
+     * Makes one step. If the solver fails where the path may turn sharply, the step is retried in shorter pieces; any
+     * other failure is thrown.
      *
      * @param h     the length of the step (s)
-     * @param noted whether to note its motion down
-     * @return whether the last motion was noted down
+     * @param noted whether to record its motion
+     * @return whether the last motion was recorded
      */
     boolean move(double h, boolean noted) {
         double end = system.getTime() + h;
@@ -108,7 +108,7 @@ final class EventSteps {
         return false;
     }
 
-    /** Moves by h, or to the first event before that, and tells which. */
+    /** Moves by h, or to the first event before that; returns whether an event ended it. */
     private boolean moveOn(double h, boolean note) {
         if (note) {
             motion.begin(system);
@@ -120,7 +120,7 @@ final class EventSteps {
         return areLookedFor() && stopAtEvent();
     }
 
-    /** Takes the present motion back to its first event, if it has any, and lets the event happen there. */
+    /** Moves back to the first event of the motion, if it has any, and applies it. */
     private boolean stopAtEvent() {
         Optional<EventLocator.Found> first = locator.locateFirst(system, motion, rules);
         if (first.isEmpty()) {

@@ -35,31 +35,31 @@ public final class Motion {
         return system;
     }
 
-    /** @return when the motion began (s) */
+    /** @return the time at the beginning (s) */
     public double getStartTime() {
         return startTime;
     }
 
-    /** @return when it ended (s) */
+    /** @return the time at the end (s) */
     public double getEndTime() {
         return endTime;
     }
 
-    /** @return the state at the beginning, to be read only; valid while the motion is */
+    /** @return the state at the beginning; read only, valid until the next step begins */
     public double[] getStartState() {
         return startState;
     }
 
-    /** @return the state at the end, before any rule acted, to be read only; valid while the motion is */
+    /** @return the state at the end, before any rule acted; read only, valid until the next step begins */
     public double[] getEndState() {
         return endState;
     }
 
     /**
-     * Interpolates: positions by the cubic, velocities by its derivative.
+     * Interpolates the state: positions by the cubic, velocities by its derivative.
      *
      * @param time  from {@link #getStartTime()} to {@link #getEndTime()} (s)
-     * @param state receives the state; as long as the system's
+     * @param state receives the state; of the system's state size
      */
     public void interpolate(double time, double[] state) {
         double h = endTime - startTime;
@@ -72,7 +72,7 @@ public final class Motion {
             return;
         }
         double u = (time - startTime) / h;
-        double rise = u * u * (3 - 2 * u);              // the Hermite basis: from 0 to 1, level at both ends
+        double rise = u * u * (3 - 2 * u);              // Hermite basis: from 0 to 1, slope 0 at both ends
         double out = u * (1 - u) * (1 - u) * h;         // slope 1 at the beginning
         double in = u * u * (u - 1) * h;                // slope 1 at the end
         double riseRate = 6 * u * (1 - u) / h;

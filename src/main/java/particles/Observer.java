@@ -1,21 +1,19 @@
 package particles;
 
-/**
- * Reads along and changes nothing: the trajectory has the same bits with and without it. Called by simulated time.
- */
+/** A read-only listener of a run; the trajectory has the same bits with and without it. */
 public interface Observer {
 
     /**
-     * Before the first step.
+     * Called before the first step.
      *
-     * @param system the system at its initial state, to be read only
+     * @param system the system in its initial state; read only
      */
     default void started(ParticleSystem system) {
     }
 
     /**
-     * Until which time the observer needs nothing. Steps that end earlier are not reported to it, so that a frame every
-     * 1/25 s costs nothing in the many steps between.
+     * The next time at which the observer wants to be called. Steps that end earlier are not reported to it, so a frame
+     * every 1/25 s costs nothing in the steps between.
      *
      * @return the next simulated time of interest (s); negative infinity for every step
      */
@@ -24,7 +22,7 @@ public interface Observer {
     }
 
     /**
-     * A step was made, and no rule has acted yet.
+     * Called after a step, before any rule has acted.
      *
      * @param motion the smooth motion from the step's beginning to its end; valid until the next step begins
      */
@@ -32,19 +30,19 @@ public interface Observer {
     }
 
     /**
-     * A rule changed something at the end of the motion that was just reported, or at the end of a step that was not.
-     * Told to every observer, whatever its next time, once for each rule that changed something.
+     * Called after a rule changed something at the end of a step. Every observer is told of every change, whatever its
+     * next time.
      *
-     * @param system the system after the change, to be read only
+     * @param system the system after the change; read only
      * @param rule   the rule that made it
      */
     default void changed(ParticleSystem system, Rule rule) {
     }
 
     /**
-     * After the last step.
+     * Called after the last step.
      *
-     * @param system the system at its final state, to be read only
+     * @param system the system in its final state; read only
      */
     default void finished(ParticleSystem system) {
     }

@@ -2,16 +2,16 @@ package particles;
 
 import java.util.List;
 
-/** The observers of a run, and what they are told when. */
+/** The observers of a run, and which of them is called when. */
 final class Observers {
     private final List<Observer> observers;
 
-    /** @param observers who is told; the list may grow */
+    /** @param observers the observers; the list may grow */
     Observers(List<Observer> observers) {
         this.observers = observers;
     }
 
-    /** Tells a motion to those whose time comes within it. */
+    /** Reports a motion to the observers whose next time is within it. */
     void reportMotion(Motion motion) {
         for (Observer observer : observers) {
             if (observer.getNextTime() <= motion.getEndTime()) {
@@ -26,7 +26,7 @@ final class Observers {
         }
     }
 
-    /** Whether anyone wants to see a motion until then (s). */
+    /** Whether any observer wants to see a motion that ends at this time (s). */
     boolean isInterested(double until) {
         for (Observer observer : observers) {
             if (observer.getNextTime() <= until) {

@@ -19,10 +19,9 @@ import particles.law.Reaction;
 import particles.law.Vector3;
 
 /**
- * A system of n particles in space as a source for solvers: the state is
- * s = (x<sub>1</sub>, v<sub>1</sub>, ..., x<sub>n</sub>, v<sub>n</sub>) in R<sup>6n</sup>, its derivative
- * (v<sub>1</sub>, F<sub>1</sub>/m<sub>1</sub>, ...), where F is the sum over the effects that were added and then the
- * answer of the reactions. Nothing acts that was not added.
+ * A system of n particles in space as a source for solvers: the state is s = (x<sub>1</sub>, v<sub>1</sub>, ...,
+ * x<sub>n</sub>, v<sub>n</sub>) in R<sup>6n</sup>, its derivative (v<sub>1</sub>, F<sub>1</sub>/m<sub>1</sub>, ...),
+ * where F is the sum of the effects that were added, plus the reactions to that sum.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
  */
@@ -42,13 +41,13 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /**
      * Adds a particle.
      *
-     * @param id       its name, not used by any other; not checked here
+     * @param id       its name, which must be unique (not checked here)
      * @param mass     m (kg), positive
      * @param position x (m)
      * @param velocity v (m/s); zero if it is fixed
      * @param fixed    whether it stays where it is, whatever the forces
      * @return its index
-     * @throws IllegalArgumentException if mass, position or velocity cannot be
+     * @throws IllegalArgumentException if mass, position or velocity is out of range
      */
     public int addParticle(String id, double mass, Vector3 position, Vector3 velocity, boolean fixed) {
         Particles.requirePossible(id, position, velocity, fixed);
@@ -63,20 +62,19 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Gives a particle its span of life. Nothing but rules and pictures looks at it.
+     * Sets a particle's lifetime, which only rules and pictures use.
      * @param i         its index
-     * @param birthTime when it came into being (s)
-     * @param deathTime when it is to die of age (s); may be infinite
+     * @param birthTime when it was born (s)
+     * @param deathTime when it will die of age (s); may be infinite
      */
     public void setLife(int i, double birthTime, double deathTime) {
         particles.setLife(i, birthTime, deathTime);
     }
 
     /**
-     * Takes particles out. Those that stay keep their order and move up to fill the gaps; effects and reactions are
-     * told.
+     * Removes particles. The others keep their order and move up to fill the gaps; effects and reactions are told.
      *
-     * @param gone by index, true for particles to be taken out; as many as there are particles
+     * @param gone for each particle, whether to remove it
      * @return the new index of each particle by its old one, -1 for those that are gone
      */
     public int[] removeParticles(boolean[] gone) {
@@ -103,12 +101,11 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Lets a fixed particle follow a given motion, exactly: it is where the motion is at the clock's time, for the
-     * forces at every stage of a step too. It is no unknown: solvers see zeros in its place that stay zeros, and what
-     * they set there is ignored.
+     * Lets a fixed particle follow a given motion exactly, at every stage of a step too. It is not an unknown of the
+     * equations: solvers see zeros in its place, and values they set there are ignored.
      *
      * @param particle the index of a fixed particle
-     * @param motion   where it is to be at each time
+     * @param motion   its motion
      * @throws IllegalArgumentException if the particle is not fixed
      */
     public void moveAnchor(int particle, AnchorMotion motion) {
@@ -123,44 +120,44 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /**
      * @param time          t (s)
-     * @param accelerations receives those of the moving anchors (m/s&sup2;), where velocities stand in the state; no
-     *                      others
+     * @param accelerations receives the accelerations of the moving anchors (m/s&sup2;) in the entries of their
+     *                      velocities; other entries are left alone
      */
     public void putAnchorAccelerations(double time, double[] accelerations) {
         anchors.accelerate(time, accelerations);
     }
 
-    /** @param effect a force to act from now on, after those added before */
+    /** @param effect a force, evaluated after those added before */
     public void addEffect(Effect effect) {
         effects.add(effect);
     }
 
-    /** @param reaction a reaction to act from now on, after all effects */
+    /** @param reaction a reaction, evaluated after all effects and earlier reactions */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);
     }
 
-    /** @return what the particles are */
+    /** @return the particles' constant data: ids, masses, which are fixed */
     public Particles getParticles() {
         return particles;
     }
 
-    /** @return the effects, in the order in which they act; to be read only */
+    /** @return the effects in the order of evaluation; read only */
     public List<Effect> getEffects() {
         return Collections.unmodifiableList(effects);
     }
 
-    /** @return the reactions, in the order in which they act; to be read only */
+    /** @return the reactions in the order of evaluation; read only */
     public List<Reaction> getReactions() {
         return Collections.unmodifiableList(reactions);
     }
 
-    /** @return the state itself, for rules and observers: 6 doubles a particle, for all there are, not to be kept */
+    /** @return the state array itself, 6 doubles a particle, for rules and observers; do not keep a reference */
     public double[] getOwnState() {
         return state;
     }
 
-    /** @return how often the derivative was evaluated by solvers */
+    /** @return how often solvers evaluated the derivative */
     public long getEvaluations() {
         return evaluations;
     }
@@ -170,7 +167,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return 3;
     }
 
-    /** Asked anew each time: a spring force that has damped springs only since it was added counts too. */
+    /** Checked at each call, since springs with damping may have been added. */
     @Override
     public boolean accelerationDependsOnVelocity() {
         return forces.dependOnVelocity();
@@ -198,7 +195,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return time;
     }
 
-    /** Sets the clock to exactly this time; going back by a difference may miss it by a rounding. */
+    /** Sets the clock to exactly this time; incTime with a difference might be off by round-off. */
     void setTime(double time) {
         this.time = time;
         anchors.put(time, state);
@@ -267,17 +264,17 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return particles.inverseMasses()[i];
     }
 
-    /** @return what adds up this system's forces, for those that evaluate it in another way, such as by threads */
+    /** @return the sum of this system's forces, for example to evaluate it on several threads */
     public ForceSum getForceSum() {
         return forces;
     }
 
     /**
-     * The forces of all effects, without the reactions' answer, for ledgers and checks; not counted as an evaluation.
+     * Computes the sum of all effects without the reactions, for ledgers and checks; not counted as an evaluation.
      *
      * @param state a state of this system
      * @param time  t (s)
-     * @param force receives the forces (N) where the velocities stand in the state, 0 in the other entries
+     * @param force receives the forces (N) in the entries of the velocities, 0 in the others
      */
     public void addUpEffects(double[] state, double time, double[] force) {
         forces.effects(state, time, force);
@@ -294,7 +291,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /**
      * @param state a state of this system
      * @param time  t (s)
-     * @return kinetic energy plus what every effect stores (J)
+     * @return kinetic energy plus the potential energy of all effects (J)
      */
     public double getEnergy(double[] state, double time) {
         double energy = getKineticEnergy(state);

@@ -1,25 +1,21 @@
 package particles;
 
 /**
- * A law that acts between steps, never inside the derivative: a bounce, a birth, a tear, or the change of a reaction's
- * mode. Rules see a step's beginning and its end and may change anything at the end.
+ * A law that acts between steps, never inside the derivative: a bounce, a birth, a tear, or the change from sliding to
+ * sticking. A rule may change anything at the end of a step.
  */
 public interface Rule {
 
     /** @return the name in scenes and messages, such as {@code impacts} */
     String getName();
 
-    /**
-     * @return whether all it changes mends errors of the steps, so that energy that it gives or takes is an error as
-     *         well
-     */
+    /** @return whether the rule only corrects errors of steps, so that energy it adds or removes counts as error too */
     default boolean isCorrection() {
         return false;
     }
 
     /**
-     * Looks at the system before the first step and puts in order what the scene left open, such as which particles
-     * rest on a plane from the start.
+     * Called before the first step; finds, for example, which particles rest on a plane from the start.
      *
      * @param system the system as the scene describes it
      */
@@ -27,19 +23,19 @@ public interface Rule {
     }
 
     /**
-     * Looks at the system before a step.
+     * Called before each step.
      *
-     * @param system the system, to be read only
+     * @param system the system; read only
      */
     default void beforeStep(ParticleSystem system) {
     }
 
     /**
-     * Acts at the end of a step.
+     * Called at the end of each step; may change the system.
      *
-     * @param system the system, to be changed as the rule says
+     * @param system the system
      * @param deltaT the step that was made (s)
-     * @return whether anything was changed: state, modes, particles; the solver is then told to forget the past
+     * @return whether anything was changed; if so, the solver is reset
      */
     boolean afterStep(ParticleSystem system, double deltaT);
 }

@@ -8,11 +8,11 @@ import java.util.List;
 import particles.law.Particles;
 
 /**
- * The loop: step, observers, rules, energy limit, until the duration is over. The last step is shortened so that the
- * run ends at its duration.
+ * The simulation loop: step, observers, rules, energy limit, until the duration is over. The last step is shortened to
+ * end exactly there.
  */
 public final class Simulation {
-    /** A last step longer than deltaT by no more than this part of it is rounding of the clock, not a step too many. */
+    /** A last step up to this fraction longer than deltaT is made as one step: the excess is round-off of the clock. */
     private static final double ROUNDING = 1e-6;
 
     private final ParticleSystem system;
@@ -28,11 +28,11 @@ public final class Simulation {
     private long steps;
 
     /**
-     * @param system      what moves
-     * @param solver      what moves it
+     * @param system      the system
+     * @param solver      its solver
      * @param deltaT      the time step (s), positive
      * @param duration    how long the run lasts, from the system's present time (s), 0 or more
-     * @param energyLimit the kinetic energy beyond which the run has blown up (J), positive; may be infinite
+     * @param energyLimit the kinetic energy above which the run counts as blown up (J), positive; may be infinite
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Simulation(ParticleSystem system, DESolver solver, double deltaT, double duration, double energyLimit) {
@@ -50,7 +50,7 @@ public final class Simulation {
         this.eventSteps = new EventSteps(system, solver, audience);
     }
 
-    /** @param rule to act after every step, after those added before */
+    /** @param rule called after every step, after the rules added before */
     public void addRule(Rule rule) {
         rules.add(rule);
     }
@@ -58,21 +58,20 @@ public final class Simulation {
     /**
      * Adds a rule that acts inside steps too.
      *
-     * @param rule         to act at its events, and after every step like any other rule
-     * @param searchSolver a solver of the same kind as the run's and used for nothing else, for the search of event
-     *                     times
+     * @param rule         the rule; it also acts after every step like any other
+     * @param searchSolver a second solver of the same kind as the run's, used only to locate events
      */
     public void addEventRule(EventRule rule, DESolver searchSolver) {
         rules.add(rule);
         eventSteps.addRule(rule, searchSolver);
     }
 
-    /** @return the rules, in the order in which they act; to be read only */
+    /** @return the rules in the order in which they act; read only */
     public List<Rule> getRules() {
         return Collections.unmodifiableList(rules);
     }
 
-    /** @param observer to be told of every step */
+    /** @param observer the observer to add */
     public void addObserver(Observer observer) {
         observers.add(observer);
     }
@@ -90,7 +89,7 @@ public final class Simulation {
         finish();
     }
 
-    /** Tells rules and observers that the first step is about to come; once, before {@link #advance()}. */
+    /** Starts rules and observers; call it once, before {@link #advance()}. */
     public void start() {
         endTime = system.getTime() + duration;
         rules.forEach(rule -> rule.start(system));
@@ -105,8 +104,8 @@ public final class Simulation {
     /**
      * Makes one step.
      *
-     * @throws SimulationException if the numbers stop being finite or the energy passes its limit; what observers saw
-     *                             until then stands
+     * @throws SimulationException if a number is no longer finite or the energy exceeds its limit; observers keep what
+     *         they have seen
      */
     public void advance() {
         double left = endTime - system.getTime();
@@ -167,17 +166,17 @@ public final class Simulation {
         return duration;
     }
 
-    /** @return the kinetic energy beyond which the run has blown up (J) */
+    /** @return the kinetic energy above which the run counts as blown up (J) */
     public double getEnergyLimit() {
         return energyLimit.joules();
     }
 
-    /** @return how many events were located so far */
+    /** @return the number of events located so far */
     public long getEvents() {
         return eventSteps.getEvents();
     }
 
-    /** @return how many steps were made so far */
+    /** @return the number of steps made so far */
     public long getSteps() {
         return steps;
     }

@@ -1,8 +1,8 @@
 package particles;
 
 /**
- * A run that cannot go on: a step failed, the energy grew beyond what the scene allows, or no forces keep all that is
- * to be kept.
+ * Thrown when a run cannot go on: a step failed, the energy exceeded its limit, or rods and wires contradict each
+ * other.
  */
 public class SimulationException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -12,9 +12,9 @@ public class SimulationException extends RuntimeException {
 
     /**
      * @param time     the simulated time (s)
-     * @param particle the index of the particle that shows the trouble, or -1
+     * @param particle the index of the particle concerned, or -1
      * @param message  what happened
-     * @param cause    the exception that says so, or null where the loop itself noticed
+     * @param cause    the cause, or null if the loop itself found the problem
      */
     public SimulationException(double time, int particle, String message, Throwable cause) {
         super(message, cause);
@@ -27,7 +27,7 @@ public class SimulationException extends RuntimeException {
         return time;
     }
 
-    /** @return the index of the particle that shows the trouble, or -1 */
+    /** @return the index of the particle concerned, or -1 */
     public int getParticle() {
         return particle;
     }

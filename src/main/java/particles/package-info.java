@@ -1,6 +1,6 @@
 /**
- * Particle and mass-spring systems: {@link particles.ParticleSystem}, the source that solvers step, and
- * {@link particles.Simulation}, the loop around it.
+ * Particle and mass-spring systems: {@link particles.ParticleSystem}, the source that solvers step, and {@link
+ * particles.Simulation}, the loop around it.
  *
  * <p>"A set of particles, plus a set of rules governing their motion": the particles' state is (x<sub>1</sub>,
  * v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup>. What a step does, in the order in which the
@@ -21,7 +21,7 @@
  * <li>{@link particles.EnergyLimit} ends a run that has blown up.</li>
  * </ol>
  *
- * <p>Only what the scene names is created, and nothing else costs anything. Lengths are in metres, masses in kilograms,
+ * <p>Only effects and rules that the scene names are created and cost time. Lengths are in metres, masses in kilograms,
  * times in seconds; y points up.
  */
 package particles;

@@ -63,7 +63,7 @@ class ArchitectureTest {
                                            particles.output.animation particles.output.charts particles.output.files
                                            particles.output.frames particles.output.raster particles.scene
                                            particles.scene.format particles.threads particles.view picocli
-            particles.app.student:         deSolvers deSolvers.catalog particles particles.app.cli particles.law
+            particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.output.text
                                            particles.spec particles.teaching particles.teaching.effects

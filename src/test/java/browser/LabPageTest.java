@@ -238,6 +238,32 @@ class LabPageTest {
     }
 
     @Test
+    void withoutWebGLTheRestOfThePageWorks() {
+        page.driver().executeCdpCommand("Page.addScriptToEvaluateOnNewDocument", Map.of("source", """
+                const original = HTMLCanvasElement.prototype.getContext;
+                HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+                  return kind.startsWith('webgl') ? null : original.call(this, kind, ...more);
+                };
+                """));
+        page.driver().navigate().refresh();
+        page.await("the first scene", () -> !page.text("steps").isEmpty() && !page.text("limit").isEmpty());
+        assertTrue(page.text("view").contains("no WebGL 2"), page.text("view"));
+        runToTheEnd();
+        assertEquals("252", page.text("steps"));
+        assertEquals(1, energyRatio(), 1e-5);
+    }
+
+    @Test
+    void withOmegaOneTheExactCurveIsDrawnAsACircle() {
+        page.openScene("02-one-spring");
+        runToTheEnd();
+        List<?> pixels = (List<?>) page.script("const u = window.lab.phase.plot;"
+                + " return [u.valToPos(1, 'x') - u.valToPos(-1, 'x'), u.valToPos(-1, 'y') - u.valToPos(1, 'y')];");
+        double across = ((Number) pixels.get(0)).doubleValue();
+        assertEquals(across, ((Number) pixels.get(1)).doubleValue(), 0.01 * across);
+    }
+
+    @Test
     void theChosenParticleIsTheOneThatIsClicked() {
         page.openScene("05-hanging-chain");
         List<?> place = (List<?>) page.script("const view = document.getElementById('view').getBoundingClientRect();"

@@ -28,7 +28,7 @@ import particles.law.Vector3;
 class AllocationTest {
     private static final int STEPS = 1000;
 
-    /** Air that rises faster the longer it blows; StrictMath.cos in the winds of scenes allocates from JDK 21 on. */
+    /** Wind that grows with time; it uses no StrictMath.cos, which allocates from JDK 21 on. */
     private static final class RisingAir implements Wind {
         @Override
         public void getVelocities(double[] state, double time, double[] wind, int from, int to) {
@@ -58,7 +58,9 @@ class AllocationTest {
         return threads.getCurrentThreadAllocatedBytes() - before;
     }
 
-    /** Measured 0 to 1,104 (the bean's own, and the compiler at work); one boxed number a step would be 16,000. */
+    /**
+     * Measured 0 to 1,104 bytes (by the measurement itself and the compiler); one boxed number a step would be 16,000.
+     */
     private static void assertNothing(long bytes) {
         assertTrue(bytes < 4000, bytes + " bytes in " + STEPS + " steps");
     }
@@ -78,7 +80,7 @@ class AllocationTest {
         cloth.addEffect(new QuadraticDrag(particles, 0.01, new RisingAir()));
         cloth.addEffect(new PointAttraction(particles, Vector3.ZERO, 0.1, 0.1));
         cloth.addEffect(new PenaltyPlane(particles, new Plane(new Vector3(0, -0.2, 0), new Vector3(0, 1, 0)), 10, 0.1));
-        // whose matrix changes its form with the neighbours
+        // whose matrix changes its pattern with the neighbours
         if (!SolverCatalog.info(solver).family().equals("implicit")) {
             cloth.addEffect(new Cohesion(particles, 0.1, 0.05, 1e-4, 1e-3));
         }

@@ -25,7 +25,7 @@ import particles.law.Vector3;
 /** A system steps with the same bits whether solvers use its arrays or only the plain interface. */
 class ArrayStateSourceTest {
 
-    /** Still air for a second, then none that could be told: a step that goes on beyond fails. */
+    /** Still air for a second, then NaN, so that a later step fails. */
     private static final Wind ENDING = (state, time, wind, from, to) -> Arrays.fill(wind, 6 * from, 6 * to,
             time < 1 ? 0 : Double.NaN);
 
@@ -78,7 +78,7 @@ class ArrayStateSourceTest {
         assertEquals(slow.getEvaluations(), fast.getEvaluations());
     }
 
-    /** A step that fails leaves the array that it found, and the solver's own arrays are not the system's. */
+    /** A step that fails restores the system's array; the solver's arrays are separate ones. */
     @ParameterizedTest
     @ValueSource(strings = {"euler", "midpoint", "rk4", "symplectic-euler", "verlet", "yoshida4", "dormand-prince",
             "step-doubling",
@@ -97,7 +97,7 @@ class ArrayStateSourceTest {
         double[] own = system.getStateArray();
         solver.stepState(system, 0.01);
         if (system.getStateArray() != own) {
-            own[7] = Double.NaN;                        // it is the solver's now, and nothing to the system
+            own[7] = Double.NaN;                        // the solver owns it now; the system must not notice
         }
         double[] after = system.getStateArray().clone();
         ParticleSystem again = net();
@@ -110,7 +110,7 @@ class ArrayStateSourceTest {
     }
 
     @Test
-    void exchangedArraysChangeHands() {
+    void exchangedArraysChangeOwner() {
         ParticleSystem system = net();
         double[] before = system.getStateArray();
         double[] other = before.clone();

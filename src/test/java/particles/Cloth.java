@@ -6,7 +6,10 @@ import particles.law.Vector3;
 
 /** Square cloths of 10 g particles for tests. */
 public final class Cloth {
-    /** How each particle is joined: to its neighbours, across the squares, and to the next but one against bending. */
+    /**
+     * Offsets of each particle's springs: to its neighbours, across the squares, and to the next but one against
+     * bending.
+     */
     private static final int[][] JOINTS = {{0, 1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}};
 
     private Cloth() {

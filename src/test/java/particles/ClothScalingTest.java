@@ -10,9 +10,8 @@ import org.junit.jupiter.api.Test;
 import particles.effects.springs.SpringForce;
 
 /**
- * What an implicit step of a cloth costs, from 1,000 to 250,000 springs with the same omega deltaT of about 6 (k = 100
- * N/m, m = 10 g, deltaT = 1/60 s). The work is counted in products of 3 x 3 blocks, which does not depend on the
- * machine.
+ * The cost of an implicit step of a cloth, from 1,000 to 250,000 springs with the same omega deltaT of about 6 (k = 100
+ * N/m, m = 10 g, deltaT = 1/60 s), counted in products of 3 x 3 blocks, which do not depend on the machine.
  */
 @Tag("slow")
 class ClothScalingTest {

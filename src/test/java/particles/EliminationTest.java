@@ -12,7 +12,7 @@ import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
-/** Of a step's linear system implicit solvers eliminate the unknowns where that takes less work than iterations. */
+/** Implicit solvers use elimination instead of iterations when that takes less work. */
 class EliminationTest {
     private static final double FRAME = 1.0 / 60;
 
@@ -22,12 +22,10 @@ class EliminationTest {
         return solver.getWork();
     }
 
-    /**
-     * Where elimination begins neither way takes more work: whichever is taken, none that is much cheaper is missed.
-     */
+    /** At the stiffness where elimination takes over, both ways take about the same work. */
     @ParameterizedTest
     @ValueSource(ints = {20, 24, 32})
-    void aClothIsEliminatedFromWhereIterationsWouldTakeMoreWork(int edge) {
+    void aClothIsEliminatedOnceIterationsTakeMoreWork(int edge) {
         ImplicitWork softer = work(Cloth.hanging(edge, 20, 0));
         assertEquals(0, softer.factorisations());
         int changes = 0;
@@ -60,7 +58,7 @@ class EliminationTest {
         return system;
     }
 
-    /** In a chain nothing fills in: elimination is cheaper by far, as soon as there is anything to save. */
+    /** A chain has no fill-in, so elimination is far cheaper as soon as iterations are many. */
     @Test
     void aChainIsEliminatedAsSoonAsIterationsAreMany() {
         ImplicitWork soft = work(chain(200));

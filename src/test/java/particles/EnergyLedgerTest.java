@@ -34,7 +34,7 @@ import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 import particles.rules.ExactImpacts;
 
-/** The ledger's books against closed forms, and what they leave unexplained against the orders of the solvers. */
+/** Tests the ledger's work against closed forms, and its numerical error against the orders of the solvers. */
 class EnergyLedgerTest {
 
     private static EnergyLedger run(ParticleSystem system, DESolver solver, double deltaT, double duration) {
@@ -97,22 +97,19 @@ class EnergyLedgerTest {
         return Math.log(coarse / fine) / Math.log(4);
     }
 
-    /** Bar: within 0.2 of the order. Measured: 1.00, 1.00, 2.11, 2.00, 3.86, 1.00, 2.00, 4.13, 4.00. */
+    /** Bound: within 0.2 of the order. Measured: 1.00, 1.00, 2.11, 2.00, 3.86, 1.00, 2.00, 4.13, 4.00. */
     @ParameterizedTest
     @CsvSource({"euler, 1, 0.0002", "symplectic-euler, 1, 0.0002", "midpoint, 2, 0.0005", "verlet, 2, 0.002",
             "rk4, 4, 0.01",
         "backward-euler, 1, 0.0002", "implicit-midpoint, 2, 0.004", "adams, 4, 0.002", "yoshida4, 4, 0.004"})
-    void theRemainderFallsWithTheSolversOrder(String solver, int order, double h) {
+    void numericalErrorFallsWithTheSolversOrder(String solver, int order, double h) {
         assertEquals(order, slope(EnergyLedgerTest::everything, () -> SolverCatalog.create(solver), h, 1.03), 0.2);
     }
 
-    /**
-     * Within 10 tolerances of the energy scale is asked; with the kinetic energy, 6.9 J, as the scale 0.023 was
-     * measured.
-     */
+    /** Bound: 10 tolerances times the energy scale. Measured 0.023, with the kinetic energy, 6.9 J, as the scale. */
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})
-    void theRemainderOfAdaptiveSolversIsWithinTheTolerance(String solver) {
+    void numericalErrorOfAdaptiveSolversIsWithinTheTolerance(String solver) {
         for (double[] run : new double[][] {{1e-3, 0.05}, {1e-4, 0.02}, {1e-6, 0.01}}) {
             double tolerance = run[0];
             ParticleSystem system = everything();
@@ -127,17 +124,17 @@ class EnergyLedgerTest {
      * slopes 3 and 5 over a given time.
      */
     @Test
-    void theOscillatorsSlopesAreThreeAndFive() {
+    void energyErrorOfTheUndampedOscillatorFallsWithOrdersThreeAndFive() {
         assertEquals(3, slope(EnergyLedgerTest::oscillator, MidpointSolver::new, 0.02, 10), 0.02);
         assertEquals(5, slope(EnergyLedgerTest::oscillator, RK4Solver::new, 0.1, 10), 0.02);
     }
 
     /**
-     * E0 (1 + (omega h)&sup2;)^-n for backward Euler, E0 (1 + (omega h)&sup2;)^n for Euler: nothing else is on,
-     * so all is error.
+     * E0 (1 + (omega h)&sup2;)^-n for backward Euler, E0 (1 + (omega h)&sup2;)^n for Euler: without other effects all
+     * change is error.
      */
     @Test
-    void withNothingOnItIsThePlainDrift() {
+    void energyDriftWithoutOtherEffectsIsAllNumericalError() {
         double factor = Math.pow(1 + 0.01 * 0.01, -1000);
         EnergyLedger backward = run(oscillator(), new BackwardEulerSolver(), 0.01, 10);
         assertEquals(0.5 * factor, backward.getEnergy(), 0.5 * factor * 1e-9);
@@ -148,7 +145,7 @@ class EnergyLedgerTest {
         assertEquals(forward.getEnergy() - 0.5, forward.getNumericalError());
     }
 
-    /** A fall with drag: what was dissipated is what is missing, m g times the fall minus the kinetic energy. */
+    /** A fall with drag dissipates m g times the fall minus the kinetic energy. */
     @Test
     void dragIsBookedAsDrag() {
         ParticleSystem system = Systems.oneParticle(Vector3.ZERO, Vector3.ZERO);
@@ -160,7 +157,7 @@ class EnergyLedgerTest {
         assertEquals(0, ledger.getNumericalError(), 1e-9);
     }
 
-    /** Bouncing to rest: the bounces take m g h0 and nothing is counted twice, neither in flight nor at rest. */
+    /** Bouncing to rest loses m g h0, and nothing is counted twice. */
     @Test
     void bouncesAndRestAreBookedOnce() {
         ParticleSystem system = Systems.oneParticle(new Vector3(0, 1, 0), new Vector3(1, 0, 0));
@@ -175,14 +172,14 @@ class EnergyLedgerTest {
         simulation.addObserver(ledger);
         simulation.run();
         assertEquals(-9.81, ledger.getWork().get("impacts"), 1e-9);
-        assertEquals(-0.5, ledger.getWork().get("contact"), 1e-9, "friction takes the speed along the ground");
+        assertEquals(-0.5, ledger.getWork().get("contact"), 1e-9, "friction stops the motion along the ground");
         assertEquals(0, ledger.getEnergy(), 1e-12);
         assertEquals(0, ledger.getNumericalError(), 1e-9);
     }
 
-    /** With an anchor that is shaken in resonance the anchor's work is the energy, and none is left unexplained. */
+    /** In resonance the work of the shaken anchor is the whole energy, without numerical error. */
     @Test
-    void theHandThatShakesDoesTheWork() {
+    void aShakenAnchorsWorkIsBooked() {
         ParticleSystem system = everything();
         EnergyLedger ledger = run(system, new RK4Solver(), 0.001, 3);
         assertTrue(Math.abs(ledger.getWork().get("moving anchors")) > 0.1, ledger.getWork().toString());
@@ -190,7 +187,7 @@ class EnergyLedgerTest {
     }
 
     @Test
-    void theLedgerChangesNothing() {
+    void theLedgerDoesNotChangeTheTrajectory() {
         ParticleSystem alone = everything();
         Systems.run(alone, new SymplecticEulerSolver(), 0.01, 1);
         ParticleSystem booked = everything();

@@ -28,11 +28,11 @@ import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
- * The laws of mechanics on masses and springs that nobody chose. A counterexample is shrunk to the smallest that still
- * breaks the law, and printed with the seed with which it comes again ({@code @Property(seed = ...)}).
+ * Property tests of the laws of mechanics on random masses and springs. A counterexample is shrunk and printed with the
+ * seed that reproduces it ({@code @Property(seed = ...)}).
  *
- * <p>Bounds are for numbers of the order of 100: forces up to 300 N, momenta up to 60 kg m/s, times up to 0.5 s. What
- * was measured over 5,000 systems of each law stands beside them.
+ * <p>Bounds are for numbers of the order of 100: forces up to 300 N, momenta up to 60 kg m/s, times up to 0.5 s. The
+ * largest values measured over 5,000 systems stand beside them.
  */
 @PropertyDefaults(tries = 200, shrinking = ShrinkingMode.BOUNDED)
 class LawsOnRandomSystemsTest {
@@ -106,7 +106,7 @@ class LawsOnRandomSystemsTest {
 
     /** Every method keeps momentum, which is linear, to rounding: measured 3.9e-14. */
     @Property
-    void momentumIsKept(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
+    void everySolverConservesMomentum(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
         ParticleSystem system = any.build();
         double[] before = momenta(system);
         RandomSystem.run(system, solver.get(), DELTA_T, STEPS);
@@ -115,7 +115,7 @@ class LawsOnRandomSystemsTest {
 
     /** Angular momentum is quadratic: leapfrogs keep it to rounding, measured 1.2e-13. */
     @Property
-    void angularMomentumIsKeptByLeapfrogs(@ForAll("undamped") RandomSystem any,
+    void leapfrogsConserveAngularMomentum(@ForAll("undamped") RandomSystem any,
             @ForAll("symmetric") Supplier<DESolver> solver) {
         ParticleSystem system = any.build();
         double[] before = momenta(system);
@@ -123,9 +123,10 @@ class LawsOnRandomSystemsTest {
         assertNear(before, momenta(system), 6, 1e-12);
     }
 
-    /** Forward, turn round, forward again: where it began. Measured 1.5e-13. */
+    /** Stepping forward, reversing all velocities and stepping again leads back to the start. Measured 1.5e-13. */
     @Property
-    void timeCanBeTurnedRound(@ForAll("undamped") RandomSystem any, @ForAll("symmetric") Supplier<DESolver> solver) {
+    void symmetricSolversAreTimeReversible(@ForAll("undamped") RandomSystem any,
+            @ForAll("symmetric") Supplier<DESolver> solver) {
         ParticleSystem system = any.build();
         double[] start = Arrays.copyOf(system.getOwnState(), system.getStateSize());
         for (int way = 0; way < 2; way++) {
@@ -144,9 +145,9 @@ class LawsOnRandomSystemsTest {
     }
 
     /**
-     * What drag, damping and gravity do is all that changes the energy, to the order of the method, where no spring
-     * passes through its point of length 0, at which its force has a kink. Measured 3.6e-5 J, where energies are up to
-     * 500 J and springs oscillate with up to 60 rad/s: as (omega deltaT)^4.
+     * Drag, damping and gravity explain all changes of energy, to the order of the method, if no spring passes through
+     * length 0, where its force has a kink. Measured 3.6e-5 J, for energies up to 500 J and springs of up to 60 rad/s:
+     * as (omega deltaT)^4.
      */
     @Property
     void theEnergyLedgerBalances(@ForAll("damped") RandomSystem any) {
@@ -181,12 +182,9 @@ class LawsOnRandomSystemsTest {
         return Math.abs(ledger.getNumericalError());
     }
 
-    /**
-     * Numbering is bookkeeping: forces are added up in another order, and nothing else. Measured 1.0e-14 times the
-     * growth.
-     */
+    /** Renumbering particles and springs only changes the order of summation. Measured 1.0e-14 times the growth. */
     @Property
-    void numbersOfParticlesAndSpringsDoNotMatter(@ForAll("damped") RandomSystem any,
+    void renumberingChangesNothingButRoundOff(@ForAll("damped") RandomSystem any,
             @ForAll("simple") Supplier<DESolver> solver) {
         int n = any.balls().size();
         int[] place = new int[n];
@@ -203,14 +201,14 @@ class LawsOnRandomSystemsTest {
     }
 
     /**
-     * Space has no place and no direction, and nothing knows a uniform motion. What is rounded differently grows as
-     * neighbouring motions part, past a spring's point of length 0 some 300 times; the largest error seen is 7.5e-12.
-     * So the bound is for each system its own growth times 1e-12: 64 steps round x and v of both motions, of some 8 m,
-     * to 4.4e-16 each, 1.1e-13, besides the forces. Measured over 130,000 systems, with 22 seeds: 2.2e-13 times the
-     * growth.
+     * Translation, rotation and uniform motion change nothing. Different round-off grows as neighbouring trajectories
+     * diverge, 300-fold past a spring's point of length 0; the largest error seen is 7.5e-12. So the bound for each
+     * system is its own growth times 1e-12: 64 steps round x and v of both motions, of some 8 m, to 4.4e-16 each,
+     * 1.1e-13, besides the forces. Measured over 130,000 systems, with 22 seeds: 2.2e-13 times the growth.
      */
     @Property
-    void spaceIsTheSameEverywhere(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
+    void resultsAreInvariantUnderTranslationRotationAndBoost(@ForAll("damped") RandomSystem any,
+            @ForAll("simple") Supplier<DESolver> solver) {
         Vector3 shift = new Vector3(3, -1, 2);
         Vector3 drift = new Vector3(-0.5, 1, 0.25);
         RandomSystem moved = any.with(ball -> new Ball(ball.mass(), turned(ball.position()).plus(shift),
@@ -228,9 +226,7 @@ class LawsOnRandomSystemsTest {
         }
     }
 
-    /**
-     * How far the end moves, at most, when one number of the beginning does: the largest entry of the flow's Jacobian.
-     */
+    /** The largest entry of the flow's Jacobian: how much the end changes with one number of the initial state. */
     private static double growth(RandomSystem any, DESolver solver, double[] end) {
         double delta = 1e-7;
         double largest = 0;
@@ -245,18 +241,16 @@ class LawsOnRandomSystemsTest {
         return largest;
     }
 
-    /** By the angle of a 3-4-5 triangle about z, and that of a 5-12-13 one about x. */
+    /** Rotates by the angle of a 3-4-5 triangle about z, then by that of a 5-12-13 one about x. */
     private static Vector3 turned(Vector3 a) {
         Vector3 b = new Vector3(0.6 * a.x() - 0.8 * a.y(), 0.8 * a.x() + 0.6 * a.y(), a.z());
         return new Vector3(b.x(), 5 * b.y() / 13 - 12 * b.z() / 13, 12 * b.y() / 13 + 5 * b.z() / 13);
     }
 
-    /**
-     * In other units of length, mass and time, all powers of two, every number has the same digits: not one bit
-     * differs.
-     */
+    /** Changing the units of length, mass and time by powers of two changes no mantissa bit. */
     @Property
-    void unitsDoNotMatter(@ForAll("damped") RandomSystem any, @ForAll("simple") Supplier<DESolver> solver) {
+    void unitsScaledByPowersOfTwoChangeNoBit(@ForAll("damped") RandomSystem any,
+            @ForAll("simple") Supplier<DESolver> solver) {
         int length = 5;
         int mass = -3;
         int time = 7;

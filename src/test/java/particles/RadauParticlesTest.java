@@ -44,7 +44,7 @@ class RadauParticlesTest {
         return system;
     }
 
-    /** A force that does not know its derivatives, across the motion and by position and velocity. */
+    /** A force without known derivatives, across the motion and dependent on position and velocity. */
     private static final class Swirl implements Effect {
         @Override
         public String getName() {
@@ -71,9 +71,9 @@ class RadauParticlesTest {
     }
 
     /**
-     * Nearly the same sub-steps and the same path, both ways: mild, with diagonal blocks; so stiff and damped that the
-     * matrix is factorised; a long chain with a force that does not know its derivatives, whose blocks are not the
-     * whole Jacobian; and back in time, where damping feeds energy in.
+     * Nearly the same sub-steps and path with blocks and with the full matrix: a mild case with diagonal blocks; one so
+     * stiff and damped that the matrix is factorised; backwards in time, where damping adds energy; and a long chain
+     * with a force without known derivatives, so that blocks are not the whole Jacobian.
      */
     @ParameterizedTest
     @CsvSource({"8, 1000, 0.4, false, 15, 1e-9", "8, 1e6, 200, false, 15, 1e-8", "8, 1e6, 200, false, -15, 1e-12",
@@ -94,20 +94,20 @@ class RadauParticlesTest {
         }
         // Measured 1.1e-10, 1.1e-9, 4.8e-14 and 6.1e-11, on positions of up to 9 m.
         assertTrue(largestDifference(system, twin) < bound, "difference " + largestDifference(system, twin));
-        assertEquals(swirl, solver.getWork().products() > 0, "differences only where they have to be");
-        assertEquals(steps > 0 && stiffness > 1e5, solver.getWork().factorisations() > 0, "factors where it is stiff");
+        assertEquals(swirl, solver.getWork().products() > 0, "differences only where needed");
+        assertEquals(steps > 0 && stiffness > 1e5, solver.getWork().factorisations() > 0, "factorised when stiff");
         double newton = (double) solver.getWork().newtonIterations() / plain.getWork().newtonIterations();
         // Measured 0.83 to 1.00 without the swirl. With it the last bit decides between 0.75 and 1.4: see below.
         assertTrue(newton < (swirl ? 1.6 : 1.1), "solutions good enough for Newton's iteration: " + newton);
     }
 
     /**
-     * Where products are differences, the sub-steps of a long chain depend on rounding: of twelve lengths each takes
-     * between 860 and 1470 of Newton's iterations, either way. On the average it is as many as with a full matrix.
+     * With products by differences, the sub-steps of a long chain depend on round-off: twelve lengths take 860 to 1470
+     * Newton iterations each, with blocks or a full matrix. On average both take the same number.
      */
     @Test
     @Tag("slow")
-    void differencesAreGoodEnoughForNewtonsIterationOnTheAverage() {
+    void differencesNeedNoMoreNewtonIterationsOnAverage() {
         double byBlocks = 0;
         double byMatrix = 0;
         for (int n = 109; n < 113; n++) {
@@ -125,7 +125,7 @@ class RadauParticlesTest {
         assertTrue(byBlocks < 1.1 * byMatrix, byBlocks + " and " + byMatrix);       // measured 4597 and 4667
     }
 
-    /** The work for one of Newton's iterations grows as the number of links, mild or stiff. */
+    /** The work of a Newton iteration is proportional to the number of links, mild or stiff. */
     @ParameterizedTest
     @CsvSource({"1000, 0.4, 300", "1e6, 200, 1000"})
     void theWorkIsProportionalToTheChain(double stiffness, double damping, double most) {
@@ -138,10 +138,7 @@ class RadauParticlesTest {
         }
     }
 
-    /**
-     * A cloth of 32 x 32 is a matter of seconds: ten thousand evaluations for a second of its fall, each of Newton's
-     * iterations no dearer for a particle than with 8 x 8.
-     */
+    /** On a cloth of 32 x 32 a Newton iteration costs no more per particle than on one of 8 x 8. */
     @Test
     void aClothsWorkIsProportionalToItsParticles() {
         for (int n : new int[] {8, 32}) {

@@ -11,11 +11,10 @@ import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
 /**
- * Masses and springs, as numbers that can be printed, changed and shrunk; all of it can be built again from what is
- * printed.
+ * A random mass-spring system as plain numbers that can be printed, changed and shrunk.
  *
  * @param balls   at least two
- * @param springs between them; those whose ends are the same are left out
+ * @param springs springs between balls; those with equal ends are left out
  */
 record RandomSystem(List<Ball> balls, List<Spring> springs) {
 
@@ -45,9 +44,7 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
         return Combinators.combine(numbers(-size, size), numbers(-size, size), numbers(-size, size)).as(Vector3::new);
     }
 
-    /**
-     * @param damping the largest damping of springs (N s/m); the fastest oscillation there is has omega = 100/s or so
-     */
+    /** @param damping the largest damping of springs (N s/m); the fastest oscillation has omega of about 100/s */
     static Arbitrary<RandomSystem> any(double damping) {
         Arbitrary<Ball> ball = Combinators.combine(numbers(0.1, 10), vectors(2), vectors(1)).as(Ball::new);
         Arbitrary<Spring> spring = Combinators.combine(Arbitraries.integers().between(0, 7),
@@ -58,7 +55,7 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
                 .filter(RandomSystem::isSpread);
     }
 
-    /** Through a spring's point of length 0 the force has a kink; balls that begin there say nothing about the laws. */
+    /** Whether all balls begin well apart: a spring's force has a kink at length 0. */
     private boolean isSpread() {
         for (int i = 0; i < balls.size(); i++) {
             for (int j = 0; j < i; j++) {
@@ -93,7 +90,7 @@ record RandomSystem(List<Ball> balls, List<Spring> springs) {
         return new RandomSystem(balls.stream().map(change).toList(), springs);
     }
 
-    /** The same system, of which ball i is now at place[i], and the springs come in the opposite order. */
+    /** Returns the same system with ball i at place[i] and the springs in the opposite order. */
     RandomSystem permuted(int[] place) {
         List<Ball> moved = new ArrayList<>(balls);
         for (int i = 0; i < place.length; i++) {

@@ -21,7 +21,7 @@ import particles.effects.Gravity;
 import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
-/** The loop: where it ends, what it tells whom, and when it gives up. */
+/** The simulation loop: its end, its calls of observers and rules, and when it gives up. */
 class SimulationTest {
 
     private static ParticleSystem swinging() {
@@ -53,9 +53,7 @@ class SimulationTest {
         assertTrue(e.getMessage().contains("no longer moves the clock"), e.getMessage());
     }
 
-    /**
-     * Observers at all steps, at rare times and at none at all: the same bits, and everyone is told what he asked for.
-     */
+    /** Observers of all steps, of rare times and of none: the same bits, and each is called when it asked to be. */
     @Test
     void observersSeeWhatTheyAskForAndChangeNothing() {
         ParticleSystem alone = swinging();
@@ -92,7 +90,7 @@ class SimulationTest {
 
     /** Free fall is a parabola, which the cubic through positions and velocities meets exactly. */
     @Test
-    void framesBetweenStepsLieOnTheMotion() {
+    void interpolatedFramesLieOnTheParabola() {
         ParticleSystem system = oneParticle(new Vector3(1, 2, 3), new Vector3(4, 5, 6));
         system.addEffect(new Gravity(system.getParticles(), GRAVITY));
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.25, 1, Double.POSITIVE_INFINITY);
@@ -150,7 +148,7 @@ class SimulationTest {
         assertEquals(List.of("before", "step", "after", "before", "step", "after", "reset"), calls);
     }
 
-    /** h omega = 3 with Euler: the energy grows tenfold a step, and the run stops beyond the limit, not before. */
+    /** h omega = 3 with Euler: the energy grows tenfold a step, and the run stops above the limit, not before. */
     @Test
     void blowUpEndsTheRun() {
         ParticleSystem system = new ParticleSystem();
@@ -179,7 +177,7 @@ class SimulationTest {
     }
 
     @Test
-    void impossibleParticlesAndRunsAreRefused() {
+    void invalidParticlesAndRunsAreRefused() {
         ParticleSystem system = new ParticleSystem();
         for (double mass : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY, 1e-320}) {
             assertThrows(IllegalArgumentException.class, () -> system.addParticle("p", mass, Vector3.ZERO, Vector3.ZERO,

@@ -3,7 +3,7 @@ package particles;
 import deSolvers.DESolver;
 import particles.law.Vector3;
 
-/** Small systems and runs that several tests need. */
+/** Small systems and runs shared by several tests. */
 public final class Systems {
     /** Gravity of the reference values (m/s&sup2;), downwards. */
     public static final Vector3 GRAVITY = new Vector3(0, -9.81, 0);
@@ -18,7 +18,7 @@ public final class Systems {
         return system;
     }
 
-    /** Runs to the end with rules and without an energy limit. */
+    /** Runs to the end, with rules and no energy limit. */
     public static Simulation run(ParticleSystem system, DESolver solver, double deltaT, double duration,
             Rule... rules) {
         Simulation simulation = new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);

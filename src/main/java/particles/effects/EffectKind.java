@@ -3,27 +3,20 @@ package particles.effects;
 import java.util.List;
 import particles.spec.Key;
 import particles.spec.Kind;
-import particles.spec.MappingType;
 import particles.spec.Values;
 
 /**
  * An effect's entry in scene files: its name, its keys, and how it is built from their values. Each effect declares it
  * in a nested class {@code Keys} with a public constructor without parameters.
  */
-public abstract class EffectKind implements Kind {
-    private final String name;
-    private final String sentence;
-    private final MappingType keys;
-
+public abstract class EffectKind extends Kind {
     /**
      * @param name     the name in scenes; for a law that is not in {@link EffectCatalog} the full name of its class
      * @param sentence what the effect is
      * @param keys     the keys that a scene can set
      */
     protected EffectKind(String name, String sentence, Key<?>... keys) {
-        this.name = name;
-        this.sentence = sentence;
-        this.keys = MappingType.of("'" + name + "'", keys);
+        super(name, sentence, keys);
     }
 
     /**
@@ -47,20 +40,5 @@ public abstract class EffectKind implements Kind {
     /** @return whether a scene may name the effect more than once */
     public boolean isRepeatable() {
         return false;
-    }
-
-    @Override
-    public final String name() {
-        return name;
-    }
-
-    @Override
-    public final String sentence() {
-        return sentence;
-    }
-
-    @Override
-    public final MappingType keys() {
-        return keys;
     }
 }

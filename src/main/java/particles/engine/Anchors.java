@@ -7,10 +7,9 @@ import particles.law.AnchorMotion;
 import particles.law.Particles;
 
 /**
- * The fixed particles that follow a given motion. Where they are is known at all times, so that they are no unknowns of
- * the equations that a solver solves: in the system's own state and in every force they are exactly where their motions
- * are at the clock's time, and what a solver sees of them is zeros that stay zeros. No error of a step gets into them,
- * and a solver that remembers where its last step ended finds the same bits there.
+ * Fixed particles that follow a given motion. They are not unknowns of the equations: in the system's own state and in
+ * every force they are exactly where their motion is at the clock's time, while a solver sees zeros in their place that
+ * stay zeros. So they have no error of a step, and a multistep solver finds unchanged bits there.
  */
 public final class Anchors {
     private static final int STRIDE = Particles.STRIDE;
@@ -24,14 +23,14 @@ public final class Anchors {
     private record Anchor(int particle, AnchorMotion motion) {
     }
 
-    /** Adds one and puts it where its motion begins. */
+    /** Adds an anchor and moves it to its position at a time. */
     public void add(int particle, AnchorMotion motion, double[] state, double time) {
         anchors.add(new Anchor(particle, motion));
         motion.at(time, values);
         System.arraycopy(values, 0, state, STRIDE * particle, STRIDE);
     }
 
-    /** Puts them where they are at a time: positions and velocities, into a state. */
+    /** Writes the anchors' positions and velocities at a time into a state. */
     public void put(double time, double[] state) {
         for (int a = 0; a < anchors.size(); a++) {
             anchors.get(a).motion().at(time, values);
@@ -39,7 +38,7 @@ public final class Anchors {
         }
     }
 
-    /** Makes a solver's view of a state, or of its derivative or a direction: zeros where anchors that move stand. */
+    /** Sets the anchors' entries to 0, which is what a solver sees of a state, derivative or direction. */
     public void hide(double[] vector) {
         for (int a = 0; a < anchors.size(); a++) {
             int x = STRIDE * anchors.get(a).particle();
@@ -48,8 +47,8 @@ public final class Anchors {
     }
 
     /**
-     * A state with the anchors where they are at a time: the array itself where none moves, or a copy, valid until the
-     * next.
+     * Returns the state with the anchors at their places at a time: the array itself without anchors, otherwise a copy,
+     * valid until the next call.
      */
     public double[] shownIn(double[] state, double time, int n) {
         if (anchors.isEmpty()) {
@@ -60,7 +59,10 @@ public final class Anchors {
         return shown;
     }
 
-    /** A solver's view of a state: the array itself where no anchor moves, or a copy, valid until the next. */
+    /**
+     * Returns a solver's view of a state: the array itself without anchors, otherwise a copy, valid until the next
+     * call.
+     */
     public double[] hiddenIn(double[] state, int n) {
         if (anchors.isEmpty()) {
             return state;
@@ -70,7 +72,7 @@ public final class Anchors {
         return hidden;
     }
 
-    /** A direction without what nothing depends on: as {@link #hiddenIn}, while that copy is still in use. */
+    /** As {@link #hiddenIn}, in a second copy, for a direction while the first copy is in use. */
     public double[] freePartOf(double[] direction, int n) {
         if (anchors.isEmpty()) {
             return direction;
@@ -86,7 +88,7 @@ public final class Anchors {
         return copy;
     }
 
-    /** Puts the given accelerations into a derivative. */
+    /** Writes the anchors' accelerations into a derivative. */
     public void accelerate(double time, double[] dSdt) {
         for (int a = 0; a < anchors.size(); a++) {
             anchors.get(a).motion().at(time, values);
@@ -99,7 +101,7 @@ public final class Anchors {
         anchors.replaceAll(anchor -> new Anchor(newIndex[anchor.particle()], anchor.motion()));
     }
 
-    /** The indices of the particles. */
+    /** The particle indices of the anchors. */
     public int[] particles() {
         return anchors.stream().mapToInt(Anchor::particle).toArray();
     }

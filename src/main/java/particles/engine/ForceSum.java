@@ -9,10 +9,10 @@ import particles.law.Particles;
 import particles.law.PerParticleEffect;
 import particles.law.Reaction;
 
-/** Adds up the forces of effects and reactions. */
+/** Computes the total force of all effects and reactions, and the derivative (v, F/m). */
 public final class ForceSum {
     private static final int STRIDE = Particles.STRIDE;
-    /** Particles at a time: their state and force, 48 kB together, stay in the nearest cache. */
+    /** Particles are evaluated in groups of this size: their state and force, 48 kB, stay in the cache. */
     private static final int STRETCH = 512;
 
     private final Particles particles;
@@ -21,7 +21,7 @@ public final class ForceSum {
     private Optional<ParallelDerivative> parallel = Optional.empty();
     private final List<PerParticleEffect> perParticle = new ArrayList<>();
     private final List<Effect> others = new ArrayList<>();
-    private int sorted;                                 // how many effects are in one of the two lists
+    private int sorted;                                 // how many effects are in the two lists
 
     public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
         this.particles = particles;
@@ -29,7 +29,7 @@ public final class ForceSum {
         this.reactions = reactions;
     }
 
-    /** The derivative (v, F/m) of a state. */
+    /** Computes the derivative (v, F/m) of a state. */
     public void derivative(double[] state, double time, double[] dSdt) {
         sortEffects();
         if (parallel.isPresent() && parallel.get().pays()) {
@@ -50,12 +50,12 @@ public final class ForceSum {
         return perParticle;
     }
 
-    /** All other effects, in the order in which they act. */
+    /** All other effects, in the order of evaluation. */
     public List<Effect> others() {
         return others;
     }
 
-    /** Lets something else evaluate the derivative where that pays; closes what did so before. */
+    /** Sets a parallel evaluation, used when it pays; closes the previous one. */
     public void setParallel(Optional<ParallelDerivative> other) {
         parallel.ifPresent(ParallelDerivative::close);
         parallel = other;
@@ -71,7 +71,7 @@ public final class ForceSum {
         }
     }
 
-    /** The forces of the effects on single particles, for the particles first ... end - 1. */
+    /** Computes the forces of the per-particle effects on the particles first ... end - 1. */
     public void begin(double[] state, double time, double[] dSdt, int first, int end) {
         for (int from = first; from < end; from += STRETCH) {
             int to = Math.min(end, from + STRETCH);
@@ -82,7 +82,7 @@ public final class ForceSum {
         }
     }
 
-    /** From forces to the derivative: (0, F) becomes (v, F/m). */
+    /** Turns forces into the derivative: (0, F) becomes (v, F/m). */
     public void finish(double[] state, double[] dSdt, int from, int to) {
         double[] inverseMasses = particles.inverseMasses();
         for (int x = STRIDE * from, i = from; x < STRIDE * to; x += STRIDE, i++) {
@@ -96,7 +96,7 @@ public final class ForceSum {
         }
     }
 
-    /** The forces of all effects; 0 where positions stand. */
+    /** Computes the forces of all effects, with 0 in the entries of positions. */
     public void effects(double[] state, double time, double[] force) {
         int n = particles.count();
         Arrays.fill(force, 0, STRIDE * n, 0.0);

@@ -1,8 +1,8 @@
 package particles.engine;
 
-/** Another way to evaluate a system's derivative, with the same bits; handed to the system from outside. */
+/** A parallel evaluation of a system's derivative, with the same bits as on one thread. */
 public interface ParallelDerivative extends AutoCloseable {
-    /** Whether there is enough to do for it to be worth while. */
+    /** Whether there are enough forces for several threads to be faster. */
     boolean pays();
 
     /** As {@link ForceSum#derivative}. */

@@ -10,10 +10,13 @@ import particles.law.ForceDerivatives;
 import particles.law.Particles;
 import particles.law.Reaction;
 
-/** The derivative of a particle system's forces, from what its effects and reactions know, or by differences. */
+/**
+ * The Jacobian of a particle system: exact where effects and reactions know their derivatives, otherwise by finite
+ * differences.
+ */
 public final class ParticleJacobian implements ForceDerivatives {
     private static final int STRIDE = Particles.STRIDE;
-    /** Half the digits: the best balance of rounding against curvature in a forward difference. */
+    /** Relative step of a forward difference: balances round-off against truncation error. */
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
 
     private final DEStateSource source;
@@ -37,7 +40,7 @@ public final class ParticleJacobian implements ForceDerivatives {
         this.reactions = reactions;
     }
 
-    /** Whether all effects, and all reactions that hold something, know their blocks. */
+    /** Whether all effects and active reactions know their derivatives. */
     public boolean isExact() {
         for (int e = 0; e < effects.size(); e++) {
             if (!(effects.get(e) instanceof DifferentiableEffect effect && effect.hasForceDerivatives())) {
@@ -52,7 +55,7 @@ public final class ParticleJacobian implements ForceDerivatives {
         return true;
     }
 
-    /** Adds the blocks of all that know theirs. */
+    /** Adds the blocks of all effects and reactions that know their derivatives. */
     public void addBlocks(double[] state, double time, JacobianBlocks blocks) {
         target = blocks;
         for (int e = 0; e < effects.size(); e++) {
@@ -79,8 +82,7 @@ public final class ParticleJacobian implements ForceDerivatives {
     }
 
     /**
-     * J w: block by block, or by one difference of derivatives where an effect or a reaction does not know its own
-     * part.
+     * Computes J w from the blocks, or by one finite difference if an effect or reaction does not know its derivatives.
      */
     public void multiply(double[] state, double time, double[] w, double[] product) {
         if (!isExact()) {
@@ -100,7 +102,7 @@ public final class ParticleJacobian implements ForceDerivatives {
         }
     }
 
-    /** Leaves the system where it is. Both evaluations are counted. */
+    /** Restores the system's state. Both evaluations are counted. */
     private void difference(double[] state, double[] w, double[] product) {
         fit();
         double size = 0;
@@ -151,7 +153,7 @@ public final class ParticleJacobian implements ForceDerivatives {
         target.transformRow(i, matrix);
     }
 
-    /** Multiplies the blocks with the direction as they arrive. */
+    /** Multiplies each block by the direction as it is added. */
     private final class Product implements JacobianBlocks {
         @Override
         public void add(int i, int j, double[] dFdX, double[] dFdV) {

@@ -1,5 +1,5 @@
 /**
- * How forces are summed: one pass over the effects and reactions, on one thread or several with the same bits, and the
- * Jacobian of the sum. Nobody has to read this room to write a law.
+ * Sums the forces of effects and reactions, on one thread or several with the same bits, and computes the Jacobian. To
+ * write a law you need not read this package.
  */
 package particles.engine;

@@ -16,7 +16,7 @@ import particles.spec.NumberType;
 
 /**
  * What is printed when a run cannot go on: what happened and where; if springs are to blame, by how much deltaT is
- * too long for them; and what to try. Each is a line or two.
+ * too long for them; and what to try. Each is a line.
  */
 public final class BlowUpMessage {
     /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
@@ -49,7 +49,7 @@ public final class BlowUpMessage {
 
     /**
      * @param e what ended the run
-     * @return up to four lines, separated by line feeds
+     * @return up to three lines, separated by line feeds: where, why, and what to try
      */
     public String of(SimulationException e) {
         String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
@@ -58,6 +58,12 @@ public final class BlowUpMessage {
             return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + advice();
         }
         return line + (e instanceof BlowUpException ? energy() + advice() : e.getMessage());
+    }
+
+    /** @return whether numbers grew without bounds, rather than a solver that found no solution */
+    public static boolean isBlowUp(SimulationException e) {
+        return e instanceof BlowUpException
+                || e.getCause() instanceof DESolverException cause && cause.getEntry() >= 0;
     }
 
     private String particle(SimulationException e) {
@@ -106,15 +112,15 @@ public final class BlowUpMessage {
     private String tooLong(SolverInfo solver, double limit) {
         Particles particles = scene.system().getParticles();
         int s = rates.stiffest();
-        String spring = s < 0 ? "" : "\nstiffest spring: from '" + particles.id(scene.springs().from(s)) + "' to '"
+        String spring = s < 0 ? "" : "; stiffest spring: '" + particles.id(scene.springs().from(s)) + "' to '"
                 + particles.id(scene.springs().to(s)) + "'";
         boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
         double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
         return "deltaT is " + Digits.few(times) + " times too long for the fastest " + (byFixedPoint
                 ? "damping (rate * deltaT = " + Digits.few(damping * deltaT) + "; " + solver.name() + " needs "
-                        + FIXED_POINT + " or less)"
+                        + FIXED_POINT + " or less"
                 : "vibration (omega * deltaT = " + Digits.few(deltaT * rate(solver)) + "; the limit of " + solver.name()
-                        + " is " + Digits.few(limit) + ")") + spring;
+                        + " is " + Digits.few(limit)) + spring + ")";
     }
 
     /** The fastest motion that counts for this solver (1/s): with damping, unless that is solved for apart. */

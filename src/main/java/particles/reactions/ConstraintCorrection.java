@@ -6,14 +6,13 @@ import particles.SimulationException;
 import particles.law.Particles;
 
 /**
- * Puts positions and velocities back onto the constraints: by Newton's method, along the directions in which the least
- * mass is moved the least way, W J<sup>T</sup> mu with J W J<sup>T</sup> mu = -C; then the velocities, by one such
- * system for C'.
+ * Projects positions and velocities onto the constraints. Positions are corrected by Newton's method with the smallest
+ * mass-weighted moves, W J<sup>T</sup> mu with J W J<sup>T</sup> mu = -C; velocities by one such system for C'.
  */
 final class ConstraintCorrection {
-    /** Relative to a row's scale and its particle's distance from the origin; better is rounding. */
+    /** Target error, relative to a row's scale plus its particle's distance from the origin; less is round-off. */
     private static final double FINE = 1e-15;
-    /** What is left by rounding where configurations are nearly singular. */
+    /** Accepted error of nearly singular configurations, where round-off is larger. */
     private static final double ENOUGH = 1e-12;
     private static final int MOST_ITERATIONS = 30;
 

@@ -6,7 +6,7 @@ import particles.reactions.wires.Curve;
 
 /**
  * The rows C_r(x) = 0 of rods and wires at one state, in flat arrays: values C, rates C' = J v, bends J' v (the second
- * derivative of C along the velocity), and the gradients that make up J. A row is about one particle or two.
+ * derivative of C along the velocity), and the gradients that make up J. A row involves one particle or two.
  *
  * <p>For a rod C = (|d|&sup2; - l&sup2;) / (2 l) with d = x_to - x_from: like |d| - l to first order, and smooth at d =
  * 0.
@@ -22,10 +22,10 @@ final class ConstraintRows {
     private int[] bead = new int[4];                    // by bead: its particle
     private Curve[] curve = new Curve[4];
 
-    double[] value = {};                                // by row: rods first, then two of each bead
+    double[] value = {};                                // by row: rods first, then then two for each bead
     double[] rate = {};
     double[] bend = {};
-    double[] gradient = {};                             // 6 a row: by the first particle's place, by the second's
+    double[] gradient = {};                             // 6 a row: for the first and second particle
     private final double[] values = new double[Curve.ROWS];
     private final double[] gradients = new double[3 * Curve.ROWS];
     private final double[] bends = new double[Curve.ROWS];
@@ -59,7 +59,7 @@ final class ConstraintRows {
         gradient = new double[6 * count()];
     }
 
-    /** Follows particles that were taken out; what they held is gone with them. */
+    /** Updates indices after particles were removed; their rods and beads are removed too. */
     void reindex(int[] newIndex) {
         int kept = 0;
         for (int r = 0; r < rods; r++) {
@@ -98,12 +98,12 @@ final class ConstraintRows {
         return row < rods ? from[row] : bead[(row - rods) / Curve.ROWS];
     }
 
-    /** The particle of its other three, or -1 if it is about one particle only. */
+    /** The particle of its other three, or -1 if the row involves only one. */
     int second(int row) {
         return row < rods ? to[row] : -1;
     }
 
-    /** What an error of 1 is relative to (m): a rod's length, and 1 m for a wire. */
+    /** The length to which errors of a row are relative (m): a rod's length, and 1 m for a wire. */
     double scale(int row) {
         return row < rods ? length[row] : 1;
     }
@@ -149,7 +149,7 @@ final class ConstraintRows {
         gradient[g + 2] = -gradient[g + 5];
     }
 
-    /** The sum of a row's gradients times a vector of every particle, which stand at {@code place} + 6 i. */
+    /** A row's gradients times a vector of each particle, which begins at {@code place} + 6 i. */
     double times(int row, double[] vectors, int place) {
         int g = 6 * row;
         int i = STRIDE * first(row) + place;
@@ -161,9 +161,7 @@ final class ConstraintRows {
         return sum;
     }
 
-    /**
-     * The part that moving anchors have in the rate of a row: gradients times velocities of what forces do not move.
-     */
+    /** The contribution of moving anchors to the rate of a row: gradients times the anchors' velocities. */
     double rateOfAnchors(int row, double[] state, double[] inverseMasses) {
         double sum = 0;
         for (int k = 0, g = 6 * row; k < (row < rods ? 2 : 1); k++, g += 3) {
@@ -187,7 +185,7 @@ final class ConstraintRows {
     /**
      * Moves a row's particles along its gradients.
      *
-     * @param mobility by particle, 1/m, 0 for what does not move
+     * @param mobility 1/m of each particle, 0 for fixed ones
      * @param place    0 to move positions, 3 to change velocities
      */
     void move(int row, double amount, double[] mobility, double[] state, int place) {

@@ -9,8 +9,8 @@ import particles.reactions.contact.Friction;
 import particles.reactions.contact.SlidingDirection;
 
 /**
- * The contacts of particles that hang on rods or wires, as rows beside theirs: the distance d of a particle from what
- * it touches, with N as its gradient. A particle that sticks has none; it does not move at all.
+ * Contacts of particles on rods or wires, as additional constraint rows: the distance d of a particle from a surface,
+ * with gradient N. A sticking particle has no row, since it does not move at all.
  */
 final class ContactRows {
     private static final int STRIDE = Particles.STRIDE;
@@ -20,10 +20,10 @@ final class ContactRows {
     int[] particle = new int[4];
     int[] surface = new int[4];
     double[] normal = new double[12];
-    double[] slip = new double[12];                     // minus the sliding friction for a push of 1 N
+    double[] slip = new double[12];                     // minus the sliding friction for a normal force of 1 N
     double[] value = new double[4];                     // d (m)
     double[] rate = new double[4];                      // d' (m/s)
-    double[] bend = new double[4];                      // what a curved surface adds to d'' (m/s^2)
+    double[] bend = new double[4];                      // contribution of the surface's curvature to d'' (m/s^2)
     private final double[] pressing = new double[3];
 
     ContactRows(RestingContacts contacts) {
@@ -34,7 +34,7 @@ final class ContactRows {
         count = 0;
     }
 
-    /** Adds a particle's rows for all that it touches. */
+    /** Adds a row for each surface that a particle touches. */
     void addTouching(int i, double[] state) {
         for (int p = 0; p < contacts.getSurfaces().size(); p++) {
             if (contacts.getModes().get(p, i) != Mode.FREE) {
@@ -71,13 +71,13 @@ final class ContactRows {
                 : obstacle.curvature(state[x], state[x + 1], state[x + 2]) * (square - along * along);
     }
 
-    /** The normal of row k times a vector of every particle, which stand at {@code place} + 6 i. */
+    /** The normal of row k times a vector of its particle, which begins at {@code place} + 6 i. */
     double times(int k, double[] vectors, int place) {
         int i = STRIDE * particle[k] + place;
         return normal[3 * k] * vectors[i] + normal[3 * k + 1] * vectors[i + 1] + normal[3 * k + 2] * vectors[i + 2];
     }
 
-    /** Whether a particle that would rub stands still, so that what friction opposes is not its velocity. */
+    /** Whether a particle with friction is at rest but about to slide, so that its velocity has no direction. */
     boolean isAnyAboutToMove(double[] state) {
         for (int k = 0; k < count; k++) {
             int v = STRIDE * particle[k] + 3;
@@ -91,10 +91,10 @@ final class ContactRows {
     }
 
     /**
-     * Finds how each contact rubs.
+     * Finds the sliding friction of a contact.
      *
      * @param k     the row
-     * @param push  how hard it pushes without friction (N); matters only for what is about to move
+     * @param push  the normal force without friction (N); used only if the particle is about to move
      * @param force the force that will move the particle, without friction (N), from entry 6 i + 3 on
      */
     void findSlip(int k, double push, double[] force, double[] state) {
@@ -113,7 +113,7 @@ final class ContactRows {
         return contacts.getSurfaces().get(surface[k]).friction();
     }
 
-    /** Adds push and friction of row k. */
+    /** Adds the normal force and friction of row k. */
     void addForce(int k, double push, double[] force) {
         int f = STRIDE * particle[k] + 3;
         for (int c = 0; c < 3; c++) {

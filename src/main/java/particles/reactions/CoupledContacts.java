@@ -9,8 +9,8 @@ import particles.reactions.contact.ContactModes;
 import particles.reactions.contact.ContactModes.Mode;
 
 /**
- * What particles that hang on rods or wires touch: pushes, friction and constraint forces found together, since each
- * depends on the others. A particle that sticks does not move, and what it needs for that is what is left over.
+ * Contacts of particles on rods or wires: normal forces, friction and constraint forces are solved together, since each
+ * depends on the others. A sticking particle does not move; its contact force balances all others.
  */
 final class CoupledContacts {
     private static final int STRIDE = Particles.STRIDE;
@@ -23,8 +23,8 @@ final class CoupledContacts {
     private final JointSystem joint;
     private final StaticFrictionFeasibility holdSearch;
     private double[] accelerations = {};
-    private double[] total = {};                        // forces with those of rods and wires
-    private double[] queryState = {};                   // what the last query was about
+    private double[] total = {};                        // forces including those of rods and wires
+    private double[] queryState = {};                   // the state of the last query
     private double[] queryForce = {};
     private double[] queryLambda = {};
     private int queryChanges;
@@ -41,16 +41,16 @@ final class CoupledContacts {
     }
 
     /**
-     * Solves a linkage if it touches anything. The rows have to be evaluated.
+     * Solves a linkage if any of its particles touches a surface. The rows must have been evaluated.
      *
      * @param force  the forces of all effects (N)
-     * @param lambda receives what rods and wires carry, by row
-     * @return false if nothing is touched, and nothing was done
-     * @throws SimulationException if there are no forces that keep all conditions
+     * @param lambda receives the forces of rods and wires, by row
+     * @return false if no particle touches anything; then nothing is done
+     * @throws SimulationException if no forces satisfy all constraints
      */
     boolean solve(Linkage linkage, double[] state, double time, double[] force, double[] lambda) {
         queryMembers = new int[0];
-        if (!joint.take(linkage, state, -1)) {           // none is held but what sticks
+        if (!joint.take(linkage, state, -1)) {           // -1: only sticking particles are held
             return false;
         }
         Optional<String> failure = find(linkage, state, time, force, lambda);
@@ -60,10 +60,10 @@ final class CoupledContacts {
         return true;
     }
 
-    /** Finds all forces for the linkage taken up last; returns why there are none, if there are none. */
+    /** Finds all forces for the current linkage; returns the reason if there are none. */
     private Optional<String> find(Linkage linkage, double[] state, double time, double[] force, double[] lambda) {
         boolean aboutToMove = joint.touching.isAnyAboutToMove(state);
-        if (aboutToMove) {                              // which way shows without friction
+        if (aboutToMove) {                              // the solution without friction shows the direction
             Optional<String> failure = solveOnce(linkage, time, force, lambda);
             if (failure.isPresent()) {
                 return failure;
@@ -102,7 +102,7 @@ final class CoupledContacts {
     }
 
     /**
-     * b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in it.
+     * b = -(J W F + J' v) - k_s C - k_d C', with C the distance for contacts; returns the largest acceleration in b.
      */
     private double putRight(Linkage linkage, double time, double[] force) {
         if (accelerations.length != system.getStateSize()) {
@@ -134,7 +134,7 @@ final class CoupledContacts {
         return scale;
     }
 
-    /** Adds what {@link #solve} found. */
+    /** Adds the forces found by {@link #solve}. */
     void addForces(Linkage linkage, double[] force, double[] lambda) {
         for (int row : linkage.members()) {
             rows.addForce(row, lambda[row], force);
@@ -149,7 +149,7 @@ final class CoupledContacts {
         }
     }
 
-    /** The power of pushes and friction that {@link #solve} found (W). */
+    /** The power of the contact forces found by {@link #solve} (W). */
     double power(double[] state) {
         double power = 0;
         ContactRows touching = joint.touching;
@@ -162,7 +162,7 @@ final class CoupledContacts {
         return power;
     }
 
-    /** Forces of effects, rods and wires, and of pushes where something slides. */
+    /** Sums the forces of effects, rods, wires and sliding contacts. */
     private void addUp(Linkage linkage, double[] force, double[] lambda) {
         if (total.length != force.length) {
             total = new double[force.length];
@@ -212,7 +212,7 @@ final class CoupledContacts {
         rows.evaluate(state);
         joint.take(linkage, state, particle);
         if (find(linkage, state, system.getTime(), force, lambda).isPresent()) {
-            // what moves on its rods does not let it stand still: no failure
+            // the rods' motion keeps it from standing still, which is not a failure
             return -1;
         }
         return contacts.response().holdMargin(particle, state, forcesAtRest(linkage, state, force, lambda));
@@ -253,10 +253,10 @@ final class CoupledContacts {
     }
 
     /**
-     * Puts positions or velocities back onto rods, wires and touched surfaces. The rows have to be evaluated.
+     * Projects positions or velocities onto rods, wires and touched surfaces. The rows must have been evaluated.
      *
      * @param place 0 for positions, 3 for velocities
-     * @return false if the linkage touches nothing, and nothing was done
+     * @return false if the linkage touches nothing; then nothing is done
      */
     boolean correct(Linkage linkage, double[] state, int place) {
         queryMembers = new int[0];

@@ -6,9 +6,9 @@ import particles.reactions.algebra.ActiveSetMethod;
 import particles.reactions.contact.ContactModes;
 
 /**
- * Rods, wires and contacts of one linkage as one dense system: rows of rods and wires first, then contacts. Column c is
- * what a force of 1 N of row c does to all of them, for a sliding contact with the friction that comes with it, so that
- * the matrix is not symmetric: A = J W (J - S)<sup>T</sup>. Its solution takes time in proportion to the cube of the
+ * Dense linear system for the rods, wires and contacts of one linkage: rows of rods and wires first, then contacts.
+ * Column c is the effect of a force of 1 N of row c on all rows. A sliding contact's force includes its friction, so
+ * the matrix is not symmetric: A = J W (J - S)<sup>T</sup>. The time of a solution is proportional to the cube of the
  * number of rows: a few milliseconds for a hundred.
  */
 final class JointSystem {
@@ -19,13 +19,13 @@ final class JointSystem {
     private final RestingContacts contacts;
     private final ActiveSetMethod activeSet = new ActiveSetMethod();
     final ContactRows touching;
-    double[] mobility = {};                             // 1/m, 0 for what does not move
+    double[] mobility = {};                             // 1/m, 0 for particles that do not move
     double[] right = {};
     double[] solution = {};
     private int[] members = {};
     private int[] who = {};                             // two particles a row, -1 for none
     private double[] gradient = {};                     // 6 doubles a row
-    private double[] pull = {};                         // the force of 1 N of a row
+    private double[] pull = {};                         // the force on both particles per 1 N of a row
     private double[] matrix = {};
     private boolean sticking;
 
@@ -37,10 +37,10 @@ final class JointSystem {
     }
 
     /**
-     * Takes up a linkage.
+     * Builds the rows of a linkage.
      *
-     * @param held a particle to be held still although it does not stick, and with it all that hardly move and may be
-     *             held by friction too, or -1 for those that stick
+     * @param held a sliding particle to be treated as sticking, together with all others that friction may hold and
+     *             that hardly move; or -1 for only those that stick
      * @return whether any of its particles touches anything
      */
     boolean take(Linkage linkage, double[] state, int held) {
@@ -59,7 +59,7 @@ final class JointSystem {
         return sticking || touching.count > 0;
     }
 
-    /** Takes up a linkage for an impact: nothing sticks, and one contact is there whether it touched before or not. */
+    /** Builds the rows of a linkage for an impact: no particle sticks, and the impact's contact has a row. */
     void takeForImpact(Linkage linkage, double[] state, int surface, int particle) {
         begin();
         members = linkage.members();
@@ -94,7 +94,7 @@ final class JointSystem {
         return members[r];
     }
 
-    /** Puts the matrix together, and forgets the right-hand side. */
+    /** Assembles the matrix and clears the right-hand side. */
     void assemble() {
         int n = size();
         if (who.length < 2 * n) {
@@ -143,7 +143,7 @@ final class JointSystem {
         return sum;
     }
 
-    /** Whether none of a row's particles can move, so that nothing can be asked of it. */
+    /** Whether no particle of a row can move, so that it is left out. */
     boolean isIdle(int r) {
         return matrix[r * size() + r] == 0 && r < members.length;
     }
@@ -152,13 +152,13 @@ final class JointSystem {
      * Solves for {@link #right}.
      *
      * @param signed as for {@link ActiveSetMethod#solve}
-     * @param bound  how many contacts, the first, hold in any case
+     * @param bound  how many of the first contacts hold in any case
      */
     boolean solve(boolean signed, int bound) {
         return activeSet.solve(size(), members.length + bound, matrix, right, signed, solution);
     }
 
-    /** How fast contact k would separate with the solution found (m/s&sup2;); of use where it does not push. */
+    /** The separating acceleration of contact k in the solution (m/s&sup2;), for contacts without a normal force. */
     double separation(int k) {
         int n = size();
         int r = members.length + k;

@@ -9,15 +9,17 @@ import particles.reactions.algebra.EnvelopeCholesky;
 import particles.reactions.algebra.MinimumNormSolution;
 
 /**
- * Rods and beads that hang together: solves A lambda = b with A = J W J<sup>T</sup>, W the inverse masses. A has an
- * entry wherever two rows share a movable particle, so that a chain's is tridiagonal and its solution takes time in
- * proportion to its length.
+ * A connected set of rods and beads; solves A lambda = b with A = J W J<sup>T</sup>, W the inverse masses. A has an
+ * entry wherever two rows share a movable particle. For a chain it is tridiagonal, and the time is proportional to its
+ * length.
  *
- * <p>Where the rows are dependent, as in a triangle with a rod too many, there are many solutions with the same motion;
- * then it is the smallest, by the sum of squares: what equally and hardly elastic rods would carry.
+ * <p>If rows are linearly dependent, as in a square with both diagonals, many solutions give the same motion; the one
+ * with the least sum of squares is taken, which is what equal, slightly elastic rods would carry.
  */
 final class Linkage {
-    /** Below this part of a diagonal entry a pivot is rounding: rows within an angle of 3e-6 of being dependent. */
+    /**
+     * Pivots below this fraction of a diagonal entry are round-off: rows within an angle of 3e-6 of being dependent.
+     */
     private static final double SINGULAR = 1e-11;
 
     private final ConstraintRows rows;
@@ -49,7 +51,7 @@ final class Linkage {
         cholesky = new EnvelopeCholesky(firstColumn);
     }
 
-    /** Notes every particle that both rows are about: row, column, where its gradients stand in both, the particle. */
+    /** Records each particle that two rows share: row, column, the indices of its gradients in both, the particle. */
     private boolean findPairs(int r, int c, List<int[]> found) {
         int before = found.size();
         int a = members[r];
@@ -66,7 +68,7 @@ final class Linkage {
         return found.size() > before;
     }
 
-    /** The particles that it moves. */
+    /** The particles of the linkage that can move. */
     int[] particles() {
         return particles;
     }
@@ -75,7 +77,7 @@ final class Linkage {
         return members;
     }
 
-    /** Takes up the present gradients. @param mobility by particle, 1/m, 0 for what does not move */
+    /** Factorises A for the present gradients. @param mobility 1/m of each particle, 0 for fixed ones */
     void factorise(double[] mobility) {
         assemble(mobility);
         regular = cholesky.factorise(SINGULAR);
@@ -105,12 +107,11 @@ final class Linkage {
     }
 
     /**
-     * Solves.
+     * Solves A lambda = b.
      *
-     * @param right  b, by row of all there are
-     * @param result receives lambda, by row of all there are
-     * @return by how much the rows contradict each other: the largest entry of what is left; 0 where there is a
-     *         solution
+     * @param right  b, indexed by all rows
+     * @param result receives lambda, indexed by all rows
+     * @return the largest entry of the residual: 0 if there is a solution, more if the rows contradict each other
      */
     double solve(double[] right, double[] result) {
         for (int r = 0; r < members.length; r++) {
@@ -129,11 +130,12 @@ final class Linkage {
     }
 
     /**
-     * What is large here, for what is left over to be compared with. In free fall nothing but the rounding of forces
-     * stands on the right, and the accelerations say how large that may be.
+     * The scale to which a residual is compared. In free fall the right-hand side is only round-off of forces, whose
+     * size follows from the accelerations.
      *
-     * @param right         b, by row of all there are
-     * @param accelerations of the particles without these forces (m/s&sup2;), where velocities stand in the state
+     * @param right         b, indexed by all rows
+     * @param accelerations the particles' accelerations without these forces (m/s&sup2;), in the entries of the
+     *                      velocities
      * @return the largest entry of either
      */
     double scale(double[] right, double[] accelerations) {

@@ -5,12 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import particles.law.Particles;
 
-/** All that hangs together by rods and wires, and which particle hangs where. */
+/** The linkages (sets connected by rods and wires) of a system, and which particle belongs to which. */
 final class Linkages {
     private final List<Linkage> all = new ArrayList<>();
     private int[] linkageOf = {};                       // by particle; -1 for none
 
-    /** Looks at what the rows connect. */
+    /** Finds the linkages that the rows form. */
     void arrange(ConstraintRows rows, Particles particles) {
         all.clear();
         linkageOf = new int[particles.count()];
@@ -36,7 +36,7 @@ final class Linkages {
         return particle < linkageOf.length && linkageOf[particle] >= 0;
     }
 
-    /** The linkage of a particle that is held. */
+    /** The linkage of a particle on a rod or wire. */
     Linkage of(int particle) {
         return all.get(linkageOf[particle]);
     }

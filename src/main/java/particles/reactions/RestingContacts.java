@@ -15,24 +15,26 @@ import particles.reactions.contact.NormalForces;
 import particles.reactions.contact.SlidingDirection;
 
 /**
- * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 none;
- * otherwise the surface pushes back just as hard as it is pressed, lambda = -(N . F), and rubs with lambda times the
- * friction law. Several surfaces on one particle share the load ({@link NormalForces}). The surface of a sphere pushes
- * by m v_t&sup2;/R less where it curves away from the particle, and more where it curves towards it: (N . a) is what
- * the circle needs, not 0.
+ * The contact force on particles that rest on surfaces, the slides' "Particle/Plane Contact": for N . F &ge; 0 it is 0;
+ * otherwise the normal force is lambda = -(N . F), and friction is lambda times the friction law. Several surfaces on
+ * one particle share the load ({@link NormalForces}). On a sphere the normal force differs by the centripetal term m
+ * v_t&sup2;/R: less on a ball, more in a hollow.
  *
- * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step:
- * {@code particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
+ * <p>Whether a particle touches a surface, and whether it slides or sticks there, does not change within a step: {@code
+ * particles.rules.ClampedImpacts} decides it between steps, {@code ExactImpacts} at events that end one piece of
  * motion. So the force is a smooth function of the state while a solver works.
  */
 public final class RestingContacts implements Reaction {
 
     private static final int STRIDE = Particles.STRIDE;
 
-    /** What is left of a speed by the time when it is to be 0 (m/s). */
+    /** The largest speed that counts as 0 (m/s). */
     private static final double ROUNDING = 1e-9;
 
-    /** Solvers look beyond the end of a step, yoshida4 by a third of it, and several surfaces push harder than one. */
+    /**
+     * Safety factor of {@link #mayStopWithin}: yoshida4 looks a third of a step ahead, and several surfaces push
+     * harder.
+     */
     private static final double STOPS = 4;
 
     private final List<ContactSurface> surfaces;
@@ -42,7 +44,7 @@ public final class RestingContacts implements Reaction {
     private final ContactResponse response;
 
     /**
-     * @param particles whom the surfaces hold
+     * @param particles the particles
      * @param surfaces  the surfaces
      */
     public RestingContacts(Particles particles, List<ContactSurface> surfaces) {
@@ -51,20 +53,19 @@ public final class RestingContacts implements Reaction {
         response = new ContactResponse(particles, this.surfaces, modes, sliding);
     }
 
-    /** @return the surfaces, in the order in which {@link #getModes} counts them */
+    /** @return the surfaces, in the order of their indices in {@link #getModes} */
     public List<ContactSurface> getSurfaces() {
         return surfaces;
     }
 
-    /** @return who touches which surface, for rules to decide */
+    /** @return the contact mode of each particle at each surface, which rules change */
     public ContactModes getModes() {
         return modes;
     }
 
     /**
-     * Notes where a step begins. Coulomb friction has the direction of the sliding and would flip with it; within a
-     * step it is continued smoothly as if the sliding had not turned round, so that the step's end shows whether it
-     * did.
+     * Records the state at the beginning of a step. Coulomb friction would flip when sliding reverses; within a step it
+     * is continued smoothly as if it had not, and the end of the step shows whether it did.
      *
      * @param system the system before a step
      */
@@ -73,17 +74,16 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Whether a surface holds on to a particle until a rule says that it lets go. Without that the surface stops
-     * pushing wherever N . F turns positive, as on the slide; then the force has a kink there, and a step across it
-     * loses its order.
+     * Sets whether contact lasts until a rule ends it. Otherwise the normal force is 0 wherever N . F is positive, as
+     * on the slide; then the force has a kink there, and a step across it loses its order.
      *
-     * @param holdsOn true where a rule finds the exact time of letting go
+     * @param holdsOn true if a rule locates the exact time of release
      */
     public void setHoldsOn(boolean holdsOn) {
         response.setHoldsOn(holdsOn);
     }
 
-    /** What a particle's surfaces answer, for itself. */
+    /** The contact forces on a particle by itself. */
     ContactResponse response() {
         return response;
     }
@@ -98,16 +98,15 @@ public final class RestingContacts implements Reaction {
 
     /**
      * @param particle its index
-     * @return whether it hangs on a rod or a wire, so that a blow to it is felt by others
+     * @return whether it is on a rod or wire, so that an impulse on it is transmitted to others
      */
     public boolean isCoupled(int particle) {
         return coupled.isPresent() && coupled.get().holds(particle);
     }
 
     /**
-     * Lets a surface strike a particle that hangs on rods or wires: all that hang together change their velocities by
-     * the impulses that rods and other touched surfaces pass on, without friction. What stuck slides from now on, and
-     * what was lifted off touches no more.
+     * Applies an impact to a particle on rods or wires: its whole linkage changes velocity by the impulses of rods and
+     * other touched surfaces, without friction. Sticking particles slide from now on, and lifted ones lose contact.
      *
      * @param surface  the surface's index
      * @param particle the particle's index
@@ -119,8 +118,8 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Makes the velocities of all that hang together fit each other after one of them was changed: no rod is stretched,
-     * no touched surface entered, and what sticks stays where it is. Does nothing for a particle that hangs on nothing.
+     * Corrects the velocities of a linkage after one of them was changed: no rod is stretched, no touched surface
+     * entered, and sticking particles stay. Does nothing for a particle without rods and wires.
      *
      * @param particle one of them
      * @param state    the state, in which velocities are changed
@@ -132,7 +131,7 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Puts all that hangs on rods and wires back onto them and onto what it touches, positions and velocities.
+     * Projects the positions and velocities of all linkages onto their rods, wires and touched surfaces.
      *
      * @param state the state, which is changed
      * @param time  t (s), for messages
@@ -144,8 +143,8 @@ public final class RestingContacts implements Reaction {
     /**
      * @param particle its index
      * @param state    the state
-     * @return whether static friction may hold it as far as its speed goes: it touches something rough and is slower
-     *         than the threshold there, or as slow as rounding
+     * @return whether it is slow enough for static friction: it touches a rough surface and is slower than its
+     *         threshold or round-off
      */
     public boolean isSlow(int particle, double[] state) {
         double limit = -1;
@@ -161,12 +160,12 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Whether Coulomb friction may turn within a time so sharply that a solver does not find the way in one step: near
-     * a stop it turns as fast as the velocity, however slow that is.
+     * Whether Coulomb friction may turn so sharply within a time that a solver fails in one step: near a stop its
+     * direction turns as fast as the velocity's, however slow that is.
      *
      * @param system the system
      * @param time   from now (s)
-     * @return whether anything that slides is so slow that the forces on it could stop it well within that time
+     * @return whether the forces could stop any sliding particle within that time
      */
     public boolean mayStopWithin(ParticleSystem system, double time) {
         double[] state = system.getOwnState();
@@ -189,7 +188,7 @@ public final class RestingContacts implements Reaction {
         return false;
     }
 
-    /** @return the state where the present step began, to be read only */
+    /** @return the state at the beginning of the step; read only */
     public double[] getStepBegin() {
         return sliding.getStepBegin();
     }
@@ -248,13 +247,13 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * By how much static friction can hold a particle against the force on it.
+     * The margin by which static friction can hold a particle.
      *
      * @param particle its index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
-     * @return what the surfaces it touches withstand minus the force along them (N); negative if they cannot hold it,
-     *         and where nothing presses it on
+     * @return the largest static friction minus the tangential force (N); negative if friction cannot hold it or
+     *         nothing presses it on
      */
     public double holdMargin(int particle, double[] state, double[] force) {
         return isCoupled(particle) ? coupled.get().holdMargin(particle, state, force)
@@ -262,13 +261,13 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * How hard a particle is pressed onto a surface that it touches.
+     * The normal force of a surface on a particle that touches it.
      *
      * @param surface  the surface's index
      * @param particle the particle's index
      * @param state    the particles' state
      * @param force    the total force of all effects (N)
-     * @return the surface's push (N); where it does not push, minus the force that pulls the particle off
+     * @return the normal force (N); if it is 0, minus the force that pulls the particle off
      */
     public double pressure(int surface, int particle, double[] state, double[] force) {
         return isCoupled(particle) ? coupled.get().pressure(surface, particle, state, force)
@@ -276,9 +275,8 @@ public final class RestingContacts implements Reaction {
     }
 
     /**
-     * Takes away what of a particle's velocity points into surfaces that it touches: the smallest pushes along their
-     * normals after which none is entered any more. One after the other would not do where the push of one drives into
-     * the next.
+     * Removes the components of a particle's velocity into the surfaces that it touches, by the smallest impulses along
+     * their normals. All surfaces are solved together, since the impulse of one may push the particle into another.
      *
      * @param particle its index
      * @param state    the state, in which its velocity is changed

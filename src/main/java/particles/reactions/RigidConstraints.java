@@ -9,39 +9,40 @@ import particles.reactions.wires.Curve;
 import particles.view.SpringView;
 
 /**
- * Rods and wires: distances that do not change, and beads that stay on curves, by the forces that this takes and no
- * others. With the rows C(x) = 0, J their derivative and W the inverse masses, the forces J<sup>T</sup> lambda are
- * those with
+ * Constraint forces of rods, which keep distances, and wires, which keep beads on curves. With the constraints C(x) =
+ * 0, J their derivative and W the inverse masses, the forces J<sup>T</sup> lambda satisfy
  * <pre>
  *   J W J^T lambda = -(J W F + J' v) - k_s C - k_d C',     k_s = alpha&sup2;, k_d = 2 alpha,
  * </pre>
- * so that C'' = -2 alpha C' - alpha&sup2; C: the small errors of a solver's steps decay at the feedback rate alpha,
- * critically damped, and do not add up. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte
+ * so that C'' = -2 alpha C' - alpha&sup2; C: small errors of a solver's steps do not accumulate but decay, critically
+ * damped, at the feedback rate alpha. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte
  * 1972.)
  *
- * <p>How large may alpha be? The decay is one more thing to solve. A solver has to be stable for it - alpha deltaT &lt;
- * 2 for euler and midpoint, 2.78 for rk4 - and that is the least of it: at the stages in the middle of a step C is off
- * by O(deltaT&sup2;) as a matter of course, because a straight piece leaves a circle, and the feedback answers with an
- * acceleration of alpha&sup2; O(deltaT&sup2;), which is an error. It is small beside the true acceleration for
- * (alpha deltaT)&sup2; &lt;&lt; 1 only, and falls with deltaT as the solver's order says only if alpha does not grow
- * with 1/deltaT. Measured for a pendulum of 1 m released at 90 degrees, rk4 at 0.01 s, the largest error of the length
- * in ten minutes:
+ * <p>How large may alpha be? The solver has to be stable for the decay: alpha deltaT &lt; 2 for euler and midpoint,
+ * 2.78 for rk4. There is a stricter limit: at the stages inside a step C is off by O(deltaT&sup2;), because a straight
+ * line leaves a circle, and the feedback turns that into a wrong acceleration of alpha&sup2; O(deltaT&sup2;). It is
+ * small beside the true acceleration only if (alpha deltaT)&sup2; &lt;&lt; 1, and it falls with the solver's order only
+ * if alpha does not grow with 1/deltaT. Measured for a pendulum of 1 m released at 90 degrees, rk4 at 0.01 s, the
+ * largest error of the length in ten minutes:
  * <pre>
  *   alpha (1/s)   0       1      3      5      10     20     50     100    200    280
  *   error (m)     0.15    7e-7   5e-8   1e-7   4e-7   1e-6   8e-6   5e-5   7e-4   unstable
  * </pre>
- * Below, errors stay longer than they take to come; above, the feedback itself makes them. So it is 5 /s where nothing
- * else is asked for.
+ * With a smaller alpha errors accumulate faster than they decay; with a larger one the feedback itself causes them. The
+ * default is 5 /s.
  *
- * <p>The forces do no work but that of moving anchors; what they change of the energy beside that, of the order of C
- * and C', is an error. There are no derivatives of the forces for implicit solvers; those take differences.
+ * <p>Only moving anchors do work through these forces; any other change of energy, of the order of C and C', is
+ * numerical error. The derivatives of the forces are not known, so implicit solvers use finite differences.
  */
 public final class RigidConstraints implements Reaction, SpringView {
-    /** The feedback rate alpha where none is asked for (1/s). */
+    /** The default feedback rate alpha (1/s). */
     public static final double USUAL_FEEDBACK = 5;
 
     private static final int STRIDE = Particles.STRIDE;
-    /** What may be left of the largest acceleration; drift of rods too many leaves less. */
+    /**
+     * Rods contradict each other if the residual is above this fraction of the largest acceleration; the drift of
+     * redundant rods stays below.
+     */
     static final double CONTRADICTION = 1e-4;
 
     private final ParticleSystem system;
@@ -57,9 +58,9 @@ public final class RigidConstraints implements Reaction, SpringView {
     private boolean arranged;
 
     /**
-     * @param system   whose particles are held
+     * @param system   the system of the particles
      * @param feedback alpha, the rate at which errors decay (1/s), 0 or more
-     * @throws IllegalArgumentException if the rate cannot be
+     * @throws IllegalArgumentException if the rate is out of range
      */
     public RigidConstraints(ParticleSystem system, double feedback) {
         if (!(feedback >= 0) || !(feedback <= Double.MAX_VALUE)) {
@@ -76,7 +77,7 @@ public final class RigidConstraints implements Reaction, SpringView {
      * @param from   the index of the particle where it begins
      * @param to     the index of the particle where it ends
      * @param length the distance that it keeps (m), positive
-     * @throws IllegalArgumentException if the length cannot be, or no end is free
+     * @throws IllegalArgumentException if the length is out of range, or no end is free
      */
     public void addRod(int from, int to, double length) {
         if (from == to || particles.isFixed(from) && particles.isFixed(to)) {
@@ -94,7 +95,7 @@ public final class RigidConstraints implements Reaction, SpringView {
      * Threads a particle on a wire.
      *
      * @param particle its index
-     * @param wire     the curve on which it stays, at both sides
+     * @param wire     the curve on which it stays
      * @throws IllegalArgumentException if the particle is fixed
      */
     public void addBead(int particle, Curve wire) {
@@ -106,7 +107,7 @@ public final class RigidConstraints implements Reaction, SpringView {
         arranged = false;
     }
 
-    /** Looks once at what hangs together; again after particles have gone. */
+    /** Finds the linkages, once and after particles were removed. */
     private void arrange() {
         if (!arranged) {
             linkages.arrange(rows, particles);
@@ -151,9 +152,7 @@ public final class RigidConstraints implements Reaction, SpringView {
         }
     }
 
-    /**
-     * {@inheritDoc} Only what moves the anchors works; what errors of the lengths give or take is an error as they are.
-     */
+    /** {@inheritDoc} Only moving anchors do work; energy changed by errors of the lengths counts as error. */
     @Override
     public double getPower(double[] state, double time, double[] force) {
         prepare(state, time, force);
@@ -170,7 +169,7 @@ public final class RigidConstraints implements Reaction, SpringView {
         return power;
     }
 
-    /** The power of what the particles touch that hang on rods or wires (W). */
+    /** The power of the contact forces on particles that are on rods or wires (W). */
     double contactPower(double[] state, double time, double[] force) {
         prepare(state, time, force);
         double power = 0;
@@ -184,7 +183,7 @@ public final class RigidConstraints implements Reaction, SpringView {
         return coupled.isPresent() && coupled.get().solve(linkage, state, time, force, lambda);
     }
 
-    /** The right-hand sides for the given forces, where nothing is touched. */
+    /** Computes the right-hand sides of linkages without contacts. */
     private void prepare(double[] state, double time, double[] force) {
         arrange();
         rows.evaluate(state);
@@ -213,7 +212,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     }
 
     /**
-     * Lets contacts and these constraints be solved together, where a particle has both. Each books its own power.
+     * Solves these constraints and contacts together where a particle has both. Each books its own power.
      *
      * @param contacts a reaction of the same system
      */
@@ -223,7 +222,7 @@ public final class RigidConstraints implements Reaction, SpringView {
         arranged = false;
     }
 
-    /** Whether a particle hangs on a rod or a wire. */
+    /** Whether a particle is on a rod or wire. */
     boolean holds(int particle) {
         arrange();
         return linkages.holds(particle);
@@ -247,12 +246,12 @@ public final class RigidConstraints implements Reaction, SpringView {
     }
 
     /**
-     * Moves positions and velocities onto the constraints, to rounding.
+     * Projects positions and velocities onto the constraints, up to round-off.
      *
-     * @param state the particles' state, to be changed
+     * @param state the particles' state, which is changed
      * @param time  t (s), for messages
      * @return whether anything was changed
-     * @throws SimulationException if there is no such place near by
+     * @throws SimulationException if no nearby positions satisfy the constraints
      */
     public boolean project(double[] state, double time) {
         arrange();

@@ -8,7 +8,10 @@ import java.util.List;
 import java.util.Map;
 import particles.law.Particles;
 
-/** Which rows have a movable particle in common: what hangs together, and in which order its matrix is narrow. */
+/**
+ * The graph of constraint rows that share a movable particle: its connected components, and an order in which each
+ * matrix has a small bandwidth.
+ */
 final class RowGraph {
     private final ConstraintRows rows;
     private final Map<Integer, List<Integer>> rowsOf = new HashMap<>();     // by movable particle
@@ -30,9 +33,8 @@ final class RowGraph {
     }
 
     /**
-     * The rows, by what hangs together. Within each part they are in the order of E. Cuthill and J. McKee 1969: from a
-     * row with few neighbours outwards, so that neighbours are near each other and the matrix of a chain is
-     * tridiagonal.
+     * Returns the connected components, each in Cuthill-McKee order (1969): breadth-first from a row with few
+     * neighbours, so that the matrix of a chain is tridiagonal.
      */
     List<int[]> parts() {
         List<int[]> parts = new ArrayList<>();

@@ -5,16 +5,16 @@ import java.util.List;
 import particles.law.Particles;
 
 /**
- * Static friction where more is held than needed. A rod between two ends that stick can carry anything, since neither
- * end moves; rigid bodies do not say what, and no motion depends on it. What can be asked is whether there is any load
- * with which friction holds all ends. So it looks for the one with which the end that holds worst has most to spare: by
- * golden section, for that is a concave function of the load, one rod after the other where there are several.
+ * Decides whether static friction can hold a statically indeterminate linkage. The load of a rod between two sticking
+ * ends is not determined, and no motion depends on it; friction holds if there is any load with which all ends hold.
+ * The search maximises the smallest margin of all ends, a concave function of the load, by golden section, one rod
+ * after the other.
  */
 final class StaticFrictionFeasibility {
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
     private static final int SECTIONS = 90;
     private static final int SWEEPS = 20;
-    /** The largest load that is tried, relative to the forces on the ends: a prop of a hundredth of a right angle. */
+    /** The largest load that is tried, relative to the forces on the ends. */
     private static final double MOST = 100;
 
     private final ConstraintRows rows;
@@ -27,9 +27,9 @@ final class StaticFrictionFeasibility {
     }
 
     /**
-     * Loads the rods and wires of a linkage that cannot move.
+     * Adds loads of the rods and wires of a linkage that cannot move.
      *
-     * @param total the forces without these loads (N); receives them on top
+     * @param total the forces without these loads (N); the loads are added
      */
     void run(Linkage linkage, JointSystem joint, double[] state, double[] total) {
         ends.clear();
@@ -42,7 +42,7 @@ final class StaticFrictionFeasibility {
             }
         }
         if (leastMargin(state, total) > 0) {
-            // they lie there without any load, and need not be asked for one
+            // friction holds without any load
             return;
         }
         int idle = 0;
@@ -93,7 +93,7 @@ final class StaticFrictionFeasibility {
         return least;
     }
 
-    /** Of the end that holds worst. */
+    /** The smallest margin of all ends. */
     private double leastMargin(double[] state, double[] total) {
         double least = Double.POSITIVE_INFINITY;
         for (int i : ends) {

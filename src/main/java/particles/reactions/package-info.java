@@ -1,12 +1,11 @@
 /**
- * Forces that answer the total of all others: what keeps a resting particle out of a plane, and the friction that comes
- * with it; what keeps rods as long as they are and beads on their wires. They act after all effects and only where
- * something is held.
+ * Forces that depend on the sum of all others: contact forces and friction, and the constraint forces of rods and
+ * wires. They are added after all effects.
  *
- * <p>One particle on planes is answered in closed form ({@link particles.reactions.RestingContacts}), rods and wires by
- * a narrow symmetric system ({@link particles.reactions.RigidConstraints}). Where a particle has both, they are one
- * small complementarity problem: rods, wires, pushes and sliding friction at once. Where more is held than needed - a
- * square with both diagonals in its plane, a prop between rough walls - rigid bodies do not say who carries what; no
- * motion depends on it. Then rods share alike, and static friction holds if there is any share with which it can.
+ * <p>One particle on surfaces has a closed form ({@link particles.reactions.RestingContacts}); rods and wires are a
+ * banded symmetric system ({@link particles.reactions.RigidConstraints}). Where a particle has both, they form one
+ * small complementarity problem. In statically indeterminate cases - a square with both diagonals, a prop between rough
+ * walls - rigid bodies do not determine the loads, and no motion depends on them: rods then share the load by least
+ * squares, and static friction holds if any load allows it.
  */
 package particles.reactions;

@@ -9,7 +9,7 @@ import particles.law.Vector3;
 import particles.scene.parts.SceneAssembly;
 
 /**
- * How much energy of motion is to be expected in a scene, so that "a million times more" means that it blew up. The
+ * Estimates the kinetic energy to expect in a scene; a million times more means that it blew up. The estimate is the
  * largest of
  * <ul>
  * <li>kinetic energy plus what springs, attraction, cohesion and penalties store at the start;</li>
@@ -17,9 +17,9 @@ import particles.scene.parts.SceneAssembly;
  *     duration, since everything may fall for as long as the run lasts;</li>
  * <li>what wind, emitters and moving anchors can give: the sum of m w&sup2;/2, with w the largest of their speeds, over
  * all
- *     particles, those too that are born during the run.</li>
+ *     particles, including those born during the run.</li>
  * </ul>
- * Where all three are 0 nothing that the scene names sets anything in motion. Then it is the kinetic energy with which
+ * If all three are 0 nothing in the scene sets anything in motion. The estimate is then the kinetic energy with which
  * every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1
  * m if that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
  */
@@ -30,7 +30,7 @@ final class EnergyScale {
     /**
      * @param system   the system at its start
      * @param springs  its springs
-     * @param assembly what gravity and wind it has
+     * @param assembly its gravity and wind
      * @param duration how long the run lasts (s), over 0
      * @return the scale (J), over 0
      */
@@ -54,7 +54,7 @@ final class EnergyScale {
         return scale > 0 ? scale : crossing(system, mass, duration);
     }
 
-    /** Like gravity, whose energy has no zero level of its own. */
+    /** Whether an effect is a uniform force like gravity, whose energy has no natural zero. */
     private static boolean isUniform(Effect effect) {
         return effect.getTraits().contains(Trait.TRANSLATION_INVARIANT) && !effect.getTraits().contains(Trait.INTERNAL);
     }

@@ -12,26 +12,26 @@ import particles.view.Scenery;
 import particles.view.SpringView;
 
 /**
- * A scene, ready to run.
+ * A scene that is built and ready to run.
  *
- * @param description what its file says, with what was overridden
- * @param simulation  to be run once, with whatever observers are added
+ * @param description the contents of its file, with options applied
+ * @param simulation  the simulation; it can be run once
  * @param system      what moves
- * @param solver      what moves it
- * @param springs     its springs; none, if it has none
- * @param scenery     what there is to be drawn beside particles and springs
- * @param camera      the camera; none if it is to be found by what there is to see
+ * @param solver      the solver
+ * @param springs     its springs, maybe none
+ * @param scenery     surfaces, planes, spheres and wires to draw
+ * @param camera      the camera; empty if it is to be fitted to the motion
  * @param look        how it is drawn
- * @param output      what is written
- * @param phase       what the phase-space plot shows, if the scene wants one
- * @param energyScale how much energy of motion is to be expected (J); {@code blowUpFactor} times that ends the run
+ * @param output      the files to write
+ * @param phase       the phase-space plot, if the scene has one
+ * @param energyScale the expected kinetic energy (J); {@code blowUpFactor} times that ends the run
  */
 public record Scene(SceneDescription description, Simulation simulation, ParticleSystem system, DESolver solver,
                     SpringView springs, Scenery scenery, Optional<Camera> camera, RenderOptions look,
                     OutputDescription output, Optional<Phase> phase, double energyScale) {
 
     /**
-     * What the phase-space plot shows.
+     * The coordinate shown by the phase-space plot.
      *
      * @param particle the index of the particle
      * @param axis     0 for x, 1 for y, 2 for z

@@ -32,16 +32,16 @@ import particles.spec.Chosen;
 import particles.spec.messages.Problems;
 import particles.view.Surface;
 
-/** From a description to a simulation: what it names is built, and nothing else. */
+/** Builds a simulation from a scene description; only what the description names is created. */
 public final class SceneBuilder {
     private SceneBuilder() {
     }
 
     /**
-     * @param described what the scene's file says
-     * @param overrides what goes before it
+     * @param described the scene's description
+     * @param overrides options that override it
      * @return the scene, ready to run
-     * @throws SceneException if what overrides is wrong, or the solver cannot be made
+     * @throws SceneException if an option is wrong, or the solver cannot be created
      */
     public static Scene build(SceneDescription described, Overrides overrides) {
         Problems problems = new Problems();
@@ -57,11 +57,11 @@ public final class SceneBuilder {
     }
 
     /**
-     * For runs that draw pictures.
+     * Checks that a run does not draw too many pictures.
      *
-     * @param scene  the scene that is about to run
-     * @param option how the option is typed that says whether pictures are drawn
-     * @throws SceneException if there would be too many
+     * @param scene  the scene to run
+     * @param option the option that turns pictures off, as typed
+     * @throws SceneException if there would be too many pictures
      */
     public static void checkPictures(SceneDescription scene, String option) {
         Problems problems = new Problems();
@@ -71,7 +71,7 @@ public final class SceneBuilder {
         }
     }
 
-    /** A law that is named by its class is somebody's own, and may fail in any way. */
+    /** Builds an effect; a student's own class may throw anything. */
     private static void build(Chosen<EffectKind> effect, SceneAssembly assembly) {
         try {
             effect.kind().build(effect.values(), assembly);
@@ -123,7 +123,7 @@ public final class SceneBuilder {
                 scene.look(), scene.output(), phase, scale);
     }
 
-    /** Effects are built in the order of the catalogue, and then those that it does not have. */
+    /** Effects are built in the order of the catalogue, students' own ones last. */
     private static int turn(Chosen<EffectKind> effect) {
         int index = EffectCatalog.ALL.indexOf(effect.kind());
         return index < 0 ? EffectCatalog.ALL.size() : index;

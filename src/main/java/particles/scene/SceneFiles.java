@@ -14,7 +14,7 @@ import particles.spec.messages.Wording;
 
 /** Finds scenes: by path, by name with or without number, or by number. */
 public final class SceneFiles {
-    /** The scene that runs where none is asked for: it looks good. */
+    /** The default scene. */
     public static final String DEFAULT = "cloth-in-wind";
 
     private static final String ENDING = ".yaml";
@@ -74,12 +74,12 @@ public final class SceneFiles {
         return found.get(0);
     }
 
-    /** Whether it can only be a path, as scenes' names have no folders in them. */
+    /** Whether a text can only be a path: names of scenes contain no folder. */
     private static boolean isPath(Path typed) {
         return typed.getNameCount() > 1 || typed.isAbsolute();
     }
 
-    /** Why a path is no scene. */
+    /** Why a path is not a scene. */
     private static String noFile(Path folder, Path typed) {
         String quoted = Wording.quote(typed.toString());
         if (Files.isDirectory(typed)) {
@@ -105,7 +105,7 @@ public final class SceneFiles {
         }
     }
 
-    /** All that a scene may be called by. */
+    /** All names by which a scene can be called. */
     private static List<String> namesOf(Path file) {
         String name = name(file).orElseThrow();
         if (!name.matches("\\d+-.+")) {

@@ -20,7 +20,7 @@ public final class SceneReader {
     /**
      * Reads a file.
      *
-     * @param file a scene; in messages it is called as it is given here
+     * @param file a scene file; messages name it as given here
      * @return what it says
      * @throws SceneException with everything that is wrong with it
      */
@@ -32,7 +32,7 @@ public final class SceneReader {
      * Reads a file that may name students' classes.
      *
      * @param file    a scene
-     * @param classes finds the classes that it names
+     * @param classes finds classes that the file names
      * @return what it says
      * @throws SceneException with everything that is wrong with it
      */
@@ -47,7 +47,7 @@ public final class SceneReader {
     }
 
     /**
-     * Reads what a file holds.
+     * Reads a scene from bytes.
      *
      * @param source the file's name in messages
      * @param bytes  its bytes
@@ -66,9 +66,7 @@ public final class SceneReader {
                 .orElseThrow(() -> new SceneException(problems.lines()));
     }
 
-    /**
-     * As far as the format says what is allowed, without what has to hold between the parts: this the schema knows too.
-     */
+    /** Reads the values and checks each by itself, as the schema does; conditions between parts are checked later. */
     static Optional<Values> readValues(byte[] bytes, Reading in) {
         return YamlText.compose(bytes, in).map(root -> SceneFormat.SCENE.readRoot(root, in));
     }

@@ -3,7 +3,7 @@ package particles.spec;
 import particles.spec.messages.Place;
 
 /**
- * An entry that chose a kind.
+ * One entry of a list: the kind that it names, its values and its place.
  *
  * @param kind   the kind
  * @param values what is said of it

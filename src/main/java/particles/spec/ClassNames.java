@@ -1,10 +1,10 @@
 package particles.spec;
 
-/** Finds kinds that a file names by a class instead of a name of ours, such as a student's own effect. */
+/** Finds kinds that a file names by their class, such as a student's own effect. */
 public interface ClassNames {
     /**
      * @param example such a name
-     * @return texts of the form of a class's full name
+     * @return the type of texts that look like a class's full name
      */
     static TextType form(String example) {
         return TextType.of("the full name of a class, such as " + example,
@@ -20,7 +20,7 @@ public interface ClassNames {
      */
     <K extends Kind> K find(String name, Class<K> type);
 
-    /** @return one that finds no class */
+    /** @return a finder without any classes */
     static ClassNames none() {
         return new ClassNames() {
             @Override

@@ -7,9 +7,9 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
-/** true or false. */
+/** The type of a value that is true or false. */
 public final class FlagType extends Type<Boolean> {
-    /** The one there is. */
+    /** The only instance. */
     public static final FlagType FLAG = new FlagType();
 
     private FlagType() {
@@ -18,7 +18,7 @@ public final class FlagType extends Type<Boolean> {
     @Override
     Optional<Boolean> read(Node node, String what, Reading in) {
         if (!node.getTag().equals(Tag.BOOL)) {
-            return wrong(node, what, in);               // yes and no are texts in YAML 1.2
+            return wrong(node, what, in);               // in YAML 1.2 "yes" and "no" are texts
         }
         return Optional.of(((ScalarNode) node).getValue().toLowerCase(Locale.ROOT).equals("true"));
     }

@@ -3,13 +3,12 @@ package particles.spec;
 import java.util.Optional;
 
 /**
- * A key of a mapping, and all there is to know of it.
+ * A key of a mapping: its name, type, default and description.
  *
  * @param name         how it is written
  * @param type         what values it takes
  * @param required     whether it must be there
- * @param defaultValue its value where it is not there; none if its absence means something else, which the sentence
- *                     says
+ * @param defaultValue the value if the key is absent; empty if the sentence says what absence means
  * @param sentence     what it means
  * @param <T>          what a value is in Java
  */
@@ -30,8 +29,7 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
         return new Key<>(name, type, false, Optional.empty(), sentence);
     }
 
-    // Written out, as what a record does by itself is put together at run time, which is several per cent of a short
-    // run.
+    // Written out because a record's own equals is linked at run time, which takes several per cent of a short run.
 
     @Override
     public boolean equals(Object other) {
@@ -39,13 +37,13 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
                 && required == key.required && defaultValue.equals(key.defaultValue) && sentence.equals(key.sentence);
     }
 
-    /** Of the name alone, which is what the keys of a mapping differ in. */
+    /** Uses the name alone, in which the keys of a mapping differ. */
     @Override
     public int hashCode() {
         return name.hashCode();
     }
 
-    /** @return the default as JSON has it, if there is one */
+    /** @return the default as a JSON value, if there is one */
     public Optional<Object> defaultJson() {
         return defaultValue.map(type::toJson);
     }

@@ -1,13 +1,39 @@
 package particles.spec;
 
-/** One of several things that a list's entry can be, each with keys of its own: an effect, a rule, a shape. */
-public interface Kind {
+/** A named kind of list entry with its own keys: an effect, a rule, a shape, a wire. */
+public abstract class Kind {
+    private final String name;
+    private final String sentence;
+    private final MappingType keys;
+
+    /**
+     * @param name     the name by which scenes choose it
+     * @param sentence what it is, in one sentence
+     * @param keys     the keys that a scene can set
+     */
+    protected Kind(String name, String sentence, Key<?>... keys) {
+        this(name, sentence, MappingType.of("'" + name + "'", keys));
+    }
+
+    /** As above, for keys that also have to fit together. */
+    protected Kind(String name, String sentence, MappingType keys) {
+        this.name = name;
+        this.sentence = sentence;
+        this.keys = keys;
+    }
+
     /** @return the name by which scenes choose it */
-    String name();
+    public final String name() {
+        return name;
+    }
 
     /** @return what it is, in one sentence */
-    String sentence();
+    public final String sentence() {
+        return sentence;
+    }
 
-    /** @return what can be said of it */
-    MappingType keys();
+    /** @return the keys that a scene can set */
+    public final MappingType keys() {
+        return keys;
+    }
 }

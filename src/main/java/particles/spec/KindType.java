@@ -14,7 +14,8 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Wording;
 
 /**
- * A choice of one kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} where it needs no keys.
+ * The type of an entry that names a kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} if it
+ * needs no keys.
  *
  * @param <K> the kinds there are
  */
@@ -24,7 +25,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     private final Optional<ByClass<K>> byClass;
     private final Optional<Elsewhere> elsewhere;
 
-    /** Kinds of another sort, by which a mistake is recognised: an effect where a rule should be. */
+    /** Kinds of another list, to recognise mistakes such as an effect among the rules. */
     private record Elsewhere(String what, String key, List<? extends Kind> kinds) {
     }
 
@@ -59,7 +60,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
      * @param otherWhat what other kinds are kinds of, such as {@code effect}
      * @param key       the key under which they stand, such as {@code effects}
      * @param others    the other kinds, with other names
-     * @return these kinds; a name of another kind is told where it belongs
+     * @return this type; for a name of another kind the message says where it belongs
      */
     public KindType<K> notToConfuseWith(String otherWhat, String key, List<? extends Kind> others) {
         return new KindType<>(what, kinds, byClass, Optional.of(new Elsewhere(otherWhat, key, others)));
@@ -142,7 +143,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
                 + ", with its keys below it";
     }
 
-    /** @return what else than a kind's name may stand in its place, to follow the names */
+    /** @return what may be written instead of a kind's name; text that follows the names */
     public String orClass() {
         return byClass.map(other -> ", or " + other.form().describe()).orElse("");
     }

@@ -9,7 +9,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 
 /**
- * A list of values of one type; a list of one may be written without the list where that is allowed.
+ * The type of a list of values; some lists of one may be written without brackets.
  *
  * @param <T> what an element is in Java
  */
@@ -34,7 +34,7 @@ public final class ListType<T> extends Type<List<T>> {
         return new ListType<>(elementName, element, true);
     }
 
-    /** {@inheritDoc} The elements without problems, so that what depends on them can still be looked at. */
+    /** {@inheritDoc} Returns the elements without problems, so that what depends on them can still be checked. */
     @Override
     Optional<List<T>> read(Node node, String what, Reading in) {
         List<T> elements = new ArrayList<>();

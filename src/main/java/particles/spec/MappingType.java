@@ -15,7 +15,7 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 import particles.spec.messages.Place;
 import particles.spec.messages.Wording;
 
-/** A mapping with known keys. */
+/** The type of a mapping with known keys. */
 public final class MappingType extends Type<Values> {
     private final String name;
     private final List<Key<?>> keys;
@@ -59,7 +59,7 @@ public final class MappingType extends Type<Values> {
         return read(root, name, in).orElseThrow();
     }
 
-    /** {@inheritDoc} Always values, with what is right in them; whether all is, {@link Values#isSound()} says. */
+    /** {@inheritDoc} Always returns the values that are right; {@link Values#isSound()} says whether all are. */
     @Override
     Optional<Values> read(Node node, String what, Reading in) {
         Values values = new Values(in.place(node));
@@ -132,9 +132,8 @@ public final class MappingType extends Type<Values> {
     }
 
     /**
-     * @return values with which to try out what the keys describe: the defaults, and samples for the keys that are
-     *         required
-     * @throws IllegalArgumentException if a required key has a type of which no sample is known
+     * @return values for trying out a kind: the defaults, and samples for required keys
+     * @throws IllegalArgumentException if a required key has a type without a sample
      */
     public Values samples() {
         Values values = new Values(Place.of("a sample"));
@@ -199,7 +198,7 @@ public final class MappingType extends Type<Values> {
         return shortFor;
     }
 
-    /** @return whether nothing has to be said */
+    /** @return whether no key is required */
     boolean mayBeEmpty() {
         return exactlyOneOf.isEmpty() && keys.stream().noneMatch(Key::required);
     }

@@ -10,7 +10,7 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** One of some names; or else, where that is allowed, a text of another form. */
+/** The type of a name from a list, or optionally a text of another form. */
 public final class NameType extends Type<String> {
     private final String what;
     private final List<String> names;
@@ -23,7 +23,7 @@ public final class NameType extends Type<String> {
     }
 
     /**
-     * @param what  what the names name, such as {@code solver}
+     * @param what  what is named, such as {@code solver}
      * @param names the names
      * @return one of them
      */

@@ -11,7 +11,9 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import particles.spec.messages.Wording;
 
-/** Common mistakes in typing a number, such as {@code 0,01} and {@code 10 ms}, and how to mend each of them. */
+/**
+ * Recognises common mistakes in typed numbers, such as {@code 0,01} and {@code 10 ms}, and says what to write instead.
+ */
 final class NumberMistake {
     private static final String NUMBER = "[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?";
     private static final Pattern PLAIN = Pattern.compile(NUMBER);
@@ -23,7 +25,7 @@ final class NumberMistake {
     /** Dashes that look like a minus sign: the mathematical one, the en dash, the hyphen that does not break. */
     private static final Pattern OTHER_MINUS = Pattern.compile("[\u2212\u2013\u2011]");
     private static final Pattern NO_BREAK_SPACE = Pattern.compile("[\u00a0\u202f\u2007]");
-    /** What multiplies a number with this unit, where the unit of the key is the second of the pair. */
+    /** Conversion factors from the first unit to the second, which is that of the key. */
     private static final Map<String, Double> FACTORS = Map.ofEntries(Map.entry("ms s", 1e-3), Map.entry("us s", 1e-6),
             Map.entry("\u00b5s s", 1e-6), Map.entry("min s", 60.0), Map.entry("mm m", 1e-3), Map.entry("cm m", 1e-2),
             Map.entry("km m", 1e3), Map.entry("g kg", 1e-3), Map.entry("mg kg", 1e-6), Map.entry("t kg", 1e3));
@@ -34,7 +36,7 @@ final class NumberMistake {
     /**
      * @param node what stands where a number should be
      * @param unit the unit of that number, or empty
-     * @return what is wrong with it and what to write, to follow a semicolon; nothing if it is no mistake known here
+     * @return what is wrong and what to write, as text to follow a semicolon; empty if no known mistake
      */
     static Optional<String> of(Node node, String unit) {
         if (!(node instanceof ScalarNode)) {

@@ -8,11 +8,11 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import particles.spec.messages.Wording;
 
-/** A finite number in a range. */
+/** The type of a finite number in a range. */
 public final class NumberType extends Type<Double> {
-    /** Nothing in a scene is larger, and products of a few such numbers still are finite. */
+    /** The largest number allowed in a scene; products of a few such numbers are still finite. */
     private static final double HUGE = 1e30;
-    /** No number that has to be positive is smaller: its inverse is finite, and that of a part of it. */
+    /** The smallest positive number allowed; its inverse is finite. */
     public static final double TINY = 1e-30;
 
     private final double least;
@@ -91,7 +91,7 @@ public final class NumberType extends Type<Double> {
             }
             return Optional.of(Double.parseDouble(text));
         } catch (NumberFormatException e) {
-            return Optional.of(Double.NaN);             // .inf, .nan, or hexadecimal beyond measure: in no range
+            return Optional.of(Double.NaN);             // .inf, .nan or a huge hexadecimal number: not in any range
         }
     }
 

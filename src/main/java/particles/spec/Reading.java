@@ -5,7 +5,7 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 
 /**
- * One source being read.
+ * The context of reading one source: its name, its problems and the classes it may name.
  *
  * @param source   its name in messages
  * @param problems where problems go
@@ -22,7 +22,7 @@ public record Reading(String source, Problems problems, ClassNames classes) {
         problems.add(place(node), message);
     }
 
-    /** A value that came from an option has no mark; its place is the option as a whole. */
+    /** A value from an option has no position; its place is the whole option. */
     Place place(Node node) {
         return Place.of(source, node);
     }

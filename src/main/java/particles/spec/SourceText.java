@@ -15,13 +15,13 @@ import java.util.Optional;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 import particles.spec.messages.Place;
 
-/** From a file to its text: of bounded size, in UTF-8 and of printable characters, or else a line that says why not. */
+/** Reads a text file safely: limited size, UTF-8, printable characters only; anything else is a clear problem. */
 public final class SourceText {
-    /** A scene of 10,000 particles one by one is a third of this. */
+    /** The largest file (bytes); a scene of 10,000 single particles takes a third of it. */
     static final int LARGEST = 2 << 20;
-    /** The parser's time grows with the square of a word's length. */
+    /** The longest word; the parser's time grows with the square of a word's length. */
     static final int LONGEST_WORD = 100_000;
-    /** UTF-16's byte order mark, in one order or the other. */
+    /** The two bytes of UTF-16's byte order mark. */
     private static final byte LOW = (byte) 0xfe;
     private static final byte HIGH = (byte) 0xff;
 
@@ -29,11 +29,11 @@ public final class SourceText {
     }
 
     /**
-     * Reads a file, and no more of it than is allowed.
+     * Reads a file up to the largest size.
      *
      * @param file   the file
      * @param in     its name, and where problems go
-     * @return its bytes, or nothing if a problem was said
+     * @return its bytes, or empty if a problem was reported
      */
     public static Optional<byte[]> read(Path file, Reading in) {
         String problem;
@@ -59,7 +59,7 @@ public final class SourceText {
      *
      * @param bytes what a file holds
      * @param in    its name, and where problems go
-     * @return the text, or nothing if a problem was said
+     * @return the text, or empty if a problem was reported
      */
     static Optional<String> decode(byte[] bytes, Reading in) {
         Place whole = Place.of(in.source());

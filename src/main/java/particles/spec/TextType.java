@@ -9,7 +9,7 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import particles.spec.messages.Wording;
 
-/** A text, perhaps of a certain form. */
+/** The type of a text, optionally of a certain form. */
 public final class TextType extends Type<String> {
     private static final int LONGEST = 2000;
 

@@ -10,7 +10,7 @@ import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
 /**
- * What kind of value a key takes.
+ * The type of a key's value: reads and checks it, and describes it.
  *
  * @param <T> what a value is in Java
  */
@@ -27,7 +27,7 @@ public abstract class Type<T> {
     abstract Optional<T> read(Node node, String what, Reading in);
 
     /**
-     * Reads a value that was given as an option and not in a file; checked in the same way.
+     * Reads a value that was given as an option; it is checked as in a file.
      *
      * @param text     the value as it was typed
      * @param option   the option as it was typed, such as {@code -PdeltaT}; the place of all problems

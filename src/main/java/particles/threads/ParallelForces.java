@@ -10,12 +10,15 @@ import particles.law.Effect;
 import particles.law.Particles;
 
 /**
- * The derivative, evaluated by several threads: each takes a range of the particles, and some of the blocks of each
- * {@link DivisibleEffect}. What each particle's force is added up from, and in which order, is the same as in one
- * thread, and so are the bits.
+ * Evaluates the derivative on several threads: each takes a range of the particles and some of the blocks of each
+ * {@link DivisibleEffect}. Each particle's force is summed in the same order as on one thread, so the bits are the
+ * same.
  */
 public final class ParallelForces implements ParallelDerivative {
-    /** With fewer forces one thread is faster. Cloths, rk4: two are as fast at 8,000 and take 0.8 of it at 16,000. */
+    /**
+     * With fewer forces one thread is faster. For cloths with rk4, two are as fast at 8,000 and take 0.8 of the time at
+     * 16,000.
+     */
     public static final long PAYS_FROM = 16_384;
     private static final int NOBODY = -1;
 
@@ -41,16 +44,16 @@ public final class ParallelForces implements ParallelDerivative {
     }
 
     /**
-     * Lets several threads evaluate the forces of a system, where that pays, with the same bits.
+     * Lets several threads evaluate the forces of a system when there are enough of them.
      *
-     * @param system  whose forces
-     * @param threads how many, the caller's own included; 1 ends all others
+     * @param system the system
+     * @param threads the number of threads, including the caller's; 1 ends all others
      */
     public static void use(ParticleSystem system, int threads) {
         use(system, threads, PAYS_FROM);
     }
 
-    /** The same from a number of forces on. */
+    /** As above, with another number of forces from which threads are used. */
     public static void use(ParticleSystem system, int threads, long paysFrom) {
         if (threads < 1) {
             throw new IllegalArgumentException("forces cannot be evaluated by " + threads + " threads");
@@ -77,7 +80,7 @@ public final class ParallelForces implements ParallelDerivative {
         List<Effect> others = forces.others();
         int next = 0;
         if (!others.isEmpty() && takeUp(others.get(0), workers.count())) {
-            workers.run(beginningByBlocks);             // one time less that threads wait for each other
+            workers.run(beginningByBlocks);             // saves one barrier
             addJoints(NOBODY);
             next = 1;
         } else {
@@ -96,7 +99,7 @@ public final class ParallelForces implements ParallelDerivative {
         workers.run(end);
     }
 
-    /** Whether the effect has so many blocks; it is the one whose blocks are evaluated then. */
+    /** Makes the effect the one whose blocks are evaluated next; returns false if it has too few blocks. */
     private boolean takeUp(Effect effect, int fewest) {
         if (!(effect instanceof DivisibleEffect)) {
             return false;
@@ -117,7 +120,7 @@ public final class ParallelForces implements ParallelDerivative {
         addBlocks(part, parts);
     }
 
-    /** A thread's blocks, and the joints of these alone. */
+    /** Adds a thread's blocks and the joints between them. */
     private void addBlocks(int part, int parts) {
         for (int block = cut(blocks, part, parts); block < cut(blocks, part + 1, parts); block++) {
             divisible.addPart(block, state, time, dSdt);
@@ -125,7 +128,9 @@ public final class ParallelForces implements ParallelDerivative {
         addJoints(part);
     }
 
-    /** The joints, from those of two blocks up, whose blocks one part has; or those that no part has to itself. */
+    /**
+     * Adds the joints whose blocks all belong to one part, or, for NOBODY, those between parts; smaller joints first.
+     */
     private void addJoints(int part) {
         for (int length = 2, joint = blocks; length <= blocks; length *= 2) {
             for (int from = 0; from < blocks; from += length, joint++) {
@@ -137,7 +142,7 @@ public final class ParallelForces implements ParallelDerivative {
         }
     }
 
-    /** Whose block it is: the last part that {@link #cut} lets begin there or before. */
+    /** The part that a block belongs to, the inverse of {@link #cut}. */
     private int partOf(int block) {
         return ((block + 1) * workers.count() - 1) / blocks;
     }
@@ -147,7 +152,7 @@ public final class ParallelForces implements ParallelDerivative {
         forces.finish(state, dSdt, cut(n, part, parts), cut(n, part + 1, parts));
     }
 
-    /** Where a part of so many begins. */
+    /** The first item of a part. */
     private static int cut(int all, int part, int parts) {
         return (int) ((long) all * part / parts);
     }

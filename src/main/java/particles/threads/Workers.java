@@ -4,33 +4,32 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * A few threads that do a piece of work together with the thread that asks for it, over and over and without
- * allocating. Between two pieces they watch for the next one for a while, and then sleep until they are woken. They are
- * daemons, and end when they are closed.
+ * A small thread pool that repeatedly runs the parts of a task together with the calling thread, without allocating.
+ * Between tasks the threads spin for a while, then park. They are daemon threads and end on close.
  */
 final class Workers implements AutoCloseable {
     /**
-     * How often a thread looks before it sleeps, where each has a processor: one or two milliseconds, longer than a
-     * solver's own arithmetic takes. To wake a thread costs up to a tenth of one: with a fortieth of the looks two
-     * threads were slower than one on a cloth of 64 x 64, and with these they take two thirds of its time.
+     * Spins before a thread parks, if each has a processor: one or two milliseconds, longer than a solver's own
+     * arithmetic takes. Waking a thread takes up to 0.1 ms: with a fortieth of the spins, two threads were slower than
+     * one on a cloth of 64 x 64; with these they take two thirds of its time.
      */
     private static final int LOOKS = 40_000;
-    /** Where threads share a processor, looking keeps the other from working. */
+    /** Spins if threads share a processor, where spinning keeps the other thread from working. */
     private static final int FEW_LOOKS = 500;
     /**
-     * After so many looks, some microseconds, each further one lets others have the processor first: the thread that is
-     * waited for may have none, as something else runs on the machine, if only the drawing of frames. That cloth took
-     * two threads four times as long as one then, and takes them as long with this.
+     * After so many spins, some microseconds, each further one yields the processor: the other thread may have none
+     * while something else runs, such as the drawing of frames. Without yielding, two threads then took four times as
+     * long as one on that cloth; with it, as long.
      */
     private static final int LOOKS_ALONE = 100;
-    /** So many looks take as long as one that lets others go first. */
+    /** A yield takes as long as this many spins. */
     private static final int LOOKS_OF_A_YIELD = 10;
 
-    /** What is done together. */
+    /** A task made of parts. */
     interface Work {
         /**
-         * @param part  which part of it, from 0
-         * @param parts how many parts there are, done by as many threads
+         * @param part  index of the part, from 0
+         * @param parts the number of parts and of threads
          */
         void run(int part, int parts);
     }
@@ -42,9 +41,9 @@ final class Workers implements AutoCloseable {
     private volatile boolean closed;
     private volatile Throwable failure;
     private volatile Thread caller;
-    private Work work;                                  // handed over by round
+    private Work work;                                  // published by the write to round
 
-    /** @param threads how many work together, the caller's own included; 2 or more */
+    /** @param threads the number of threads, including the caller's; 2 or more */
     Workers(int threads) {
         helpers = new Thread[threads - 1];
         looks = threads <= Runtime.getRuntime().availableProcessors() ? LOOKS : FEW_LOOKS;
@@ -56,18 +55,18 @@ final class Workers implements AutoCloseable {
         }
     }
 
-    /** How many threads work together, the caller's own included. */
+    /** The number of threads, including the caller's. */
     int count() {
         return helpers.length + 1;
     }
 
-    /** Does all parts of the work, part 0 in this thread; a failure of any of them is thrown when all have ended. */
+    /** Runs all parts, part 0 in this thread; an exception of any part is thrown when all have ended. */
     void run(Work work) {
         this.work = work;
         caller = Thread.currentThread();
-        failure = null;                                 // last time the caller's own may have been thrown instead
+        failure = null;                                 // an old one may remain if the caller's part failed too
         busy.set(helpers.length);
-        round++;                                        // only the caller writes it
+        round++;                                        // only the caller writes round
         for (Thread helper : helpers) {
             LockSupport.unpark(helper);
         }
@@ -91,7 +90,7 @@ final class Workers implements AutoCloseable {
         }
     }
 
-    /** Waits for a moment, as long as is right after so many looks; returns how many there are then. */
+    /** Spins, yields or parks, depending on the number of spins so far; returns their new number. */
     private int waited(int look) {
         if (look < Math.min(LOOKS_ALONE, looks)) {
             Thread.onSpinWait();
@@ -125,7 +124,7 @@ final class Workers implements AutoCloseable {
         }
     }
 
-    /** Ends the threads, and waits until they have ended. */
+    /** Ends the threads and waits for them. */
     @Override
     public void close() {
         closed = true;
@@ -136,7 +135,7 @@ final class Workers implements AutoCloseable {
                 try {
                     helper.join();
                 } catch (InterruptedException e) {
-                    interrupted = true;                 // they are about to end in any case
+                    interrupted = true;                 // the threads end in any case
                 }
             }
         }

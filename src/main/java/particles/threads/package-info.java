@@ -1,5 +1,5 @@
 /**
- * Large systems on several threads, with the same bits as on one. A system knows nothing of them:
- * {@link particles.threads.ParallelForces} is handed to it from outside.
+ * Evaluates large systems on several threads, with the same bits as on one; see {@link
+ * particles.threads.ParallelForces}.
  */
 package particles.threads;

@@ -3,14 +3,14 @@ package particles.view;
 import particles.law.Vector3;
 
 /**
- * From where and how a scene is looked at.
+ * The camera: position, direction and projection.
  *
- * @param position    where the camera stands (m)
+ * @param position    the camera's position (m)
  * @param target      the point it looks at, in the middle of the picture (m)
  * @param up          the direction that is up in the picture
  * @param perspective true for a perspective view, false for an orthographic one
  * @param fieldOfView the full vertical angle of a perspective view (degrees)
- * @param height      the height of the picture in the plane through the target, of an orthographic view (m)
+ * @param height      the height of an orthographic view (m)
  */
 public record Camera(Vector3 position, Vector3 target, Vector3 up, boolean perspective, double fieldOfView,
         double height) {

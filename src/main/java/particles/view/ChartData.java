@@ -3,21 +3,21 @@ package particles.view;
 import java.util.List;
 
 /**
- * What a chart shows, apart from how it is drawn.
+ * The data and labels of a chart, independent of how it is drawn.
  *
  * @param title  the finding, or what is shown
  * @param xLabel the quantity along x, with its unit
  * @param yLabel the quantity along y, with its unit
  * @param xLog   whether x is logarithmic
  * @param yLog   whether y is logarithmic
- * @param rows   what y = 0, 1, 2, ... mean, from above, where y is no quantity; else empty
+ * @param rows   names for y = 0, 1, 2, ..., from the top, if y is not a quantity; otherwise empty
  * @param series the lines and points
  */
 public record ChartData(String title, String xLabel, String yLabel, boolean xLog, boolean yLog, List<String> rows,
                         List<Series> series) {
 
     /**
-     * A chart of quantities.
+     * A chart in which x and y are quantities.
      *
      * @param title  the finding, or what is shown
      * @param xLabel the quantity along x, with its unit
@@ -40,26 +40,26 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
         POINTS,
         /** Hollow points without a line. */
         OPEN_POINTS,
-        /** Both. */
+        /** A line with points. */
         LINE_AND_POINTS,
-        /** Both; the points are hollow, so that filled ones on top of some of them stand out. */
+        /** A line with hollow points, so that filled points on top of some of them stand out. */
         LINE_AND_OPEN_POINTS,
         /** Thin straight lines, with gaps between them: the spread of a measurement. */
         BARS,
-        /** Crosses that cannot be taken for results. */
+        /** Crosses, for failed runs. */
         FAILURES,
-        /** Rings, for failures of another kind. */
+        /** Rings, for runs that were given up. */
         GIVEN_UP
     }
 
     /**
      * One line of a chart.
      *
-     * @param name what the legend says; if it begins with a solver's name, the series has this solver's colour and
-     *             mark, the same in all charts, and series that are no solver's beside it are grey
+     * @param name the name in the legend; if it begins with a solver's name, the series has that solver's colour and
+     *             mark in all charts, and other series beside it are grey
      * @param mark how it is drawn
      * @param x    the abscissae
-     * @param y    as many ordinates
+     * @param y    the ordinates, as many as x has entries
      */
     public record Series(String name, Mark mark, double[] x, double[] y) {
     }

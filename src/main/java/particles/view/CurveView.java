@@ -2,14 +2,14 @@ package particles.view;
 
 import particles.law.Vector3;
 
-/** What a picture needs to know of a curve in space. */
+/** A curve in space, as needed for drawing. */
 public interface CurveView {
     /**
-     * @param u how far along the curve, measured on the curve or along a straight line beside it (m); any number
-     * @return the place (m)
+     * @param u the curve's parameter, a length along the curve or along a straight line beside it (m); any number
+     * @return the point (m)
      */
     Vector3 at(double u);
 
-    /** @return the u at which the curve is back where it began (m); infinite where it never is */
+    /** @return the u at which a closed curve is back at its beginning (m); infinity for an open one */
     double length();
 }

@@ -3,11 +3,11 @@ package particles.view;
 import java.util.List;
 
 /**
- * A table of results, apart from how it is shown: files get all digits, people as many as mean something.
+ * A table of results, independent of how it is shown: files get all digits, people only the significant ones.
  *
- * @param name    what its file is called, such as {@code slopes}
- * @param title   what it lists
- * @param columns what stands in each column
+ * @param name    the name of its file, such as {@code slopes}
+ * @param title   the heading
+ * @param columns the columns
  * @param rows    a cell for each column: a text, a whole number ({@code Integer}, {@code Long}) or a {@code Double}
  */
 public record DataTable(String name, String title, List<Column> columns, List<List<Object>> rows) {
@@ -16,12 +16,12 @@ public record DataTable(String name, String title, List<Column> columns, List<Li
      * One column.
      *
      * @param name   the quantity, with its unit
-     * @param digits how many significant digits of a {@code Double} people are shown
+     * @param digits the number of significant digits of a {@code Double} that people are shown
      */
     public record Column(String name, int digits) {
     }
 
-    /** @throws IllegalArgumentException if a row has not a cell for each column */
+    /** @throws IllegalArgumentException if a row does not have one cell for each column */
     public DataTable {
         columns = List.copyOf(columns);
         rows = rows.stream().map(List::copyOf).toList();
@@ -34,7 +34,7 @@ public record DataTable(String name, String title, List<Column> columns, List<Li
     }
 
     /**
-     * @param name of a column; four digits of it are shown
+     * @param name the column's name; four digits are shown
      * @return the column
      */
     public static Column column(String name) {

@@ -3,13 +3,13 @@ package particles.view;
 import java.util.List;
 
 /**
- * How free particles are drawn, and in which light.
+ * How free particles are drawn: kind, colours, trails, day or night.
  *
- * @param kind       the way of drawing them
+ * @param kind       the shape of a particle
  * @param ageColours the colours of a glow through a particle's life, evenly spread from its birth to its death,
  *                   0xRRGGBB
  * @param trail      how long a trail stays visible (s); 0 for no trails
- * @param night      whether the sky is dark, so that a glow is seen
+ * @param night      whether the sky is dark, so that a glow is visible
  */
 public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, boolean night) {
 
@@ -17,7 +17,7 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
     public enum Kind {
         /** A shaded ball. */
         BALLS,
-        /** A dot of a few pixels, as large far away as near by. */
+        /** A dot of a few pixels at any distance. */
         POINTS,
         /** Part of a smooth surface around all particles: drops that flow together where they meet. */
         BLOBS,
@@ -36,7 +36,7 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
             throw new IllegalArgumentException("a glow needs at least one colour");
         }
         if (!(trail >= 0) || !(trail <= Double.MAX_VALUE)) {
-            throw new IllegalArgumentException("a trail has to last 0 s or more, and not " + trail + " s");
+            throw new IllegalArgumentException("a trail has to last 0 s or more, not " + trail + " s");
         }
     }
 }

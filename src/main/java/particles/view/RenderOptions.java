@@ -3,7 +3,7 @@ package particles.view;
 import java.util.List;
 
 /**
- * Which parts of a scene are drawn, and in which colours. Surfaces are drawn where the scene has them.
+ * Which parts of a scene are drawn, and in which colours.
  *
  * @param particles      which particles are drawn
  * @param springs        which springs are drawn
@@ -14,13 +14,13 @@ import java.util.List;
  * @param fixedColour    the colour of fixed particles
  * @param frontColour    the colour of a surface's front
  * @param backColour     the colour of its back
- * @param style          as what free particles are drawn
+ * @param style          how free particles are drawn
  */
 public record RenderOptions(Shown particles, Shown springs, double particleRadius, double strainRange,
         int particleColour,
                    int fixedColour, int frontColour, int backColour, ParticleStyle style) {
 
-    /** How pictures look where a scene says nothing. */
+    /** The defaults. */
     public static final RenderOptions STANDARD = new RenderOptions(Shown.BESIDE_SURFACES, Shown.BESIDE_SURFACES, 0, 0.1,
             0xf0a43c, 0x5a6270,
             0xd9534f, 0x4a78b5, ParticleStyle.STANDARD);
@@ -30,7 +30,8 @@ public record RenderOptions(Shown particles, Shown springs, double particleRadiu
         /** All. */
         ALWAYS,
         /**
-         * Those that do not belong to a surface; springs with an end that does not, unless they begin on a closed one.
+         * Only particles that do not belong to a surface; only springs with an end that does not, unless they begin on
+         * a closed surface.
          */
         BESIDE_SURFACES,
         /** None. */
@@ -55,10 +56,10 @@ public record RenderOptions(Shown particles, Shown springs, double particleRadiu
     }
 
     /**
-     * The same things drawn in one colour, so that pictures beside each other can be told apart.
+     * Returns the same options in one colour, to tell pictures beside each other apart.
      *
-     * @param colour of particles and surfaces, 0xRRGGBB; springs show no strain
-     * @return the look
+     * @param colour the colour of particles and surfaces, 0xRRGGBB; springs show no strain
+     * @return the new options
      */
     public RenderOptions inOneColour(int colour) {
         return new RenderOptions(particles, springs, particleRadius, Double.MAX_VALUE, colour, fixedColour, colour,

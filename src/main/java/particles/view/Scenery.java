@@ -5,7 +5,7 @@ import particles.law.Plane;
 import particles.law.Sphere;
 
 /**
- * What a scene has to be drawn beside its particles and springs.
+ * Things to draw beside particles and springs: surfaces, planes, spheres and wires.
  *
  * @param surfaces surfaces that particles span
  * @param planes   the ground and other planes that particles meet
@@ -13,7 +13,7 @@ import particles.law.Sphere;
  * @param wires    the curves along which they slide
  */
 public record Scenery(List<Surface> surfaces, List<Plane> planes, List<Sphere> spheres, List<CurveView> wires) {
-    /** Nothing but particles and springs. */
+    /** No scenery. */
     public static final Scenery NONE = new Scenery(List.of(), List.of(), List.of(), List.of());
 
     /** Copies the lists. */

@@ -1,6 +1,6 @@
 package particles.view;
 
-/** What a picture or a message needs to know of springs, whoever computes their force. */
+/** Read-only view of springs, for pictures and messages. */
 public interface SpringView {
     /** @return how many springs there are */
     int springCount();

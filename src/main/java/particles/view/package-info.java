@@ -1,5 +1,5 @@
 /**
- * What can be drawn, as plain records: the camera, the render options, surfaces, springs, charts and tables.
+ * Plain records of everything that can be drawn: the camera, the render options, surfaces, springs, charts and tables.
  * Experiments and the scene reader fill them; {@code particles.output} draws them.
  */
 package particles.view;

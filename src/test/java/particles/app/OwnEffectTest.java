@@ -176,9 +176,7 @@ class OwnEffectTest {
     @Test
     void theCheckMakesItFromItsKeys() throws IOException {
         write("Coriolis", LAW);
-        ParticleSystem system = EffectSample.system();
-        assertEquals(List.of(), EffectCheck.check(system,
-                EffectSample.create("Coriolis", system.getParticles(), new StudentClasses())));
+        assertEquals(List.of(), EffectCheck.check(EffectSample.law("Coriolis", new StudentClasses())));
     }
 
     @Test

@@ -26,7 +26,7 @@ import particles.rules.CircleMotion;
 import particles.rules.GlideMotion;
 import particles.rules.SineMotion;
 
-/** Anchors that move are where their motions are, whatever the solver, and cost it neither its order nor its memory. */
+/** Moving anchors follow their motions exactly with every solver, which keeps its order and memory. */
 class AnchorsTest {
     private static final AnchorMotion GLIDE = new GlideMotion(Vector3.ZERO, new Vector3(2, 0, 0), 1.02);
     private static final AnchorMotion CRANK = new CircleMotion(new Vector3(0.3, 0, 0), Vector3.ZERO,
@@ -55,12 +55,12 @@ class AnchorsTest {
     }
 
     /**
-     * After 400 steps of 0.05 s, forwards or backwards. Integrated from its acceleration the hand, that should stay at
-     * 2 m, was at 1.33 m with verlet and euler and at 2.45 m with midpoint, and went on.
+     * After 400 steps of 0.05 s, forwards or backwards. If the hand's acceleration were integrated, it would be at 1.33
+     * m with verlet and euler and at 2.45 m with midpoint instead of 2 m.
      */
     @ParameterizedTest
     @MethodSource("solvers")
-    void anchorsAreWhereTheirMotionsAre(String solver) {
+    void anchorsFollowTheirMotionsExactly(String solver) {
         for (AnchorMotion motion : List.of(GLIDE, CRANK)) {
             for (double h : new double[] {0.05, -0.05}) {
                 ParticleSystem system = pulled(motion, 0.1);
@@ -80,7 +80,7 @@ class AnchorsTest {
         return values;
     }
 
-    /** By the course's interface alone, with the state set and the clock moved at each stage, it is the same. */
+    /** The same bits through the course's interface alone, with the state and clock set at each stage. */
     @ParameterizedTest
     @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "step-doubling", "dormand-prince", "bulirsch-stoer"})
     void aPlainSourceHasTheSameBits(String solver) {
@@ -125,10 +125,10 @@ class AnchorsTest {
         return Math.hypot(3 * (system.getOwnState()[6] - x), system.getOwnState()[9] - v);
     }
 
-    /** Memory goes on from step to step: what is remembered of the last one is asked for once only. */
+    /** Solvers keep their memory from step to step: nothing is evaluated twice. */
     @ParameterizedTest
     @CsvSource({"verlet, 101", "yoshida4, 301", "adams, 206", "rk4, 400", "dormand-prince, 608"})
-    void stepsCostWhatTheyCostWithoutAnchors(String solver, long evaluations) {
+    void anchorsCostNoExtraEvaluations(String solver, long evaluations) {
         ParticleSystem system = pulled(CRANK, 0);
         DESolver stepper = SolverCatalog.create(solver);
         for (int k = 0; k < 100; k++) {
@@ -137,9 +137,9 @@ class AnchorsTest {
         assertEquals(evaluations, system.getEvaluations());
     }
 
-    /** Nothing depends on what a solver puts in an anchor's place, and nothing of it comes back. */
+    /** Values that a solver sets in an anchor's place have no effect. */
     @Test
-    void theyAreNoUnknowns() {
+    void anchorsAreNotUnknownsOfTheSolver() {
         ParticleSystem system = pulled(CRANK, 0.5);
         system.incTime(0.3);
         double[] state = new double[12];

@@ -18,7 +18,7 @@ import particles.law.Vector3;
 
 /** A system's derivative is (v, F/m), with F the sum of what its effects add. */
 class ForceSumTest {
-    private static final int N = 1100;                  // three of the stretches in which a system takes its particles
+    private static final int N = 1100;                  // three of the groups in which particles are evaluated
     private static final Vector3 G = new Vector3(0.3, -9.81, 1.7);
 
     private final ParticleSystem system = new ParticleSystem();
@@ -35,7 +35,7 @@ class ForceSumTest {
         system.getState(state);
     }
 
-    /** (v, F/m), with F by the effects' own loops. */
+    /** (v, F/m), with F from each effect alone. */
     private double[] byLoops() {
         double[] dSdt = new double[6 * N];
         system.addUpEffects(state, 0, dSdt);
@@ -51,7 +51,7 @@ class ForceSumTest {
         return dSdt;
     }
 
-    /** To the bit: what a system takes in stretches is what the effects' own loops give. */
+    /** Evaluation in groups of particles gives the same bits as each effect's own loop. */
     @Test
     void theDerivativeIsTheSumOfTheEffects() {
         assertArrayEquals(byLoops(), derivative(), "free flight");
@@ -69,9 +69,9 @@ class ForceSumTest {
         assertArrayEquals(byLoops(), derivative(), "several of each");
     }
 
-    /** Laws that take no ranges come after those that do: three terms are rounded in another order. */
+    /** Effects without ranges come after those with ranges, which changes the round-off of three terms. */
     @Test
-    void otherLawsComeAfterwards() {
+    void effectsWithoutRangesAreAddedLast() {
         system.addEffect(new ParticleForce(particles) {
             @Override
             protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {

@@ -33,10 +33,10 @@ import particles.reactions.contact.Friction;
 /** The products and blocks of a particle system's Jacobian against central differences, on random systems. */
 class ParticleJacobianTest {
     private static final int N = 8;
-    /** What the differences leave: measured at most 1.6e-11 of the largest entry. */
+    /** Bound for the error of the differences: measured at most 1.6e-11 of the largest entry. */
     private static final double EXACT = 1e-10;
 
-    /** Particles anywhere in a cube of 2 m, the first of them fixed, moving at up to 3 m/s. */
+    /** Random particles in a cube of 2 m, moving at up to 3 m/s, the first one fixed. */
     private static ParticleSystem particles(Random random) {
         ParticleSystem system = new ParticleSystem();
         for (int i = 0; i < N; i++) {
@@ -165,9 +165,7 @@ class ParticleJacobianTest {
         }
     }
 
-    /**
-     * On a ball, in a hollow, and between one of them and a plane: the normal turns, and the circle needs its force.
-     */
+    /** On a ball, in a hollow, and between one of them and a plane, where the normal turns. */
     @ParameterizedTest
     @EnumSource(Friction.Law.class)
     void contactWithSpheresIsExact(Friction.Law law) {
@@ -188,9 +186,9 @@ class ParticleJacobianTest {
         }
     }
 
-    /** An effect that knows nothing of its derivative: the products are differences, the blocks those of the others. */
+    /** With an effect without known derivatives, products are differences, and blocks are those of the others. */
     @Test
-    void anUnknownLawIsDifferentiatedNumerically() {
+    void anEffectWithoutDerivativesIsDifferentiatedNumerically() {
         for (int seed = 0; seed < 30; seed++) {
             Random random = new Random(seed);
             ParticleSystem system = particles(random);
@@ -201,7 +199,7 @@ class ParticleJacobianTest {
         }
     }
 
-    /** A reaction that holds nothing leaves the blocks exact. */
+    /** An inactive reaction leaves the blocks exact. */
     @Test
     void aReactionThatIsNotActiveDoesNotMatter() {
         ParticleSystem system = particles(new Random(1));
@@ -211,9 +209,9 @@ class ParticleJacobianTest {
         assertEquals(Blocks.EXACT, system.getJacobianBlocks());
     }
 
-    /** A spring without direction counts as one of rest length 0, and all lengths give finite blocks. */
+    /** A spring of length 0 counts as one of rest length 0, and all lengths give finite blocks. */
     @Test
-    void springsOfAnyLength() {
+    void springsOfAnyLengthHaveFiniteBlocks() {
         for (double length : new double[] {0, 1e-300, 1e-139, 1e-100, 1, 1e100, 1e150, 1e300}) {
             ParticleSystem system = new ParticleSystem();
             system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
@@ -229,7 +227,7 @@ class ParticleJacobianTest {
         }
     }
 
-    /** F = -|v|^2 v, told without its derivative. */
+    /** F = -|v|^2 v, without its derivative. */
     private record CubicDrag(Particles particles) implements Effect {
         @Override
         public String getName() {

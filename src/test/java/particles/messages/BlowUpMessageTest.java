@@ -58,7 +58,7 @@ class BlowUpMessageTest {
                 + " is [\\d.e]+ J,"
                 + " above the limit of [\\d.e]+ J\\ndeltaT is 2\\.83 times too long for the fastest vibration"
                 + " \\(omega \\* deltaT = 8;"
-                + " the limit of rk4 is 2\\.83\\)\\nstiffest spring: from 'a' to 'b'\\ntry"
+                + " the limit of rk4 is 2\\.83; stiffest spring: 'a' to 'b'\\)\\ntry"
                 + " --deltaT=0\\.063").matcher(line);
         assertTrue(match.matches(), line);
     }
@@ -116,7 +116,7 @@ class BlowUpMessageTest {
         String line = blowUp(chain("verlet", 30, new Overrides()));
         assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
                 + " iterations.*\\ndeltaT is [\\d.]+ times too long for the fastest damping \\(rate \\* deltaT"
-                + " = .*\\n.*\\ntry --deltaT=0\\.00\\d+"), line);
+                + " = .*\\ntry --deltaT=0\\.00\\d+"), line);
     }
 
     /** A straight pair of rods between a wall and a hand that pulls away: no step is short enough for that. */
@@ -176,7 +176,7 @@ class BlowUpMessageTest {
     void whatHappenedTheDiagnosisAndTheAdviceAreALineEach() {
         for (String solver : List.of("rk4", "euler", "verlet")) {
             List<String> lines = blowUp(chain(solver, 0, new Overrides())).lines().toList();
-            assertEquals(solver.equals("euler") ? 3 : 4, lines.size(), lines.toString());
+            assertEquals(3, lines.size(), lines.toString());
         }
     }
 }

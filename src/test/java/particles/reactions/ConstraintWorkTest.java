@@ -27,10 +27,7 @@ import particles.rules.CircleMotion;
 import particles.rules.ConstraintProjection;
 import particles.rules.SineMotion;
 
-/**
- * What rods, wires and surfaces do work on: nothing, unless they hang on anchors that move. All else is numerical
- * error.
- */
+/** Rods, wires and surfaces do no work unless anchors move; any other change of energy is numerical error. */
 class ConstraintWorkTest {
 
     private static EnergyLedger run(ParticleSystem system, String solver, double deltaT, double duration,
@@ -55,21 +52,22 @@ class ConstraintWorkTest {
     }
 
     /**
-     * The pendulum at steps of 0.02 s: what the solver gains or loses, by its steps, by the feedback or by the
-     * projection, is its error, all of it. Measured after 8 s, in parts of 9.81 J: what stands beside the solver.
+     * A pendulum at steps of 0.02 s: all energy gained or lost by steps, feedback or projection is numerical error. The
+     * table has the error measured after 8 s, relative to 9.81 J.
      */
     @ParameterizedTest
     @CsvSource({"verlet, false, -0.011", "verlet, true, -0.0031", "midpoint, false, 0.0446", "midpoint, true, 0.0080",
         "rk4, false, -1.5e-6", "rk4, true, -4.2e-5"})
-    void whatIsGainedAtAFixedPivotIsAnError(String solver, boolean projected, double measured) {
+    void energyGainedAtAFixedPivotIsNumericalError(String solver, boolean projected, double measured) {
         EnergyLedger ledger = run(chain(1, 90, 5), solver, 0.02, 8, projected);
         double change = ledger.getEnergy() - ledger.getStartEnergy();
         assertEquals(measured, change / 9.81, 0.05 * Math.abs(measured));
-        assertEquals(change, ledger.getNumericalError(), "and no work beside it: " + ledger.getWork());
+        assertEquals(change, ledger.getNumericalError(), "and no work: " + ledger.getWork());
     }
 
     /**
-     * In a smooth hollow ball, v&sup2; = 4.5 g r at the bottom: verlet gains 0.402 J in 0.3 s, and nothing pushed it.
+     * In a smooth hollow ball, v&sup2; = 4.5 g r at the bottom: verlet gains 0.402 J in 0.3 s, which is booked as
+     * error.
      */
     @Test
     void aSmoothBallDoesNoWork() {
@@ -99,15 +97,15 @@ class ConstraintWorkTest {
             new Vector3(0, 0, 1), 1.5);
 
     /**
-     * A pendulum that is shaken and a double pendulum on a crank: the anchor's work is their energy, 1.95 and 5.01 J,
-     * but for an error of the solver's order. Measured: slopes 3.98 and 3.93 for rk4, 4.00 for yoshida4, 1.999 to 2.016
-     * for those of order 2, 1.003 and 0.999 for euler.
+     * A shaken pendulum and a double pendulum on a crank: the anchor's work equals their energy, 1.95 and 5.01 J, up to
+     * an error of the solver's order. Measured: slopes 3.98 and 3.93 for rk4, 4.00 for yoshida4, 1.999 to 2.016 for
+     * those of order 2, 1.003 and 0.999 for euler.
      */
     @ParameterizedTest
     @CsvSource({"rk4, 4, 0.004", "yoshida4, 4, 0.004", "verlet, 2, 0.005", "midpoint, 2, 0.005",
             "implicit-midpoint, 2, 0.005",
         "euler, 1, 0.0005"})
-    void theBooksOfMovingAnchorsBalanceToTheSolversOrder(String solver, int order, double h) {
+    void workOfMovingAnchorsBalancesToTheSolversOrder(String solver, int order, double h) {
         for (Supplier<ParticleSystem> system : List.<Supplier<ParticleSystem>>of(() -> moved(1, SHAKE),
                 () -> moved(2, CRANK))) {
             EnergyLedger coarse = run(system.get(), solver, h, 2, false);
@@ -117,7 +115,7 @@ class ConstraintWorkTest {
         }
     }
 
-    /** A hand that is moved sideways drags a bob along by a rod: what the rod's account says is the bob's energy. */
+    /** A moving hand drags a bob along by a rod: the work booked for the rod is the bob's energy. */
     @Test
     void aMovingHandWorksThroughItsRod() {
         ParticleSystem system = moved(1, (time, values) -> {

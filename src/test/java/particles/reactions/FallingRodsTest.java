@@ -20,17 +20,17 @@ import particles.reactions.contact.ContactModes.Mode;
 import particles.reactions.contact.ContactSurface;
 import particles.reactions.contact.Friction;
 
-/** Rods that strike the ground, come to rest or turn on it, or jam. */
+/** Rods that hit the ground, come to rest, reverse or jam. */
 class FallingRodsTest {
     private static final double G = 9.81;
 
     /**
-     * A dumbbell at an angle f to the ground falls: the blow is (1 + r) m v / (1 - sin&sup2; f / 2),
-     * and r = 1 keeps the energy.
+     * A falling dumbbell at an angle f to the ground: the impulse is (1 + r) m v / (1 - sin&sup2; f / 2), and r = 1
+     * conserves energy.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 1})
-    void aRodHitsTheGroundWithOneEnd(double restitution) {
+    void theImpulseOnARodHitWithOneEndMeetsTheClosedForm(double restitution) {
         double f = Math.toRadians(40);
         ContactSurface ground = new ContactSurface("ground", Plane.ground(0), restitution, Friction.NONE, 1e-6);
         JointCase rod = new JointCase(List.of(ground), at(0, 0.5, Math.cos(f), 0.5 + Math.sin(f)), at(0, 0, 0, 0),
@@ -52,7 +52,7 @@ class FallingRodsTest {
         assertEquals(-lost, ledger.getWork().get("impacts"), 1e-10);
     }
 
-    /** A rod above rough ground. @param slow speeds that are rest, along the ground and off it (m/s) */
+    /** A rod above rough ground. @param slow the speeds that count as rest, tangential and normal (m/s) */
     private static JointCase thrownRod(double slow) {
         ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3,
                 new Friction(Friction.Law.COULOMB, 0.4, 0.5, slow), slow);
@@ -61,7 +61,9 @@ class FallingRodsTest {
                 new int[] {0, 1});
     }
 
-    /** Falling, striking, sliding with friction, coming to rest: the books close, and the rod does no work. */
+    /**
+     * A rod falls, hits, slides with friction and comes to rest: the energy ledger balances, and the rod does no work.
+     */
     @Test
     void aFallingRodComesToRest() {
         JointCase rod = thrownRod(1e-3);
@@ -79,7 +81,7 @@ class FallingRodsTest {
                 ledger.getWork().toString());
     }
 
-    /** By steps that are clamped it ends in the same rest, about. */
+    /** With clamp it comes to rest at about the same place. */
     @Test
     void aFallingRodComesToRestByClamping() {
         JointCase rod = thrownRod(1e-2);
@@ -91,13 +93,13 @@ class FallingRodsTest {
     }
 
     /**
-     * A trestle whose feet slide apart falls flat: the instant they stop at +-l its top moves down at v, so that no
-     * forces could hold both feet still - each rod would ask for v&sup2;/l towards its own foot. That is an answer,
-     * "does not hold", and no failure. Once all lie still, friction withstands mu m g.
+     * A trestle whose feet slide apart falls flat. When they stop at +-l its top moves down at v, and no forces could
+     * hold both feet, as each rod needs v&sup2;/l towards its own foot. The result is "does not hold", not a failure.
+     * Once all lie still, friction withstands mu m g.
      */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 0.05})
-    void feetThatStopUnderAFallingTopDoNotHold(double mu) {
+    void feetUnderAFallingTopAreNotHeld(double mu) {
         double b = Math.toRadians(20);
         JointCase trestle = new JointCase(List.of(plane(0, 1, coulomb(mu))),
                 at(-Math.sin(b), 0, 0, Math.cos(b), Math.sin(b), 0),
@@ -116,12 +118,12 @@ class FallingRodsTest {
     }
 
     /**
-     * The end of a double pendulum slides over rough ground to where both rods are stretched, sqrt(L&sup2; - 1) from
-     * below the pivot, and turns there: while the middle moves on nothing can hold the end, and its speed passes 0. An
-     * event for each turn, lift-off and impact, and no more. Measured: 7, and 1.1e-9 m.
+     * The end of a double pendulum slides over rough ground until both rods are in line, sqrt(L&sup2; - 1) from below
+     * the pivot, and reverses there; as the middle moves on, friction cannot hold the end. One event for each reversal,
+     * lift-off and impact. Measured: 7, and 1.1e-9 m.
      */
     @Test
-    void anEndThatTurnsAtItsReach() {
+    void anEndReversesWhereTheRodsAreInLine() {
         ContactSurface ground = new ContactSurface("ground", Plane.ground(0), 0.3, coulomb(0.5), 0.01);
         JointCase pendulum = new JointCase(true, List.of(ground), at(0, 1, 0.7, 1.2, 1.3, 1.5), at(0, 0, 0, 0, 0, 0),
                 new int[] {0, 1},
@@ -136,9 +138,9 @@ class FallingRodsTest {
         assertTrue(simulation.getEvents() <= 10, "events: " + simulation.getEvents());
     }
 
-    /** Painlev&eacute;'s paradox: pushed along ground too rough for its angle, a rod has no forces that keep it out. */
+    /** Painlev&eacute;'s paradox: for a rod pushed along ground too rough for its angle, no forces keep it out. */
     @Test
-    void frictionThatJamsIsAClearError() {
+    void jammingFrictionIsAClearError() {
         double f = Math.asin(Math.sqrt(2.0 / 3));
         JointCase rod = new JointCase(List.of(plane(0, 1, coulomb(4))), at(0, 0, -Math.cos(f), Math.sin(f)),
                 at(3, 0, 3, 0), new int[] {0, 1});

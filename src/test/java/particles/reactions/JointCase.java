@@ -80,7 +80,7 @@ final class JointCase {
         return places;
     }
 
-    /** Notes when rules acted. */
+    /** Records when rules acted. */
     static final class Watch implements Observer {
         final List<Double> times = new ArrayList<>();
         final List<double[]> states = new ArrayList<>();

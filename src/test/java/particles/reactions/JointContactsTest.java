@@ -22,12 +22,11 @@ class JointContactsTest {
     private static final double ROOT = Math.sqrt(0.5);
 
     /**
-     * A rod that spins flat on smooth ground, once around each second: it carries m omega&sup2; l/2 and both ends weigh
-     * m g.
+     * A rod spins flat on smooth ground, one turn a second: it carries m omega&sup2; l/2 and both ends press with m g.
      */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    void aRodSpinsOnTheGround(boolean exact) {
+    void aSpinningRodCarriesTheCentripetalForce(boolean exact) {
         double omega = 2 * Math.PI;
         JointCase rod = new JointCase(List.of(plane(0, 1, Friction.NONE)), at(-0.5, 0, 0.5, 0),
                 new Vector3[] {new Vector3(0, 0, omega / 2), new Vector3(0, 0, -omega / 2)}, new int[] {0, 1});
@@ -68,7 +67,7 @@ class JointContactsTest {
      * 2 mu.
      */
     @Test
-    void frictionAtTheFloor() {
+    void aLeaningRodSlidesAgainstFloorFriction() {
         double mu = 0.2;
         double a = Math.atan(2 * mu) + 0.1;
         JointCase slides = ladder(a, coulomb(mu), Friction.NONE);
@@ -88,12 +87,10 @@ class JointContactsTest {
                 new int[] {0, 1});
     }
 
-    /**
-     * Friction at both ends: statically indeterminate, and held whenever it can be, tan a &lt; 2 mu / (1 - mu&sup2;).
-     */
+    /** Friction at both ends is statically indeterminate; the rod is held if tan a &lt; 2 mu / (1 - mu&sup2;). */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    void frictionAtBothEnds(boolean exact) {
+    void frictionAtBothEndsHoldsUpToItsAngle(boolean exact) {
         double limit = Math.atan(0.6 / (1 - 0.09));
         JointCase holds = ladder(limit - 1e-3, coulomb(0.3), coulomb(0.3));
         (exact ? holds.exact(0.01, 1) : holds.clamped(0.01, 1)).run();
@@ -107,7 +104,7 @@ class JointContactsTest {
     /** Two particles joined along a slope of 30 degrees with mu = 0.3 slide like one, and the rod carries nothing. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    void aRodOnASlope(boolean exact) {
+    void aRodSlidesDownASlopeWithoutLoad(boolean exact) {
         double a = Math.toRadians(30);
         JointCase rod = new JointCase(List.of(plane(Math.sin(a), Math.cos(a), coulomb(0.3))),
                 at(0, 0, Math.cos(a), -Math.sin(a)),
@@ -120,12 +117,12 @@ class JointContactsTest {
                 at(0, 0, Math.cos(a), -Math.sin(a)),
                 at(0, 0, 0, 0), new int[] {0, 1});
         (exact ? steep.exact(0.01, 1) : steep.clamped(0.01, 1)).run();
-        assertEquals(0, steep.at(0, 0), 1e-14, "0.6 holds, also what lies lengthways");
+        assertEquals(0, steep.at(0, 0), 1e-14, "0.6 holds, also lengthways");
     }
 
     /** A particle in a groove of 90 degrees, and another below it on a rod: each wall carries (2 m g) / sqrt 2. */
     @Test
-    void aGrooveCarriesWhatHangsOnARod() {
+    void aGrooveCarriesAParticleHangingOnARod() {
         JointCase groove = new JointCase(List.of(plane(1, 1, Friction.NONE), plane(-1, 1, Friction.NONE)),
                 at(0, 0, 0, 1), at(0, 0, 0, 0),
                 new int[] {0, 1});
@@ -133,12 +130,12 @@ class JointContactsTest {
         double[] state = groove.system.getOwnState();
         assertEquals(2 * G * ROOT, groove.contacts.pressure(0, 0, state, groove.effects()), 1e-9);
         assertEquals(2 * G * ROOT, groove.contacts.pressure(1, 0, state, groove.effects()), 1e-9);
-        assertEquals(1, groove.at(1, 1), 1e-12, "it stands on its end for a while, since nothing tips it");
+        assertEquals(1, groove.at(1, 1), 1e-12, "it stays upright, since nothing tips it");
     }
 
-    /** In a groove with friction, both ends of a rod stay for a minute to the last bit. */
+    /** In a rough groove, both ends of a rod stay bit for bit for a minute. */
     @Test
-    void aRodAtRestInAGroove() {
+    void aRodInARoughGrooveStaysAtRest() {
         Friction rough = coulomb(0.3);
         ParticleSystem system = new ParticleSystem();
         JointCase groove = new JointCase(List.of(plane(1, 1, rough), plane(-1, 1, rough)),

@@ -11,7 +11,7 @@ import particles.effects.Gravity;
 import particles.law.Particles;
 import particles.law.Vector3;
 
-/** Chains of rods of 1 m and 1 kg a joint, which hang from a nail at an angle. */
+/** Hanging chains of rods, 1 m and 1 kg each, released at an angle. */
 final class Pendulums {
     private Pendulums() {
     }
@@ -62,7 +62,7 @@ final class Pendulums {
         return worst;
     }
 
-    /** Takes the last step back to where x of the first bob passed the given value, by the secant method. */
+    /** Shortens the last step so that x of the first bob has the given value, by the secant method. */
     static void refine(ParticleSystem system, double value, double h) {
         DESolver solver = new RK4Solver();
         for (int k = 0; k < 6; k++) {
@@ -71,7 +71,7 @@ final class Pendulums {
         }
     }
 
-    /** Looks at the system after every step. */
+    /** A rule that calls a function after every step. */
     record AfterStep(Consumer<ParticleSystem> look) implements Rule {
         @Override
         public String getName() {

@@ -25,11 +25,11 @@ import particles.effects.Gravity;
 import particles.law.Vector3;
 import particles.rules.ConstraintProjection;
 
-/** Rods against closed forms: what they carry, how long they stay what they are, and what they cost the solver. */
+/** Rods against closed forms: their forces, the errors of their lengths, and the order of solvers. */
 class RodsTest {
     private static final double G = 9.81;
 
-    /** Bar: 1e-6 by feedback alone, over 10 minutes. Measured: 1.0e-7 for one rod, 8.3e-8 for two. */
+    /** Bound: 1e-6 with feedback alone, over 10 minutes. Measured: 1.0e-7 for one rod, 8.3e-8 for two. */
     @ParameterizedTest
     @CsvSource({"1, 90", "2, 60"})
     void feedbackAloneKeepsLengthsForTenMinutes(int rods, double degrees) {
@@ -40,7 +40,7 @@ class RodsTest {
         assertTrue(worstLength(without, new RK4Solver(), 0.01, 60_000) > 0.01, "without feedback the errors add up");
     }
 
-    /** Bar: 1e-12 with projection. Measured: 4e-16. */
+    /** Bound: 1e-12 with projection. Measured: 4e-16. */
     @Tag("slow")
     @ParameterizedTest
     @CsvSource({"1, 90", "2, 60"})
@@ -61,7 +61,7 @@ class RodsTest {
     @ParameterizedTest
     @CsvSource({"10, 1.001907188143217", "45, 1.039973343196804", "90, 1.180340599016096", "120, 1.372880500618350",
         "170, 2.439362719673885"})
-    void periodsAreThoseOfTheMeanOfMeans(double degrees, double ratio) {
+    void pendulumPeriodsFollowTheArithmeticGeometricMean(double degrees, double ratio) {
         ParticleSystem system = chain(1, degrees, 5);
         double period = 2 * Math.PI / Math.sqrt(G) * ratio;
         double h = 0.0025;
@@ -105,15 +105,15 @@ class RodsTest {
         double[] force = new double[6 * (n + 1)];
         system.addUpEffects(system.getOwnState(), 0, force);
         constraints(system).addForces(system.getOwnState(), 0, force);
-        assertEquals(-(n + 1) * G, force[4], 3e-11, "at the hook, with its own weight");
+        assertEquals(-(n + 1) * G, force[4], 3e-11, "at the hook, including its own weight");
         for (int i = 1; i <= n; i++) {
-            assertEquals(0, force[6 * i + 4], 3e-11, "nothing is left of the force on " + i);
+            assertEquals(0, force[6 * i + 4], 3e-11, "no net force on " + i);
         }
     }
 
     /** 100 rods that fall from level for three seconds keep lengths and energy. Measured: 3e-10 m, 2e-6 of 49,000 J. */
     @Test
-    void aLongChainSwings() {
+    void aLongSwingingChainKeepsLengthsAndEnergy() {
         ParticleSystem system = chain(100, 90, 5);
         double before = system.getEnergy(system.getOwnState(), 0);
         double worst = worstLength(system, new RK4Solver(), 0.002, 1500);
@@ -123,7 +123,7 @@ class RodsTest {
 
     /** Two rods, rk4: the error after one second falls by 2^4 as the step is halved. Measured: 3.96. */
     @Test
-    void aSolverKeepsItsOrder() {
+    void rk4KeepsItsOrderWithRods() {
         double[] exact = afterOneSecond(3200);
         double coarse = difference(afterOneSecond(50), exact);
         double fine = difference(afterOneSecond(200), exact);
@@ -144,9 +144,9 @@ class RodsTest {
         return largest;
     }
 
-    /** A flat square of six rods, one too many in its plane: it turns as one with a determined motion all the same. */
+    /** A square with both diagonals has a redundant rod; it rotates rigidly all the same. */
     @Test
-    void rodsTooManyShareTheLoad() {
+    void redundantRodsShareTheLoad() {
         ParticleSystem system = new ParticleSystem();
         for (int i = 0; i < 4; i++) {
             double a = Math.PI / 2 * i;
@@ -168,9 +168,9 @@ class RodsTest {
         }
     }
 
-    /** The same square falls, tilted, with nothing to carry: its rods hold each other by rounding. */
+    /** The same square falls, tilted: its rods carry nothing but round-off. */
     @Test
-    void rodsTooManyFallTogether() {
+    void redundantRodsFallWithoutLoad() {
         ParticleSystem system = new ParticleSystem();
         double[][] corners = {{0.1, 0.3}, {1.0553, 0.5955}, {0.7598, 1.5508}, {-0.1955, 1.2553}};
         for (double[] corner : corners) {
@@ -191,9 +191,9 @@ class RodsTest {
         }
     }
 
-    /** A straight pair of rods between two hands that are pulled apart. */
+    /** Two rods in line between two anchors that move apart. */
     @Test
-    void rodsThatContradictEachOtherAreAClearError() {
+    void contradictoryRodsAreAClearError() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("left", 1, new Vector3(-1, 0, 0), Vector3.ZERO, true);
         system.addParticle("middle", 1, Vector3.ZERO, Vector3.ZERO, false);
@@ -214,7 +214,7 @@ class RodsTest {
     }
 
     @Test
-    void rodsFollowParticlesThatAreTakenOut() {
+    void rodsFollowWhenParticlesAreRemoved() {
         ParticleSystem system = chain(3, 90, 5);
         system.removeParticles(new boolean[] {false, true, false, false});
         assertEquals(1, constraints(system).springCount());
@@ -227,7 +227,7 @@ class RodsTest {
     }
 
     @Test
-    void whatCannotBeARodIsRefused() {
+    void invalidRodsAreRefused() {
         ParticleSystem system = chain(1, 0, 5);
         system.addParticle("nail", 1, new Vector3(1, 1, 1), Vector3.ZERO, true);
         assertThrows(IllegalArgumentException.class, () -> constraints(system).addRod(0, 2, 1));
@@ -236,14 +236,16 @@ class RodsTest {
         assertThrows(IllegalArgumentException.class, () -> new RigidConstraints(system, -1));
     }
 
-    /** Half a second of a double pendulum by every solver, at 0.0025 s. What was measured stands beside the bound. */
+    /**
+     * Half a second of a double pendulum with every solver at 0.0025 s; the table has the bound and the measured error.
+     */
     @ParameterizedTest
     @CsvSource({"euler, 0.05, 1.5e-2", "midpoint, 4e-4, 8e-5", "step-doubling, 8e-9, 1.6e-9",
             "dormand-prince, 8e-9, 1.6e-9",
         "bulirsch-stoer, 8e-9, 1.8e-9", "adams, 2e-8, 6e-9", "symplectic-euler, 0.02, 5e-3", "verlet, 2e-4, 4e-5",
         "yoshida4, 8e-8, 1.6e-8", "backward-euler, 0.05, 1.5e-2", "implicit-midpoint, 2e-4, 4e-5",
         "radau, 8e-9, 1.6e-9"})
-    void allSolversKnowRods(String name, double bound, double measured) {
+    void everySolverHandlesRods(String name, double bound, double measured) {
         ParticleSystem expected = chain(2, 60, 5);
         worstLength(expected, new RK4Solver(), 0.0025, 200);
         ParticleSystem system = chain(2, 60, 5);
@@ -253,7 +255,7 @@ class RodsTest {
     }
 
     @Test
-    void gravityAloneIsStillThere() {
+    void aSystemWithoutRodsStillFalls() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
         system.addParticle("b", 2, new Vector3(1, 0, 0), Vector3.ZERO, false);

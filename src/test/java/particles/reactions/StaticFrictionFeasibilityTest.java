@@ -11,11 +11,11 @@ import particles.law.Plane;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactSurface;
 
-/** What it costs to ask whether friction holds what hangs together: counted in looks at the ground. */
+/** The cost of deciding whether friction holds a linkage, counted in calls of the ground's normal. */
 class StaticFrictionFeasibilityTest {
     private static final int STEPS = 10;
 
-    /** Level ground that counts how often it is asked which way it pushes. */
+    /** Level ground that counts the calls of its normal. */
     private static final class CountingGround implements Obstacle {
         private final Plane ground = Plane.ground(0);
         private long looks;
@@ -67,11 +67,11 @@ class StaticFrictionFeasibilityTest {
     }
 
     /**
-     * Each particle asks, and each time all ends are looked at once. Measured 34, 100, 340 for 4, 8, 16 rods, where a
-     * search for loads takes 206,806 for 4, and 1,340,075 for 8.
+     * Each particle checks all ends once. Measured 34, 100 and 340 calls for 4, 8 and 16 rods; a search for loads takes
+     * 206,806 for 4 and 1,340,075 for 8.
      */
     @Test
-    void aChainAtRestAsksForNoLoads() {
+    void aChainAtRestNeedsNoSearchForLoads() {
         for (int rods : new int[] {4, 8, 16}) {
             long looks = looksInAStep(rods);
             assertTrue(looks < 2L * (rods + 1) * (rods + 1), rods + " rods: " + looks);

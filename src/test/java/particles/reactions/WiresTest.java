@@ -59,7 +59,7 @@ class WiresTest {
      */
     @ParameterizedTest
     @MethodSource("curves")
-    void derivativesAreThoseOfTheValues(Curve curve) {
+    void gradientsAndBendsMatchFiniteDifferences(Curve curve) {
         Random random = new Random(7);
         double h = 1e-4;
         for (int k = 0; k < 20; k++) {
@@ -86,7 +86,7 @@ class WiresTest {
 
     /** Down a straight wire of slope a: s = g sin(a) t&sup2;/2, along it. */
     @Test
-    void aStraightWireIsASlope() {
+    void aBeadOnAStraightWireSlidesLikeOnASlope() {
         Vector3 down = new Vector3(3, -4, 0);
         double[] state = steps(bead(new Vector3(1, 1, 1), Vector3.ZERO, new StraightWire(new Vector3(1, 1, 1), down)),
                 0.01, 100);
@@ -96,9 +96,9 @@ class WiresTest {
         assertEquals(1, state[2]);
     }
 
-    /** A bead on a ring is a pendulum, with any axis: the same motion as on a rod in a plane. Measured: 0, by luck. */
+    /** A bead on a ring with any axis moves like a pendulum on a rod in a plane. Measured: 0, by luck. */
     @Test
-    void aRingIsAPendulum() {
+    void aBeadOnARingMovesLikeAPendulum() {
         double a = Math.toRadians(60);
         double[] ring = steps(bead(new Vector3(Math.sin(a), -Math.cos(a), 0), Vector3.ZERO,
                 new CircularWire(Vector3.ZERO, new Vector3(0, 0, 1), 1)), 0.01, 1000);
@@ -109,10 +109,11 @@ class WiresTest {
     }
 
     /**
-     * From a height h over the bottom of a valley with f'': speed sqrt(2 g h) there, and a push of m (g + f'' v&sup2;).
+     * Released at height h in a valley, a bead has speed sqrt(2 g h) and the normal force m (g + f'' v&sup2;) at the
+     * bottom.
      */
     @Test
-    void inAValley() {
+    void aBeadAtTheBottomOfAValleyHasItsSpeedAndNormalForce() {
         for (GraphWire.Profile profile : new GraphWire.Profile[] {GraphWire.parabola(2),
                 GraphWire.sine(-0.5, Math.PI)}) {
             double start = Math.PI / 4;
@@ -135,7 +136,7 @@ class WiresTest {
             double[] dSdt = new double[6];
             system.getStateDerivative(dSdt);
             // measured 6.6e-10
-            assertEquals(profile.bend(bottom) * square, dSdt[4], 5e-9, "the push less the weight");
+            assertEquals(profile.bend(bottom) * square, dSdt[4], 5e-9, "normal force minus weight");
         }
     }
 
@@ -164,7 +165,7 @@ class WiresTest {
     }
 
     @Test
-    void whatCannotBeAWireIsRefused() {
+    void invalidWiresAreRefused() {
         assertThrows(IllegalArgumentException.class, () -> new CircularWire(Vector3.ZERO, X, 0));
         assertThrows(IllegalArgumentException.class, () -> new GraphWire(Vector3.ZERO, X, X, GraphWire.parabola(1)));
         ParticleSystem system = new ParticleSystem();
@@ -175,9 +176,11 @@ class WiresTest {
                 () -> new RigidConstraints(system, 5).addBead(0, new StraightWire(Vector3.ZERO, X)));
     }
 
-    /** A projection that has nowhere to go says so: a rod of 1 m whose ends are held 3 m apart by a ring and a nail. */
+    /**
+     * A projection without a solution fails clearly: a rod of 1 m whose ends are held 3 m apart by a ring and a nail.
+     */
     @Test
-    void whatIsOutOfReachIsAClearError() {
+    void projectionWithoutASolutionIsAClearError() {
         ParticleSystem system = bead(new Vector3(1, 0, 0), Vector3.ZERO,
                 new CircularWire(Vector3.ZERO, new Vector3(0, 0, 1), 1));
         system.addParticle("nail", 1, new Vector3(5, 0, 0), Vector3.ZERO, true);

@@ -22,14 +22,14 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
- * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so that
- * here they are taken for however little there is to do; and who did it is noted.
+ * Every scene has the same bits with one thread, two and three. The scenes are too small for threads to pay, so the
+ * limit is set to 0 here, and the threads that took part are recorded.
  */
 @Tag("slow")
 class SceneThreadsTest {
     private static final int STEPS = 60;
 
-    /** A force of nothing on each particle, which notes by whom it is asked. */
+    /** A force of 0 that records the threads that evaluate it. */
     private static final class Witness implements PerParticleEffect, DifferentiableEffect {
         private final Set<String> threads = ConcurrentHashMap.newKeySet();
 
@@ -53,9 +53,7 @@ class SceneThreadsTest {
         }
     }
 
-    /**
-     * The state and the clock after some steps; the threads that had a part in them besides the caller's are counted.
-     */
+    /** Returns the state and time after some steps; counts the threads other than the caller's that took part. */
     private static double[] run(SceneDescription description, int threads, int steps, int[] helpers) {
         double duration = Math.min(description.duration(), steps * description.deltaT());
         Scene scene = SceneBuilder.build(description, new Overrides().with("duration", "" + duration, "--duration"));

@@ -28,7 +28,7 @@ import particles.effects.springs.SpringForce;
 import particles.law.ParticleForce;
 import particles.law.Vector3;
 
-/** Any number of threads gives the same bits, as a hash of the state shows; none is left when the work is done. */
+/** Any number of threads gives the same bits, compared by a hash of the state, and all threads end. */
 class ThreadsTest {
     private static final int STEPS = 20;
 
@@ -39,7 +39,7 @@ class ThreadsTest {
         return cloth;
     }
 
-    /** Springs between particles whose numbers differ by no more than {@code reach}, in no order. */
+    /** Springs, in random order, between particles whose indices differ by at most {@code reach}. */
     private static ParticleSystem network(int reach) {
         return network(reach, 20_000);
     }
@@ -93,15 +93,15 @@ class ThreadsTest {
         assertEquals(hashAfter(network(2999), 1, STEPS), hashAfter(network(2999), threads, STEPS));
     }
 
-    /** Of eight blocks: threads have different numbers of them, and joints that are all their own or not. */
+    /** Eight blocks shared out to different numbers of threads; joints are within a thread or between threads. */
     @ParameterizedTest
     @ValueSource(ints = {2, 3, 4, 5, 6, 9})
-    void howBlocksAreSharedOutMakesNoDifference(int threads) {
+    void theDistributionOfBlocksChangesNoBit(int threads) {
         assertEquals(8, ((SpringForce) network(100, 40_000).getEffects().get(1)).countBlocks());
         assertEquals(hashAfter(network(100, 40_000), 1, 5), hashAfter(network(100, 40_000), threads, 5));
     }
 
-    /** One particle's springs end the last block and begin the two joints that follow: taken together by one thread? */
+    /** One particle has springs in the last block and in the two joints after it. */
     @Test
     void aParticleWithSpringsInABlockAndAfterItHasTheSameBits() {
         String[] hashes = new String[2];
@@ -129,7 +129,7 @@ class ThreadsTest {
         assertEquals(hashes[0], hashes[1]);
     }
 
-    /** A law on single particles, and one that says nothing of itself, whose force is added by one thread. */
+    /** A {@link ParticleForce}, and an effect without ranges, which one thread evaluates. */
     @Test
     void lawsWithoutRangesHaveTheSameBits() {
         String[] hashes = new String[3];
@@ -150,7 +150,7 @@ class ThreadsTest {
     }
 
     @Test
-    void springsThatGoLeaveTheirBlocksAsTheyWere() {
+    void removingSpringsKeepsTheBits() {
         String[] hashes = new String[2];
         for (int k = 0; k < 2; k++) {
             ParticleSystem network = network(100);
@@ -172,7 +172,7 @@ class ThreadsTest {
     }
 
     @Test
-    void theForcesAreThoseOfASystemWithoutBlocks() {
+    void forcesByBlocksEqualForcesWithoutBlocks() {
         ParticleSystem network = network(100);
         double[] blockwise = new double[network.getStateSize()];
         network.getStateDerivative(blockwise);
@@ -194,7 +194,7 @@ class ThreadsTest {
     }
 
     @Test
-    void threadsAreOneOrMore() {
+    void fewerThanOneThreadIsRefused() {
         assertThrows(IllegalArgumentException.class, () -> ParallelForces.use(cloth(), 0));
     }
 

@@ -6,14 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
 
-/** Each part of a piece of work is done once, whatever becomes of the others. */
+/** Each part of a task runs once, even if others fail. */
 class WorkersTest {
-    /**
-     * A state that makes one part fail makes the others fail too; the next step, of a state put right, has nothing of
-     * it.
-     */
+    /** All parts fail on a bad state; after that is repaired, the next task does not throw again. */
     @Test
-    void failuresOfAllThreadsAreOverWhenTheyWereThrown() {
+    void aThrownFailureIsNotThrownAgain() {
         try (Workers workers = new Workers(3)) {
             assertThrows(ArithmeticException.class, () -> workers.run((part, parts) -> {
                 throw new ArithmeticException("part " + part);

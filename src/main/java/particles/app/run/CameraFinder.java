@@ -1,9 +1,14 @@
 package particles.app.run;
 
+import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
 import particles.SimulationException;
 import particles.experiments.runs.Extent;
+import particles.law.Effect;
+import particles.law.Vector3;
 import particles.output.raster.CameraFraming;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
@@ -24,6 +29,9 @@ final class CameraFinder {
     /** A run that gains more than this, times its energy scale, is on its way to blow up, and leaves any picture. */
     private static final double MOST_ENERGY = 20;
 
+    /** Where a run blows up, the picture shows so many times the width of what happened before. */
+    private static final double GROWTH = 1.5;
+
     private CameraFinder() {
     }
 
@@ -35,39 +43,87 @@ final class CameraFinder {
      */
     static Camera find(Scene scene, SceneDescription described, Overrides overrides) {
         return scene.camera().orElseGet(() -> {
-            Extent extent = rehearse(SceneBuilder.build(described, overrides));
-            return CameraFraming.around(extent.low(), extent.high(),
+            Box box = rehearse(SceneBuilder.build(described, overrides));
+            return CameraFraming.around(box.low, box.high,
                     (double) scene.output().width() / scene.output().height());
         });
     }
 
-    private static Extent rehearse(Scene copy) {
+    private static Box rehearse(Scene copy) {
         Extent extent = new Extent();
-        copy.simulation().addObserver(new Limits(copy));
+        Limits limits = new Limits(copy, extent);
         copy.simulation().addObserver(extent);
+        copy.simulation().addObserver(limits);
         try {
             copy.simulation().run();
-        } catch (SimulationException | StoppedException e) {
-            return extent;          // what was seen until then is what there is to see; the run itself says why
+        } catch (SimulationException e) {
+            return limits.beforeBlowUp;     // what can be seen; the run itself says why it ends
+        } catch (StoppedException e) {
+            return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
         }
-        return extent;
+        return Box.of(extent);
     }
 
-    /** Ends a rehearsal that has lasted long enough, or leaves every picture, before that is seen. */
+    /** Where things are, from the lowest to the highest coordinates (m). */
+    private record Box(Vector3 low, Vector3 high) {
+        static Box of(Extent extent) {
+            return new Box(extent.low(), extent.high());
+        }
+
+        Box grown(double factor) {
+            Vector3 more = high.minus(low).times((factor - 1) / 2);
+            return new Box(low.minus(more), high.plus(more));
+        }
+    }
+
+    /**
+     * Ends a rehearsal that has lasted long enough or blown up, and notes where things were as long as the motion was
+     * mostly that of physics.
+     */
     private static final class Limits implements Observer {
+        private final EnergyLedger ledger = new EnergyLedger();
+        private final Extent extent;
         private final double mostEnergy;
         private double stepsLeft;
+        private Box beforeBlowUp;
+        private boolean blewUp;
 
-        Limits(Scene scene) {
+        /** @param extent told of each step before this */
+        Limits(Scene scene, Extent extent) {
+            this.extent = extent;
             mostEnergy = MOST_ENERGY * scene.energyScale();
             stepsLeft = MOST_PARTICLE_STEPS / scene.system().getParticles().count();
         }
 
         @Override
+        public void started(ParticleSystem system) {
+            ledger.started(system);
+            beforeBlowUp = Box.of(extent).grown(GROWTH);
+        }
+
+        @Override
         public void moved(Motion motion) {
-            if (stepsLeft-- < 0 || motion.getSystem().getKineticEnergy(motion.getEndState()) > mostEnergy) {
+            ledger.moved(motion);
+            ParticleSystem system = motion.getSystem();
+            double[] state = motion.getEndState();
+            double energy = system.getKineticEnergy(state);
+            blewUp = energy > mostEnergy;
+            for (Effect effect : system.getEffects()) {
+                if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
+                    energy += effect.getPotentialEnergy(state, motion.getEndTime());
+                }
+            }
+            if (Math.abs(ledger.getNumericalError()) <= energy / 2) {
+                beforeBlowUp = Box.of(extent).grown(GROWTH);
+            }
+            if (stepsLeft-- < 0 || blewUp) {
                 throw new StoppedException();
             }
+        }
+
+        @Override
+        public void changed(ParticleSystem system, Rule rule) {
+            ledger.changed(system, rule);
         }
     }
 }

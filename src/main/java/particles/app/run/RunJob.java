@@ -85,7 +85,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
-                early = simulateOrDiscard(scene, folder);
+                early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
                     observers.books(),
@@ -101,9 +101,9 @@ final class RunJob {
     }
 
     /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
-    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder) {
+    private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
         try {
-            return simulate(scene);
+            return simulate(scene, observers);
         } catch (RuntimeException | Error e) {
             folder.discard();
             throw e;
@@ -111,13 +111,15 @@ final class RunJob {
     }
 
     /** @return why it ended early, if it did */
-    private Optional<String> simulate(Scene scene) {
+    private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
                 scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
         try {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
+            observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
+                    + Digits.few(e.getTime()) + " s");
             return FrictionMessage.of(scene, style::option,
                     e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
         } catch (StoppedException e) {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import particles.Observer;
 import particles.ParticleSystem;
-import particles.messages.Digits;
 import particles.experiments.energy.EnergyHistory;
 import particles.experiments.energy.EnergyLedgerRecorder;
 import particles.experiments.phase.Axis;
@@ -22,6 +21,7 @@ import particles.output.frames.FrameObserver;
 import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSetup;
 import particles.output.frames.FrameSink;
+import particles.output.frames.LastSteps;
 import particles.output.frames.PngFrames;
 import particles.scene.Scene;
 import particles.scene.format.OutputDescription.Video;
@@ -47,6 +47,7 @@ final class RunObservers implements AutoCloseable {
     private final EnergyLedgerRecorder books;
     private final Optional<PhaseHistory> phase;
     private Optional<FrameObserver> frames = Optional.empty();
+    private Optional<LastSteps> lastSteps = Optional.empty();
 
     /**
      * @param scene  a scene that is about to run
@@ -97,6 +98,18 @@ final class RunObservers implements AutoCloseable {
         FrameObserver observer = new FrameObserver(renderer, output.frameRate(), sinks);
         frames = Optional.of(observer);
         add(observer);
+        LastSteps last = new LastSteps(camera, output.width(), output.height());
+        lastSteps = Optional.of(last);
+        add(last);
+    }
+
+    /**
+     * Shows the last steps in slow motion, if there are pictures.
+     *
+     * @param headline that a run has ended early, and when
+     */
+    void showEnd(String headline) {
+        frames.ifPresent(observer -> observer.replay(scene.system(), lastSteps.orElseThrow(), headline));
     }
 
     EnergyHistory energy() {
@@ -127,7 +140,7 @@ final class RunObservers implements AutoCloseable {
         String title = scene.description().title() + " (" + caption() + ")";
         if (scene.output().energy()) {
             List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
-            charts.addAll(books.charts(energy.getScale()));
+            charts.addAll(books.charts(energy.getScale(), energy.hasGrown()));
             writer.write(RunFiles.ENERGY, charts);
         }
         phase.ifPresent(history -> drawPhase(writer, history,

@@ -3,12 +3,12 @@ package particles.app.student;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.TreeSet;
-import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.output.report.ResultPage;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.effects.EffectCheck;
+import particles.teaching.effects.EffectLaw;
 import particles.teaching.effects.EffectSample;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -35,16 +35,16 @@ public final class CheckEffectCommand extends CheckCommand {
 
     @Override
     Checked check() {
-        ParticleSystem system = EffectSample.system();
         String subject = effect;
         String identity;
         List<Finding> findings;
         try {
-            Effect made = EffectSample.create(effect, system.getParticles(), new StudentClasses());
-            findings = EffectCheck.check(system, made);
+            EffectLaw law = EffectSample.law(effect, new StudentClasses());
+            Effect made = law.maker().apply(EffectSample.system().getParticles());
+            findings = EffectCheck.check(law);
             subject = made.getClass().getSimpleName();
-            identity = "The effect '" + made.getName() + "' claims "
-                    + new TreeSet<>(made.getTraits());
+            identity = "The effect '" + made.getName() + "' claims " + (made.getTraits().isEmpty() ? "no property."
+                    : new TreeSet<>(made.getTraits()).toString());
         } catch (NoSuchElementException | IllegalArgumentException e) {
             identity = "It cannot be checked.";
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));

@@ -1,6 +1,7 @@
 package particles.experiments.energy;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import particles.Motion;
@@ -22,6 +23,11 @@ public final class EnergyHistory implements Observer {
     private static final int BUCKETS = 1024;
     /** Energies below this part of weight times height are the rounding of a scene at rest. */
     private static final double AT_REST = 1e-12;
+
+    /** Beyond this factor, what came before looks like 0 on a linear axis. */
+    private static final double MUCH = 1000;
+    /** Of the largest energy. */
+    private static final double ROUND_OFF = 1e-16;
 
     private final long stride;
     private final MinMaxThinning kinetic = new MinMaxThinning(BUCKETS);
@@ -172,7 +178,29 @@ public final class EnergyHistory implements Observer {
             series.add(line("potential" + from, potential, zero));
         }
         series.addAll(parts);
-        return new ChartData(title, "time (s)", "energy (J)", false, false, List.copyOf(series));
+        boolean log = hasGrown();
+        if (log) {
+            series.forEach(line -> dropRounding(line.y(), total.largest() - zero));
+        }
+        return new ChartData(title, "time (s)", "energy (J)", false, log, List.copyOf(series));
+    }
+
+    /** @return whether the energy grew by more than a factor of a thousand since the run's first tenth */
+    public boolean hasGrown() {
+        double[] energies = total.points()[1];
+        double before = 0;
+        for (int k = 0; k <= energies.length / 10; k++) {
+            before = Math.max(before, energies[k] - zero());
+        }
+        double largest = total.largest() - zero();
+        return before > ROUND_OFF * largest && largest > MUCH * before;
+    }
+
+    /** Rounding errors would stretch a logarithmic axis to 1e-30; what is 0 is not drawn on it. */
+    private static void dropRounding(double[] energies, double largest) {
+        for (int k = 0; k < energies.length; k++) {
+            energies[k] = energies[k] > ROUND_OFF * largest ? energies[k] : 0;
+        }
     }
 
     private static Series line(String name, MinMaxThinning energy, double zero) {

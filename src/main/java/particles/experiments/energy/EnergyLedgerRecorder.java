@@ -97,30 +97,39 @@ public final class EnergyLedgerRecorder implements Observer {
 
     /**
      * @param scale what errors are divided by (J); 0 where nothing moves
+     * @param log   whether sizes are drawn on logarithmic axes, as in a run that blows up
      * @return the work of each kind, if there was any, and below it the numerical error, over the same time
      */
-    public List<ChartData> charts(double scale) {
+    public List<ChartData> charts(double scale, boolean log) {
         List<ChartData> charts = new ArrayList<>();
         List<Series> lines = new ArrayList<>();
         work.forEach((name, joules) -> {
             if (joules.smallest() != 0 || joules.largest() != 0) {
-                double[][] points = joules.points();
-                lines.add(new Series("work: " + name, Mark.LINE, points[0], points[1]));
+                lines.add(line("work: " + name, joules, 1, log));
             }
         });
         if (!lines.isEmpty()) {
             charts.add(new ChartData("work of physics: put in (+), taken out (\u2212)", "time (s)",
-                    lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") + " (J)" : "work (J)", false,
-                    false,
+                    size(lines.size() == 1 ? lines.get(0).name().replaceFirst(" \\(.*", "") : "work", log) + " (J)",
+                    false, log,
                     lines));                            // short enough for a low panel; the sign says the rest
         }
-        double[][] points = error.points();
-        for (int k = 0; k < points[1].length; k++) {
-            points[1][k] = points[1][k] == 0 ? 0 : points[1][k] / scale;
-        }
         charts.add(new ChartData("numerical error: change of energy minus the work of physics", "time (s)",
-                "numerical error / scale", false, false,
-                List.of(new Series("numerical error", Mark.LINE, points[0], points[1]))));
+                size("numerical error", log) + " / scale", false, log,
+                List.of(line("numerical error", error, scale, log))));
         return charts;
+    }
+
+    private static String size(String name, boolean log) {
+        return log ? "|" + name + "|" : name;
+    }
+
+    private static Series line(String name, MinMaxThinning energy, double scale, boolean log) {
+        double[][] points = energy.points();
+        for (int k = 0; k < points[1].length; k++) {
+            double part = points[1][k] == 0 ? 0 : points[1][k] / scale;
+            points[1][k] = log ? Math.abs(part) : part;
+        }
+        return new Series(name, Mark.LINE, points[0], points[1]);
     }
 }

@@ -1,5 +1,5 @@
 // Ties the page together: what is chosen goes to the worker that runs the compiled classes, what it tells is shown.
-import {View} from './view.js';
+import {makeView} from './view.js';
 import {EnergyPlot, PhasePlot} from './plots.js';
 import {Editor} from './editor.js';
 
@@ -13,7 +13,7 @@ let reference = null;
 let solvers = [], facts = null, structure = null, frame = null;
 let playing = false, looking = false, run = 0, autoplay = false;
 
-const view = new View($('view'), pick);
+const view = makeView($('view'), pick);
 const energy = new EnergyPlot($('energy'));
 const phase = new PhasePlot($('phase'));
 const editor = new Editor($('text'), edited);

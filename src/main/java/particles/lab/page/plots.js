@@ -103,13 +103,26 @@ export class PhasePlot {
     const facets = [{scale: 'x', auto: true}, {scale: 'y', auto: true}];
     this.data = [null, [[], []], [[], []], [[], []]];
     this.plot?.destroy();
-    const range = (u, low, high) => low === null || low > high ? [-1, 1] : low === high ? [low - 1, high + 1]
-        : [low - 0.05 * (high - low), high + 0.05 * (high - low)];
+    const range = (u, low, high, scale) => this.ranges(u)[scale];
     this.plot = new uPlot({...size(this.element), height: 300, mode: 2, axes: axes(axis + ' (m)', 'v (m/s)'),
       scales: {x: {time: false, range}, y: {range}}, legend: {show: false}, cursor: {show: false},
       series: [{}, {facets, stroke: () => ink('--line'), width: 7, paths: polyline(false)},
         {facets, stroke: COLOURS[1], width: 1.5, paths: polyline(false)},
         {facets, stroke: COLOURS[0], width: 1, paths: polyline(true)}]}, this.data, this.element);
+  }
+
+  /** A metre is as long as a metre a second where both fit: with omega = 1 an exact circle is seen as one. */
+  ranges(u) {
+    const all = k => u.data.slice(1).flatMap(curve => curve[k]);
+    const [x, y] = [0, 1].map(k => all(k).reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)],
+        [Infinity, -Infinity])).map(([low, high]) => low > high ? [-1, 1] : low === high ? [low - 1, high + 1]
+        : [low - 0.05 * (high - low), high + 0.05 * (high - low)]);
+    const width = u.bbox.width || 1, height = u.bbox.height || 1;
+    const [across, up] = [(x[1] - x[0]) / width, (y[1] - y[0]) / height];         // per pixel
+    const widen = ([low, high], factor) => [(low + high) / 2 - factor * (high - low) / 2,
+      (low + high) / 2 + factor * (high - low) / 2];
+    return Math.max(across / up, up / across) > 3 ? {x, y}
+        : {x: widen(x, Math.max(1, up / across)), y: widen(y, Math.max(1, across / up))};
   }
 
   /** points: time, position, velocity, one after the other */

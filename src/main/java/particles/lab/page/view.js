@@ -17,7 +17,29 @@ function coil() {
   return points;
 }
 
-export class View {
+/** The picture; where the browser cannot draw one, a line that says so. */
+export function makeView(element, pick) {
+  return document.createElement('canvas').getContext('webgl2') ? new View(element, pick) : new NoPicture(element);
+}
+
+class NoPicture {
+  constructor(element) {
+    element.textContent = 'No picture: this browser has no WebGL 2. Plots, numbers and the editor work.';
+  }
+
+  open(facts) {
+    this.facts = facts;
+  }
+
+  setStructure() {}
+  setLabels() {}
+  setArrows() {}
+  show() {}
+  draw() {}
+  resize() {}
+}
+
+class View {
   constructor(element, pick) {
     this.element = element;
     this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
@@ -74,7 +96,7 @@ export class View {
     return mesh;
   }
 
-  /** The scene's camera, or one that has everything in the picture, and what hangs where it can swing. */
+  /** The scene's camera, or one that shows all particles; with gravity, also where they can swing from fixed ones. */
   frame(facts, structure, state) {
     const box = new THREE.Box3(), pegs = new THREE.Box3(), point = new THREE.Vector3();
     for (let i = 0; i < structure.ids.length; i++) {
@@ -91,7 +113,7 @@ export class View {
       box.expandByPoint(new THREE.Vector3(...ball.centre).addScalar(ball.radius));
       box.expandByPoint(new THREE.Vector3(...ball.centre).addScalar(-ball.radius));
     }
-    if (!pegs.isEmpty()) {
+    if (!pegs.isEmpty() && facts.energies.includes('gravity')) {
       const middle = pegs.getCenter(new THREE.Vector3());
       let reach = 0;
       for (let i = 0; i < structure.ids.length; i++) {

@@ -18,6 +18,11 @@ public final class FrameObserver implements Observer, AutoCloseable {
     /** A clock this part of a frame's time early is rounding. */
     private static final double ROUNDING = 1e-9;
 
+    /** How long a step is shown in slow motion, and how long the last one (s); by at most so many frames. */
+    private static final double EACH = 0.4;
+    private static final double LAST = 1.6;
+    private static final int MOST_FRAMES = 100;
+
     private final double fps;
     private final FrameWorker worker;
     private final boolean withLives;
@@ -91,15 +96,43 @@ public final class FrameObserver implements Observer, AutoCloseable {
     }
 
     private void draw(ParticleSystem system, double[] state, int count) {
+        FrameState frame = take(system, state, count, index / fps);
+        frame.trail = trails.samples();
+        worker.draw(index, frame, 1);
+    }
+
+    private FrameState take(ParticleSystem system, double[] state, int count, double time) {
         FrameState frame = worker.next();
-        frame.take(state, count, index / fps);
+        frame.take(state, count, time);
         if (frame.structure != structure) {
             frame.takeStructure(system, withLives);
             frame.structure = structure;
         }
-        frame.trail = trails.samples();
         frame.trailIndex = trails.indicesNow(system, count, structure);
-        worker.draw(index, frame);
+        return frame;
+    }
+
+    /**
+     * Shows the last steps of a run that ended early once more, after its last frame: one at a time, and slowly.
+     *
+     * @param system   where the run ended
+     * @param last     its last steps
+     * @param headline what is written into each picture, such as when the run blew up
+     */
+    public void replay(ParticleSystem system, LastSteps last, String headline) {
+        List<LastSteps.Step> steps = last.steps();
+        int count = system.getParticles().count();
+        for (int k = 0; k < steps.size(); k++) {
+            LastSteps.Step step = steps.get(k);
+            if (step.state().length == count * Particles.STRIDE) {
+                boolean end = k == steps.size() - 1;
+                int times = (int) Math.max(1, Math.min(MOST_FRAMES, Math.round((end ? LAST : EACH) * fps)));
+                FrameState frame = take(system, step.state(), count, step.time());
+                frame.notes = List.of(headline, "slow motion, step by step");
+                worker.draw(index, frame, times);
+                index += times;
+            }
+        }
     }
 
     /**

@@ -121,6 +121,7 @@ public final class FrameRenderer {
                 important.add(Colours.lit(base, 0.46f + 0.09f * shade, 0));
             }
         }
+        important.add(sky.warning.getRGB() & 0xffffff);
         for (int k = 0; k < 12; k++) {
             double age = k / 12.0;
             for (int layers = 1; glow.isPresent() && layers <= 8; layers *= 2) {
@@ -159,7 +160,7 @@ public final class FrameRenderer {
         glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), raster, backdrop, pixels));
         if (text.isPresent()) {
             Graphics2D g = image.createGraphics();
-            text.get().draw(g, getWidth(), getHeight(), state.time, springsSeen);
+            text.get().draw(g, getWidth(), getHeight(), state, springsSeen);
             g.dispose();
         }
         return pixels;

@@ -4,9 +4,14 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.Rectangle2D;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.Locale;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.List;
+import particles.output.painters.FrameState;
 import particles.output.raster.Colours;
 import particles.output.raster.Sky;
 import particles.output.text.DecimalTicks;
@@ -16,10 +21,22 @@ import particles.output.text.FontCheck;
  * The words of a picture: the scene's title, time and solver, and the scale of strain. Without a font there are none.
  */
 final class FrameText {
+    /** Of a time that is shown exactly, since steps are shorter than frames. */
+    private static final int MOST_DECIMALS = 6;
+    private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
+
     private final FrameSetup stage;
     private final Sky sky;
     private final float unit;
     private final int decimals;
+
+    /** A line of text: its left end, and its baseline from the top (pixels). */
+    private record Line(String text, Font font, Color colour, float x, float y) {
+        Rectangle2D box() {
+            Rectangle2D box = font.getStringBounds(text, SMOOTH);
+            return new Rectangle2D.Double(x, y + box.getY(), box.getWidth(), box.getHeight());
+        }
+    }
 
     /** @param decimals of the time (s), as many as tell one frame from the next */
     FrameText(FrameSetup stage, int height, int decimals) {
@@ -29,49 +46,92 @@ final class FrameText {
         this.decimals = decimals;
     }
 
-    void draw(Graphics2D g, int width, int height, double time, boolean withStrain) {
+    void draw(Graphics2D g, int width, int height, FrameState state, boolean withStrain) {
         if (!FontCheck.isAvailable()) {
             return;
         }
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        float margin = 26 * unit;
-        g.setColor(sky.ink);
-        g.setFont(FontCheck.font(Font.BOLD, 24 * unit));
-        g.drawString(stage.title(), margin, margin + 17 * unit);
-        g.setFont(FontCheck.font(Font.PLAIN, 24 * unit));
-        g.drawString(String.format(Locale.ROOT, "t = %." + decimals + "f s", time), margin,
-                height - margin - 29 * unit);
-        g.setColor(sky.soft);
-        g.setFont(FontCheck.font(Font.PLAIN, 18 * unit));
-        g.drawString(stage.caption(), margin, height - margin);
         if (withStrain) {
-            drawScale(g, width - margin, height - margin);
+            drawScale(g, scale(width, height));
+        }
+        for (Line line : lines(width, height, state, withStrain)) {
+            g.setColor(line.colour);
+            g.setFont(line.font);
+            g.drawString(line.text, line.x, line.y);
         }
     }
 
-    /** A bar from compressed to stretched, with its ends in per cent. */
-    private void drawScale(Graphics2D g, float right, float bottom) {
-        double range = stage.look().strainRange();
-        String percent = DecimalTicks.label(new BigDecimal(100 * range).round(new MathContext(3)));
+    /** @return the rectangles that words and the scale of strain take up (pixels); bodies should stay clear of them */
+    List<Rectangle2D> boxes(int width, int height, FrameState state, boolean withStrain) {
+        List<Rectangle2D> boxes = new ArrayList<>();
+        lines(width, height, state, withStrain).forEach(line -> boxes.add(line.box()));
+        if (withStrain) {
+            boxes.add(scale(width, height));
+        }
+        return boxes;
+    }
+
+    private List<Line> lines(int width, int height, FrameState state, boolean withStrain) {
+        float margin = 26 * unit;
+        List<Line> lines = new ArrayList<>();
+        Font large = FontCheck.font(Font.BOLD, 24 * unit);
+        Font small = FontCheck.font(Font.PLAIN, 18 * unit);
+        add(lines, stage.title(), large, sky.ink, margin, margin + 17 * unit);
+        float y = margin + 17 * unit;
+        for (String note : state.notes) {
+            boolean first = note.equals(state.notes.get(0));
+            y += (first ? 36 : 28) * unit;
+            add(lines, note, first ? large : small, first ? sky.warning : sky.soft, margin, y);
+        }
+        add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.ink, margin,
+                height - margin - 29 * unit);
+        add(lines, stage.caption(), small, sky.soft, margin, height - margin);
+        if (withStrain) {
+            addScale(lines, scale(width, height), height - margin);
+        }
+        return lines;
+    }
+
+    private static void add(List<Line> lines, String text, Font font, Color colour, float x, float y) {
+        if (!text.isEmpty()) {
+            lines.add(new Line(text, font, colour, x, y));
+        }
+    }
+
+    private String seconds(FrameState state) {
+        BigDecimal time = BigDecimal.valueOf(state.time);
+        BigDecimal exact = time.setScale(MOST_DECIMALS, RoundingMode.HALF_EVEN).stripTrailingZeros();
+        boolean between = !state.notes.isEmpty() && exact.scale() > decimals;
+        return (between ? exact : time.setScale(decimals, RoundingMode.HALF_EVEN)).toPlainString();
+    }
+
+    /** @return where the bar is, from compressed to stretched */
+    private Rectangle2D scale(int width, int height) {
         int length = Math.round(220 * unit);
         int thickness = Math.round(11 * unit);
-        int x = Math.round(right) - length;
-        int y = Math.round(bottom - 25 * unit) - thickness;
-        for (int k = 0; k < length; k++) {
-            g.setColor(new Color(Colours.ofStrain((2.0 * (k + 0.5) / length - 1) * range, range)));
-            g.fillRect(x + k, y, 1, thickness);
-        }
-        g.setFont(FontCheck.font(Font.PLAIN, 16 * unit));
-        g.setColor(sky.soft);
-        float line = bottom;
-        g.drawString("\u2212" + percent + " %", x, line);
-        centred(g, "strain", x + length / 2f, line);
-        String most = "+" + percent + " %";
-        g.drawString(most, right - g.getFontMetrics().stringWidth(most), line);
+        return new Rectangle2D.Double(Math.round(width - 26 * unit) - length,
+                Math.round(height - 51 * unit) - thickness, length, thickness);
     }
 
-    private static void centred(Graphics2D g, String text, float x, float y) {
-        g.drawString(text, x - g.getFontMetrics().stringWidth(text) / 2f, y);
+    private void drawScale(Graphics2D g, Rectangle2D bar) {
+        double range = stage.look().strainRange();
+        int length = (int) bar.getWidth();
+        for (int k = 0; k < length; k++) {
+            g.setColor(new Color(Colours.ofStrain((2.0 * (k + 0.5) / length - 1) * range, range)));
+            g.fillRect((int) bar.getX() + k, (int) bar.getY(), 1, (int) bar.getHeight());
+        }
+    }
+
+    /** The bar's ends in per cent, and what it shows. */
+    private void addScale(List<Line> lines, Rectangle2D bar, float y) {
+        String percent = DecimalTicks.label(new BigDecimal(100 * stage.look().strainRange())
+                .round(new MathContext(3)));
+        List<String> texts = List.of("\u2212" + percent + " %", "strain", "+" + percent + " %");
+        Font font = FontCheck.font(Font.PLAIN, 16 * unit);
+        for (int k = 0; k < texts.size(); k++) {
+            double room = bar.getWidth() - font.getStringBounds(texts.get(k), SMOOTH).getWidth();
+            add(lines, texts.get(k), font, sky.soft, (float) (bar.getX() + room * k / 2), y);
+        }
     }
 }

@@ -44,10 +44,11 @@ final class FrameWorker implements AutoCloseable {
         }
     }
 
-    void draw(int index, FrameState state) {
+    /** @param times for how many frames the picture stands, from frame index on */
+    void draw(int index, FrameState state, int times) {
         waiting.add(() -> {
             if (failure == null) {
-                attempt(() -> render(index, state));
+                attempt(() -> render(index, state, times));
             }
             free.add(state);
         });
@@ -100,10 +101,12 @@ final class FrameWorker implements AutoCloseable {
         }
     }
 
-    private void render(int index, FrameState state) {
+    private void render(int index, FrameState state, int times) {
         int[] rgb = renderer.render(state);
-        for (FrameSink sink : sinks) {
-            sink.add(index, rgb);
+        for (int k = 0; k < times; k++) {
+            for (FrameSink sink : sinks) {
+                sink.add(index + k, rgb);
+            }
         }
     }
 

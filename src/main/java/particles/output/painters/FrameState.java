@@ -31,6 +31,8 @@ public final class FrameState {
      */
     public TrailSample[] trail = {};
     public int[] trailIndex = {};
+    /** What is written below the title, line by line; the first line is a warning. */
+    public List<String> notes = List.of();
 
     /**
      * Copies the places.
@@ -39,6 +41,8 @@ public final class FrameState {
      */
     public void take(double[] state, int count, double time) {
         this.time = time;
+        notes = List.of();
+        trail = new TrailSample[0];
         particles = count;
         if (positions.length < 3 * count) {
             positions = new double[3 * count];

@@ -84,6 +84,14 @@ public final class CameraProjection {
         return height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z());
     }
 
+    /** @return whether the point is seen, were there nothing in front of it */
+    public boolean isInPicture(double x, double y, double z) {
+        double depth = depth(x, y, z);
+        double scale = scale(depth);
+        return isInFront(depth) && Math.abs(x(x, y, z, scale) - width / 2.0) <= width / 2.0
+                && Math.abs(y(x, y, z, scale) - height / 2.0) <= height / 2.0;
+    }
+
     /** @return where the line of sight through a place in the picture begins */
     Vector3 rayStart(double px, double py) {
         return perspective ? eye

@@ -3,10 +3,10 @@ package particles.reactions.algebra;
 import java.util.Arrays;
 
 /**
- * A mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and wires, and in those of
- * contacts lambda &ge; 0, w &ge; 0, lambda w = 0: what pushes does not separate, what separates does not push. The
- * contacts that push are found by principal pivoting with the least index first, starting with all (K. Murty 1974),
- * each set by one linear system; where A is positive definite it always ends.
+ * Solves a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and wires, and lambda
+ * &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. The active contacts are
+ * found by principal pivoting with the least index first, starting with all (K. Murty 1974); each set takes one linear
+ * system. If A is positive definite the search always ends.
  */
 public final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;
@@ -16,21 +16,21 @@ public final class ActiveSetMethod {
     private double[] work = {};
     private double left;
 
-    /** The largest entry of what is left of rows that contradict each other. */
+    /** The largest residual entry, above round-off if rows contradict each other. */
     public double left() {
         return left;
     }
 
     /**
-     * Solves.
+     * Solves the problem.
      *
-     * @param n       how many rows
-     * @param free    how many of them, the first, are those of rods and wires
+     * @param n       the number of rows
+     * @param free    how many of the first rows are rods and wires
      * @param a       A by rows
      * @param b       b
-     * @param signed  whether contacts may not pull; if not, all of them hold unless they determine each other
+     * @param signed  whether contacts can only push; if false, all of them hold unless they determine each other
      * @param lambda  receives the solution
-     * @return false if it does not end: no forces can keep all conditions
+     * @return false if the search does not end: no forces satisfy all conditions
      */
     public boolean solve(int n, int free, double[] a, double[] b, boolean signed, double[] lambda) {
         if (active.length < n) {

@@ -3,14 +3,14 @@ package particles.reactions.algebra;
 import java.util.Arrays;
 
 /**
- * A symmetric positive definite matrix A = L L<sup>T</sup>, of which each row is kept from its first entry that is not
- * zero up to the diagonal; L fills no more than that. (Method: A. Jennings 1966; the same as a skyline or profile
- * solver.)
+ * Cholesky factorisation A = L L<sup>T</sup> of a symmetric positive definite matrix with an envelope: each row is
+ * stored from its first nonzero entry to the diagonal, and L needs no more. (Method: A. Jennings 1966; the same as a
+ * skyline or profile solver.)
  */
 public final class EnvelopeCholesky {
     private final int size;
     private final int[] first;                          // column of a row's first entry
-    private final int[] begin;                          // where column 0 of a row would stand
+    private final int[] begin;                          // index where column 0 of a row would be
     private final double[] entries;
     private final double[] pivots;
 
@@ -37,7 +37,7 @@ public final class EnvelopeCholesky {
         entries[begin[row] + column] += amount;
     }
 
-    /** An entry on or left of the diagonal; before {@link #factorise} of A, after it of L. */
+    /** An entry on or left of the diagonal: of A before {@link #factorise}, of L after it. */
     public double get(int row, int column) {
         return column < first[row] ? 0 : entries[begin[row] + column];
     }
@@ -45,8 +45,9 @@ public final class EnvelopeCholesky {
     /**
      * Replaces A by L.
      *
-     * @param smallest how much of a diagonal entry has to be left when its row's turn comes, as a part of it
-     * @return false, with entries spoilt, if less is left: the row is nearly a combination of those before
+     * @param smallest the smallest pivot allowed, as a fraction of its diagonal entry
+     * @return false if a pivot is smaller: the row is nearly a linear combination of earlier ones; entries are then
+     *         invalid
      */
     public boolean factorise(double smallest) {
         for (int r = 0; r < size; r++) {

@@ -4,12 +4,9 @@ import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.decomposition.qr.QRColPivDecompositionHouseholderColumn_DDRM;
 import org.ejml.dense.row.linsol.qr.SolvePseudoInverseQrp_DDRM;
 
-/**
- * A square system of any rank, by QR decomposition with column pivoting: of all x with the least |A x - b| it finds the
- * smallest.
- */
+/** Minimum-norm least-squares solution of a square system of any rank, by QR decomposition with column pivoting. */
 public final class MinimumNormSolution {
-    /** Relative to the largest entry of R; less is rounding. */
+    /** Entries below this, relative to the largest of R, are round-off. */
     private static final double SINGULAR = 1e-11;
 
     private QRColPivDecompositionHouseholderColumn_DDRM decomposition;
@@ -28,14 +25,14 @@ public final class MinimumNormSolution {
         solver = new SolvePseudoInverseQrp_DDRM(decomposition, true);
     }
 
-    /** Whether the matrix factorised last has less than full rank. */
+    /** Whether the last factorised matrix is rank-deficient. */
     boolean isSingular() {
         return decomposition.getRank() < matrix.numRows;
     }
 
     /** Starts a matrix of zeros. */
     public void begin(int n) {
-        if (n != matrix.numRows) {                      // the decomposition does not shrink with its matrix
+        if (n != matrix.numRows) {                      // the library's decomposition does not shrink with its matrix
             renew();
         }
         matrix.reshape(n, n);
@@ -52,7 +49,7 @@ public final class MinimumNormSolution {
         return matrix.get(row, column);
     }
 
-    /** The decomposition may overwrite what it is given. */
+    /** Factorises the matrix, which may be overwritten. */
     public void factorise() {
         decomposed.setTo(matrix);
         solver.setA(decomposed);

@@ -5,16 +5,14 @@ import particles.law.ForceDerivatives;
 import particles.law.Vector3;
 
 /**
- * The derivative of the contact force on one particle. The surfaces that push, with normals N_p, take up the force F
- * before: G lambda = -N . F with G_pq = N_p . N_q, so that lambda changes with F by -G<sup>-1</sup> N<sup>T</sup>;
- * sliding friction changes with lambda and with the velocity; static friction cancels all that is left.
+ * The derivative of the contact force on one particle. The pushing surfaces, with normals N_p, balance the force F
+ * before: G lambda = -N . F with G_pq = N_p . N_q, so d lambda/dF = -G<sup>-1</sup> N<sup>T</sup>. Sliding friction
+ * depends on lambda and on the velocity; static friction cancels the remaining force.
  *
- * <p>The normal of a curved surface turns with the place, dN = kappa P dx with P = 1 - N N<sup>T</sup>, and what the
- * circle needs, b = -m kappa v_t&sup2;, changes with place and velocity: {@link CurvedContact} puts that on the
- * right-hand side.
+ * <p>On a curved surface the normal changes with position, dN = kappa P dx with P = 1 - N N<sup>T</sup>, and the
+ * centripetal term b = -m kappa v_t&sup2; with position and velocity; see {@link CurvedContact}.
  *
- * <p>Where a particle starts to slide or a surface to push, the force has a kink; there it is the derivative on one
- * side.
+ * <p>Where a particle starts to slide or a surface to push, the force has a kink, and this is a one-sided derivative.
  */
 final class ContactDerivative {
     private static final double[] NONE = new double[3];
@@ -36,7 +34,7 @@ final class ContactDerivative {
         curved = new CurvedContact(surfaces);
     }
 
-    /** Takes up a particle: what pushes it, without friction; its velocity begins at place v of the state. */
+    /** Starts with a particle and its normal forces, without friction; its velocity begins at index v of the state. */
     void begin(int count, TouchedSurfaces touched, double mass, double[] state, int v) {
         normals = touched.normals;
         push = touched.push;
@@ -94,7 +92,7 @@ final class ContactDerivative {
         }
     }
 
-    /** Static friction: nothing is left of any force. */
+    /** Static friction: the total force is 0. */
     void hold() {
         Arrays.fill(total, 0);
         Arrays.fill(dFdX, 0);
@@ -104,8 +102,8 @@ final class ContactDerivative {
     /**
      * Sliding friction of surface p, minus factor times the direction.
      *
-     * @param factor as {@link SlidingDirection#find} gave it: proportional to the push, and for Coulomb's law inverse
-     *               to the speed
+     * @param factor the result of {@link SlidingDirection#find}: proportional to the normal force, and for Coulomb's
+     *               law inversely to the speed
      */
     void rub(int p, double factor, SlidingDirection sliding, Friction.Law law) {
         if (factor == 0) {
@@ -144,7 +142,7 @@ final class ContactDerivative {
         }
     }
 
-    /** Changes the particle's row, and adds what depends on its velocity. */
+    /** Transforms the particle's row and adds the derivatives with respect to its velocity. */
     void add(int i, ForceDerivatives derivatives) {
         derivatives.transformRow(i, total);
         derivatives.add(i, i, dFdX, dFdV);

@@ -4,18 +4,18 @@ import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * Which particle touches which surface, and whether it slides or sticks: rules decide it between steps, and within a
- * step the contact force takes it as given.
+ * The contact mode of each particle at each surface: free, sliding or sticking. Rules change it between steps; it is
+ * constant within a step.
  */
 public final class ContactModes {
 
-    /** What a particle does at a surface. */
+    /** The contact mode of a particle at a surface. */
     public enum Mode {
         /** It does not touch. */
         FREE,
         /** It touches and slides, or would if it moved. */
         SLIDING,
-        /** It touches and static friction holds it as long as it is strong enough. */
+        /** It touches, and static friction holds it. */
         STICKING
     }
 
@@ -34,7 +34,7 @@ public final class ContactModes {
     /**
      * @param surface  index of a surface
      * @param particle index of a particle
-     * @return what the particle does at the surface
+     * @return the particle's mode at the surface
      */
     public Mode get(int surface, int particle) {
         return particle < modes.length && modes[particle] != null ? modes[particle][surface] : Mode.FREE;
@@ -43,7 +43,7 @@ public final class ContactModes {
     /**
      * @param surface  index of a surface
      * @param particle index of a particle
-     * @param mode     what it does there from now on
+     * @param mode     its new mode
      */
     public void set(int surface, int particle, Mode mode) {
         Mode before = get(surface, particle);
@@ -76,7 +76,7 @@ public final class ContactModes {
         }
     }
 
-    /** Follows particles that were taken out. */
+    /** Updates indices after particles were removed. */
     public void reindex(int[] newIndex) {
         Mode[][] before = modes;
         modes = new Mode[particles.count()][];
@@ -92,7 +92,7 @@ public final class ContactModes {
         }
     }
 
-    /** How often anything changed so far. */
+    /** The number of changes so far. */
     public int changes() {
         return changes;
     }

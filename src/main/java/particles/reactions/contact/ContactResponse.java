@@ -5,7 +5,7 @@ import particles.law.ForceDerivatives;
 import particles.law.Particles;
 import particles.law.Vector3;
 
-/** How the surfaces that one particle touches answer the force on it, in closed form: pushes and friction. */
+/** The contact force on one particle in closed form: normal forces and friction of all surfaces that it touches. */
 public final class ContactResponse {
     private static final int STRIDE = Particles.STRIDE;
 
@@ -14,11 +14,11 @@ public final class ContactResponse {
     private final ContactModes modes;
     private final SlidingDirection sliding;
     private final ContactDerivative derivative;
-    private final TouchedSurfaces touched;              // by the particle that respond() looked at last
+    private final TouchedSurfaces touched;              // by the particle of the last respond()
     private final Vector3[] normals;
     private final double[] push;
     private final double[] friction = new double[3];
-    private double pushed;                              // all pushes that holdSlack() found last (N)
+    private double pushed;                              // sum of the normal forces of the last holdSlack() (N)
     private boolean holdsOn;
 
     public ContactResponse(Particles particles, List<ContactSurface> surfaces, ContactModes modes,
@@ -41,7 +41,7 @@ public final class ContactResponse {
         return holdsOn;
     }
 
-    /** Adds the answer for particle i. */
+    /** Adds the contact force on particle i. */
     public void addForce(int i, double[] state, double[] force) {
         int count = respond(i, state, force);
         if (count == 0) {
@@ -59,7 +59,8 @@ public final class ContactResponse {
     }
 
     /**
-     * The power of the answer for particle i (W), added to a sum: friction's, as surfaces that stand still do no work.
+     * Returns a sum plus the power of the contact force on particle i (W), which is that of friction, since surfaces at
+     * rest do no work.
      */
     public double addPower(double sum, int i, double[] state, double[] force) {
         if (respond(i, state, force) == 0) {
@@ -86,13 +87,15 @@ public final class ContactResponse {
         derivative.add(i, derivatives);
     }
 
-    /** As {@code RestingContacts.holdMargin}, for the force on one particle, whatever it comes from. */
+    /** As {@code RestingContacts.holdMargin}, for a given force on one particle. */
     public double holdMargin(int i, double[] state, double[] force) {
         double slack = holdSlack(i, state, force);
         return pushed > 0 ? slack : -1;
     }
 
-    /** The same without the jump where nothing presses the particle on: a concave function of the force. */
+    /**
+     * As {@link #holdMargin}, but without the jump where the normal force vanishes: a concave function of the force.
+     */
     public double holdSlack(int i, double[] state, double[] force) {
         int count = respond(i, state, force);
         pushed = 0;
@@ -104,7 +107,7 @@ public final class ContactResponse {
         return withstood - SlidingDirection.length(touched.unheld());
     }
 
-    /** As {@code RestingContacts.pressure}, for the force on one particle, whatever it comes from. */
+    /** As {@code RestingContacts.pressure}, for a given force on one particle. */
     public double pressure(int surface, int i, double[] state, double[] force) {
         int count = respond(i, state, force);
         for (int p = 0; p < count; p++) {
@@ -124,7 +127,8 @@ public final class ContactResponse {
     }
 
     /**
-     * Finds push and friction for one particle; returns how many surfaces it touches, 0 if there is nothing to answer.
+     * Finds normal forces and friction for one particle; returns how many surfaces it touches, 0 if there is no contact
+     * force.
      */
     private int respond(int i, double[] state, double[] force) {
         if (particles.isFixed(i)) {
@@ -151,7 +155,7 @@ public final class ContactResponse {
         return count;
     }
 
-    /** Static friction cancels the force along the surfaces. Whether it can is asked between steps: see holdMargin. */
+    /** Static friction cancels the tangential force. Rules check between steps that it can, by holdMargin. */
     private void hold() {
         double[] left = touched.unheld();
         for (int c = 0; c < 3; c++) {

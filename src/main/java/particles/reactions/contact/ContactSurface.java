@@ -3,12 +3,12 @@ package particles.reactions.contact;
 import particles.law.Obstacle;
 
 /**
- * A plane, or the surface of a sphere, that particles bounce off, rest on and slide along.
+ * A plane or sphere that particles bounce off, rest on and slide along.
  *
  * @param name        its name in messages
- * @param obstacle    where it is
+ * @param obstacle    its geometry
  * @param restitution r: the normal component of the velocity is multiplied by -r at an impact; 0 ... 1
- * @param friction    how it rubs particles that rest on it
+ * @param friction    its friction
  * @param restSpeed   a particle that would leave the surface slower than this stays in contact (m/s), 0 or more
  */
 public record ContactSurface(String name, Obstacle obstacle, double restitution, Friction friction, double restSpeed) {

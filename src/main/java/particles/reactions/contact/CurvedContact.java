@@ -4,10 +4,10 @@ import java.util.Arrays;
 import particles.law.Vector3;
 
 /**
- * What curvature adds to the derivative of the contact force on one particle. Of the conditions
- * N_p . (F + sum of lambda_q N_q) = b_p with b_p = -m kappa v_t&sup2; the derivative by the place, at the same F, is
- * sum of G_pq dlambda_q = db_p - dN_p . (F + R) - sum of lambda_q N_p . dN_q, where R is the sum of the pushes,
- * dN = kappa P dx, P = 1 - N N<sup>T</sup>, and dkappa = -kappa&sup2; N . dx for a sphere.
+ * The contribution of curvature to the derivative of the contact force on one particle. Differentiating the conditions
+ * N_p . (F + sum of lambda_q N_q) = b_p with b_p = -m kappa v_t&sup2; with respect to position at constant F gives sum
+ * of G_pq dlambda_q = db_p - dN_p . (F + R) - sum of lambda_q N_p . dN_q, where R is the sum of the normal forces, dN =
+ * kappa P dx, P = 1 - N N<sup>T</sup>, and dkappa = -kappa&sup2; N . dx for a sphere.
  */
 final class CurvedContact {
     final double[][] pushByPlace;                       // d lambda_p / dx at the same force before
@@ -24,7 +24,7 @@ final class CurvedContact {
     }
 
     /**
-     * Takes up a particle.
+     * Computes the derivatives for a particle.
      *
      * @param pushing which of the touched surfaces push; the first active are valid
      * @param inverse the inverse of G for them
@@ -78,7 +78,7 @@ final class CurvedContact {
     }
 
     /**
-     * Adds what the friction of surface p, minus a factor times v - (N . v) N, gains by the turning of the normal.
+     * Adds the change of the friction of surface p, -factor (v - (N . v) N), as its normal turns.
      *
      * @param unit a vector of which only the direction counts, so that changes along it do not; or 0 if its length does
      *             too

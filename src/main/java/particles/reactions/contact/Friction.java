@@ -1,13 +1,13 @@
 package particles.reactions.contact;
 
 /**
- * How a surface rubs a particle that rests on it.
+ * The friction of a surface: law, coefficients and threshold.
  *
  * @param law               the law of sliding friction
  * @param coefficient       k_f of {@link Law#SLIDE} (s/m), or mu of {@link Law#COULOMB} (a pure number); 0 or more
  * @param staticCoefficient the largest tangential force a particle at rest withstands, as a multiple of the normal
- *                          force; 0 if nothing holds it
- * @param threshold         the speed below which a sliding particle is at rest (m/s), 0 or more
+ *                          force; 0 for none
+ * @param threshold         the speed below which a sliding particle may stick (m/s), 0 or more
  */
 public record Friction(Law law, double coefficient, double staticCoefficient, double threshold) {
 

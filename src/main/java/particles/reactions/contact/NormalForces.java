@@ -4,14 +4,13 @@ import java.util.Arrays;
 import particles.law.Vector3;
 
 /**
- * The pushes of several surfaces on one particle that is pressed by a force F: numbers lambda_p such that every push is
- * lambda_p &ge; 0, no surface is pressed into any more, N_p . (F + sum of lambda_q N_q) &ge; b_p, and a surface that is
- * not pressed does not push. b_p is 0 for a plane; what a particle needs to follow a curved surface is not. In space
- * three surfaces are always enough to hold a particle, so that the sets of one, two and three surfaces are tried in
- * turn; each is a small linear system.
+ * The normal forces of several surfaces on one particle under a force F: lambda_p &ge; 0 with N_p . (F + sum of
+ * lambda_q N_q) &ge; b_p, where at least one of the two is an equality. b_p is 0 for a plane and the centripetal term
+ * for a curved surface. In space three surfaces are enough to hold a particle, so sets of one, two and three surfaces
+ * are tried in turn; each is a small linear system.
  */
 public final class NormalForces {
-    /** Rounding, relative to the force. */
+    /** Round-off, relative to the force. */
     private static final double TOLERANCE = 1e-12;
     /** Planes whose normals are so nearly dependent are covered by a smaller set. */
     private static final double SINGULAR = 1e-12;
@@ -68,7 +67,7 @@ public final class NormalForces {
         return least;
     }
 
-    /** Solves for the chosen surfaces' pushes, and says by how much any condition fails (N). */
+    /** Solves for the chosen surfaces' normal forces; returns the largest violation of any condition (N). */
     private double violation(int size, int count, Vector3[] normals) {
         Arrays.fill(trial, 0, count, 0.0);
         if (!solveChosen(size, normals)) {
@@ -86,8 +85,8 @@ public final class NormalForces {
     }
 
     /**
-     * The pushes after which the chosen surfaces are just not pressed, by Cramer's rule on their matrix of scalar
-     * products.
+     * The normal forces that make the conditions of the chosen surfaces equalities, by Cramer's rule on their matrix of
+     * scalar products.
      */
     private boolean solveChosen(int size, Vector3[] normals) {
         if (size == 0) {

@@ -4,18 +4,20 @@ import particles.ParticleSystem;
 import particles.law.Vector3;
 
 /**
- * Which way a particle slides along a surface, also where it is about to start or has just turned round within a step.
+ * The direction in which a particle slides along a surface, also if it is about to start or has reversed within a step.
  */
 public final class SlidingDirection {
-    /** Relative to the speed at the beginning of a step; the direction of less is mostly rounding. */
+    /** Speeds below this, relative to the speed at the step's beginning, have no reliable direction. */
     private static final double ALMOST_STOPPED = 1e-6;
 
-    /** What friction opposes: a velocity along the surface (m/s), or the force that will move the particle (N). */
+    /**
+     * The direction that friction opposes: a tangential velocity (m/s), or the force that will move the particle (N).
+     */
     public final double[] direction = new double[3];
-    /** Of length 1, across the mirror in which the direction is seen after a turn; 0 before one. */
+    /** Unit normal of the mirror used after a reversal; 0 if there was none. */
     final double[] mirrored = new double[3];
     private final double[] beginning = new double[3];
-    private double[] stepBegin = {};                    // the state where the present step began
+    private double[] stepBegin = {};                    // the state at the beginning of the step
     private boolean independent;
 
     public void beginStep(ParticleSystem system) {
@@ -33,18 +35,18 @@ public final class SlidingDirection {
         return stepBegin;
     }
 
-    /** Whether the direction found last does not depend on the present velocity. */
+    /** Whether the last direction does not depend on the present velocity. */
     boolean isIndependentOfVelocity() {
         return independent;
     }
 
     /**
-     * Finds the direction.
+     * Finds the direction and the factor of friction.
      *
-     * @param push     how hard the surface pushes (N)
+     * @param push     the normal force (N)
      * @param pressing the force on the particle before (N)
-     * @param v        where the particle's velocity begins in the state
-     * @return by what to multiply the direction for minus the friction; 0 if there is none
+     * @param v        the index of the particle's velocity in the state
+     * @return the factor: friction is minus factor times direction; 0 for no friction
      */
     public double find(Friction law, Vector3 normal, double push, double[] pressing, double[] state, int v) {
         independent = false;
@@ -71,10 +73,9 @@ public final class SlidingDirection {
     }
 
     /**
-     * Compares the velocity along a surface, now in direction, with that at the beginning of the step. What points back
-     * is mirrored: straight back that is the direction of the beginning, as if the sliding had not turned round, and
-     * obliquely friction stays continuous, so that implicit solvers find their stages. Where it is rounding and no
-     * direction any more, the beginning's takes its place.
+     * Compares the tangential velocity with that at the beginning of the step. A velocity that points back is mirrored:
+     * straight back this gives the initial direction, as if the sliding had not reversed; obliquely it keeps friction
+     * continuous, so that implicit solvers converge. A velocity that is only round-off is replaced by the initial one.
      */
     private void followBeginning(Vector3 normal, int v) {
         if (stepBegin.length <= v) {
@@ -94,7 +95,7 @@ public final class SlidingDirection {
         }
     }
 
-    /** The part of a vector that lies in a surface. */
+    /** The tangential part of a vector. */
     private static void along(Vector3 normal, double[] vectors, int place, double[] result) {
         double across = normal.x() * vectors[place] + normal.y() * vectors[place + 1] + normal.z() * vectors[place + 2];
         result[0] = vectors[place] - across * normal.x();

@@ -6,7 +6,7 @@ import particles.law.Particles;
 import particles.law.Vector3;
 import particles.reactions.contact.ContactModes.Mode;
 
-/** The surfaces that one particle touches, and how they share what presses it on: work arrays, filled anew for each. */
+/** Work arrays for the surfaces that one particle touches and their normal forces. */
 final class TouchedSurfaces {
     private static final int STRIDE = Particles.STRIDE;
 
@@ -14,7 +14,7 @@ final class TouchedSurfaces {
     final Vector3[] normals;
     final double[] push;
     final double[] curvature;                           // 0 for a plane
-    final double[] bound;                               // what keeps a particle on a curved surface: -m curvature v_t^2
+    final double[] bound;                               // centripetal term: -m curvature v_t^2
     final double[] pressing = new double[3];
     private final double[] left = new double[3];
     private final Particles particles;
@@ -32,7 +32,7 @@ final class TouchedSurfaces {
         normalForces = new NormalForces(most);
     }
 
-    /** Looks which surfaces particle i touches; returns how many. */
+    /** Collects the surfaces that particle i touches; returns their number. */
     int gather(int i, List<ContactSurface> all, ContactModes modes, double[] state) {
         count = 0;
         sticking = true;
@@ -53,7 +53,7 @@ final class TouchedSurfaces {
         return sticking;
     }
 
-    /** The normal and the bound of one obstacle, where particle i is. */
+    /** Computes the normal and the bound of one obstacle at particle i. */
     private void look(Obstacle obstacle, int i, double[] state) {
         int x = STRIDE * i;
         Vector3 normal = obstacle.normal(state[x], state[x + 1], state[x + 2]);
@@ -68,13 +68,13 @@ final class TouchedSurfaces {
         }
     }
 
-    /** Finds the pushes that answer three entries of an array, a force or a velocity. */
+    /** Finds the normal forces for a force in three entries of an array. */
     void answer(double[] values, int place) {
         System.arraycopy(values, place, pressing, 0, 3);
         normalForces.solve(count, normals, pressing, bound, push);
     }
 
-    /** The same for a velocity, of which no surface's curvature asks anything. */
+    /** Finds the impulses for a velocity, without centripetal terms. */
     void answerVelocity(double[] state, int v) {
         for (int p = 0; p < count; p++) {
             bound[p] = 0;
@@ -82,7 +82,7 @@ final class TouchedSurfaces {
         answer(state, v);
     }
 
-    /** What is left after the surfaces have pushed. */
+    /** The force that remains after adding the normal forces. */
     double[] unheld() {
         System.arraycopy(pressing, 0, left, 0, 3);
         for (int p = 0; p < count; p++) {
@@ -93,7 +93,7 @@ final class TouchedSurfaces {
         return left;
     }
 
-    /** How far what presses exceeds what surface p asks for: its push, if it may pull as well. */
+    /** The normal force of surface p if it could pull as well as push. */
     double needed(int p, double[] pressing) {
         Vector3 normal = normals[p];
         return bound[p] - (normal.x() * pressing[0] + normal.y() * pressing[1] + normal.z() * pressing[2]);

@@ -2,12 +2,15 @@ package particles.reactions.wires;
 
 import particles.law.Vector3;
 
-/** A circle: in a plane, (x - c) . n = 0, and at a distance from the centre, (|x - c|&sup2; - r&sup2;) / (2 r) = 0. */
+/**
+ * A circular wire: in a plane, (x - c) . n = 0, and at distance r from the centre, (|x - c|&sup2; - r&sup2;) / (2 r) =
+ * 0.
+ */
 public final class CircularWire implements Curve {
     private final Vector3 centre;
     private final Vector3 axis;
     private final double radius;
-    /** Two directions across the axis, for drawing. */
+    /** The axis and two directions across it, for drawing. */
     private final Frame frame;
 
     /**

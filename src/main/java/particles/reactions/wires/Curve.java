@@ -3,19 +3,19 @@ package particles.reactions.wires;
 import particles.view.CurveView;
 
 /**
- * A curve in space for a bead to slide along: where two smooth functions of the place are zero. Their gradients have to
- * be independent of each other on the curve. The functions are lengths or nearly so: what they say near the curve is
- * about how far off it is (m).
+ * A curve in space for a bead to slide along, defined as the common zeros of two smooth functions of position. Their
+ * gradients must be linearly independent on the curve, and near it their values must be approximate distances from it
+ * (m).
  */
 public interface Curve extends CurveView {
-    /** How many functions a curve has. */
+    /** The number of functions of a curve. */
     int ROWS = 2;
 
     /**
      * Evaluates both functions for a moving point.
      *
      * @param state     position (m) and velocity (m/s) of the point, in the six entries from {@code x} on
-     * @param x         where they begin
+     * @param x         index of the first of these entries
      * @param values    receives the two values
      * @param gradients receives the two gradients, one after the other, 6 doubles
      * @param bends     receives, for each function, the second derivative along the velocity: v<sup>T</sup> H v with

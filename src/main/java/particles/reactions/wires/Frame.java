@@ -3,9 +3,9 @@ package particles.reactions.wires;
 import particles.law.Vector3;
 
 /**
- * Three unit vectors at right angles.
+ * Three orthogonal unit vectors.
  *
- * @param axis   the one that was given
+ * @param axis   the given direction
  * @param first  across it
  * @param second across both
  */

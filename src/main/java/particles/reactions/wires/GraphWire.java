@@ -2,10 +2,7 @@ package particles.reactions.wires;
 
 import particles.law.Vector3;
 
-/**
- * The graph of a function, y = f(x), in a plane of its own: x is measured along one direction from an origin, y along
- * another at right angles to it.
- */
+/** A wire in the shape of a graph, y = f(x), in a plane with an origin and two orthogonal directions for x and y. */
 public final class GraphWire implements Curve {
 
     /** A smooth function of one variable. */
@@ -27,9 +24,9 @@ public final class GraphWire implements Curve {
     private final Profile profile;
 
     /**
-     * @param origin  where x = y = 0 (m)
+     * @param origin  the point x = y = 0 (m)
      * @param along   the direction of x; of any length but zero
-     * @param up      the direction of y; what it has along x is left out
+     * @param up      the direction of y; its component along x is removed
      * @param profile f
      * @throws IllegalArgumentException if the directions are parallel
      */

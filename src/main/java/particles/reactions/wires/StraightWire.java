@@ -2,7 +2,7 @@ package particles.reactions.wires;
 
 import particles.law.Vector3;
 
-/** A straight line: a point's components along two directions across it are those of any point of the line. */
+/** A straight wire: two components of x - point, across the line, are 0. */
 public final class StraightWire implements Curve {
     private final double[] across = new double[6];
     private final double[] offset = new double[2];

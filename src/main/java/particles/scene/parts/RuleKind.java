@@ -18,7 +18,7 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 
 /** The rules that a scene can name: each is one entry of {@link #ALL}, with its keys and what it builds. */
-public abstract class RuleKind implements Kind {
+public abstract class RuleKind extends Kind {
     private static final Key<String> LAW = Key.required("law", NameType.of("friction law", List.of("slide", "coulomb")),
             "slide: the lecture's law, normal force times k_f times velocity; coulomb: normal force times mu.");
     private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative(""),
@@ -37,14 +37,8 @@ public abstract class RuleKind implements Kind {
     static final Key<Double> REST_SPEED = Key.withDefault("restSpeed", NumberType.notNegative("m/s"), 0.01,
             "A bounce slower than this leaves the particle on the plane (m/s).");
 
-    private final String name;
-    private final String sentence;
-    private final MappingType keys;
-
     RuleKind(String name, String sentence, Key<?>... keys) {
-        this.name = name;
-        this.sentence = sentence;
-        this.keys = MappingType.of("'" + name + "'", keys);
+        super(name, sentence, keys);
     }
 
     /** Builds what a scene names. */
@@ -83,21 +77,6 @@ public abstract class RuleKind implements Kind {
     /** @return whether it acts on springs only */
     public boolean needsSprings() {
         return false;
-    }
-
-    @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public String sentence() {
-        return sentence;
-    }
-
-    @Override
-    public MappingType keys() {
-        return keys;
     }
 
     /** A rule for particles that meet a solid. */

@@ -21,7 +21,7 @@ import particles.spec.WholeNumberType;
 /**
  * The shapes that a scene can name: each is one entry of {@link #ALL}, with its keys and where it puts its particles.
  */
-public abstract class ShapeKind implements Kind {
+public abstract class ShapeKind extends Kind {
     private static final TextType OWN_ID = TextType.of("an id of a particle of the shape, such as cloth[3,4]",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");
     private static final WholeNumberType COUNT = new WholeNumberType(2, 1_000_000);
@@ -35,31 +35,42 @@ public abstract class ShapeKind implements Kind {
     static final Key<Boolean> SURFACE = Key.withDefault("surface", FlagType.FLAG, true,
             "Whether to draw it as a shaded surface.");
 
-    private final String name;
-    private final String sentence;
-    private final MappingType keys;
     private final Key<String> id;
     private final Key<List<String>> fixed;
     private final List<List<String>> sides;
 
     /**
-     * @param sides the names of its two ends along each direction
-     * @param more  further names for fixed parts
-     * @param own   keys that say where the particles are
+     * @param sides   the names of its two ends along each direction
+     * @param more    further names for fixed parts
+     * @param springs the sorts of springs that it can have
+     * @param own     keys that say where the particles are
      */
     ShapeKind(String name, String sentence, List<List<String>> sides, List<String> more, List<Sort> springs,
               boolean hasSurface, Key<?>... own) {
-        this.name = name;
-        this.sentence = sentence;
+        this(name, sentence, sides, springs, hasSurface, own,
+                Key.withDefault("id", ParticleDescription.NEW_ID, name,
+                        "The shape's name; its particles' ids begin with it."), fixedParts(sides, more));
+    }
+
+    private ShapeKind(String name, String sentence, List<List<String>> sides, List<Sort> springs, boolean hasSurface,
+                      Key<?>[] own, Key<String> id, Key<List<String>> fixed) {
+        super(name, sentence, keys(name, springs, hasSurface, own, id, fixed));
         this.sides = sides;
-        id = Key.withDefault("id", ParticleDescription.NEW_ID, name,
-                "The shape's name; its particles' ids begin with it.");
+        this.id = id;
+        this.fixed = fixed;
+    }
+
+    private static Key<List<String>> fixedParts(List<List<String>> sides, List<String> more) {
         List<String> parts = new ArrayList<>();
         sides.forEach(parts::addAll);
         parts.addAll(more);
-        fixed = Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)),
+        return Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)),
                 List.of(),
                 "Which particles stay in place: names of parts, ids of its particles, or a list of both.");
+    }
+
+    private static MappingType keys(String name, List<Sort> springs, boolean hasSurface, Key<?>[] own,
+                                    Key<String> id, Key<List<String>> fixed) {
         List<Key<?>> all = new ArrayList<>(List.of(id));
         all.addAll(Arrays.asList(own));
         all.addAll(List.of(MASS, TOTAL_MASS, VELOCITY, fixed));
@@ -67,7 +78,7 @@ public abstract class ShapeKind implements Kind {
         if (hasSurface) {
             all.add(SURFACE);
         }
-        keys = MappingType.of("'" + name + "'", all.toArray(new Key<?>[0])).withExactlyOneOf(MASS, TOTAL_MASS);
+        return MappingType.of("'" + name + "'", all.toArray(new Key<?>[0])).withExactlyOneOf(MASS, TOTAL_MASS);
     }
 
     /** @return where the particles are */
@@ -84,21 +95,6 @@ public abstract class ShapeKind implements Kind {
 
     Key<List<String>> fixed() {
         return fixed;
-    }
-
-    @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public String sentence() {
-        return sentence;
-    }
-
-    @Override
-    public MappingType keys() {
-        return keys;
     }
 
     private static final Key<Vector3> START = Key.required("start", VectorType.of("m"), "The position of its"

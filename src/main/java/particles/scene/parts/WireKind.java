@@ -8,42 +8,20 @@ import particles.reactions.wires.GraphWire;
 import particles.reactions.wires.StraightWire;
 import particles.spec.Key;
 import particles.spec.Kind;
-import particles.spec.MappingType;
 import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
 /** The wires that a bead can slide along: each is one entry of {@link #ALL}, with its keys and the curve it is. */
-public abstract class WireKind implements Kind {
+public abstract class WireKind extends Kind {
     public static final Key<String> BEAD = Key.required("bead", SpringDescription.ANY_ID, "The particle on the wire.");
 
-    private final String name;
-    private final String sentence;
-    private final MappingType keys;
-
     WireKind(String name, String sentence, Key<?>... keys) {
-        this.name = name;
-        this.sentence = sentence;
-        this.keys = MappingType.of("'" + name + "'", keys);
+        super(name, sentence, keys);
     }
 
     /** @return the curve, for a bead that begins at this place */
     public abstract Curve curve(Values values, Vector3 start);
-
-    @Override
-    public String name() {
-        return name;
-    }
-
-    @Override
-    public String sentence() {
-        return sentence;
-    }
-
-    @Override
-    public MappingType keys() {
-        return keys;
-    }
 
     private static final Key<Vector3> DIRECTION = Key.required("direction", VectorType.notZero(""),
             "Along the wire; its length does not matter.");

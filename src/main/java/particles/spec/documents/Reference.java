@@ -15,7 +15,8 @@ import particles.spec.Type;
 import particles.spec.messages.Wording;
 
 /**
- * Writes what may stand in a file as tables of Markdown: one for each mapping, with key, values, default and meaning.
+ * Writes the reference of a file format as Markdown tables: one for each mapping, with key, values, default and
+ * meaning.
  */
 public final class Reference {
     private final List<String> lines = new ArrayList<>();

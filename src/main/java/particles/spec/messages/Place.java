@@ -5,7 +5,7 @@ import org.snakeyaml.engine.v2.exceptions.Mark;
 import org.snakeyaml.engine.v2.nodes.Node;
 
 /**
- * Where something was found.
+ * A place in a source: file or option, line and column.
  *
  * @param source the file as the user named it, or an option such as {@code -PdeltaT}
  * @param line   the line, from 1; 0 if the source as a whole is meant

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** Collects everything that is wrong with one source, so that all of it is said in one go. */
+/** Collects the problems of one source, so that all are reported together. */
 public final class Problems {
-    /** Nobody reads more; the rest is counted. */
+    /** The largest number reported; the rest is counted. */
     static final int LIMIT = 50;
 
     private record Problem(Place place, String message) {
@@ -26,7 +26,7 @@ public final class Problems {
         }
     }
 
-    /** @return whether further problems are only counted, so that finding the words for them can be spared */
+    /** @return whether further problems are only counted, so that their texts are not needed */
     public boolean isFull() {
         return problems.size() >= LIMIT;
     }

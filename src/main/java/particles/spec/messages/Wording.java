@@ -14,7 +14,7 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
-/** How messages say things: always in one line, never with more of the file's text than one wants to read. */
+/** Building blocks of messages: quoted text, unknown names with suggestions, numbers; always one line. */
 public final class Wording {
     private static final int LONGEST_QUOTE = 40;
     private static final int LONGEST_MESSAGE = 1000;
@@ -47,8 +47,8 @@ public final class Wording {
     /**
      * @param found an unknown name
      * @param known the names that are allowed
-     * @return {@code "; did you mean 'gravity'?"}, or {@code ";"} if nothing is near, or everything is,
-             as with one or two letters
+     * @return {@code "; did you mean 'gravity'?"}, or {@code ";"} if no name is near, or the text has only one or two
+     *         letters
      */
     public static String hint(String found, Collection<String> known) {
         return found.length() < 3 || found.length() > LONGEST_QUOTE ? ";" : DidYouMean.hint(found, known,
@@ -60,7 +60,7 @@ public final class Wording {
         return names.size() <= 12 ? String.join(", ", names) : String.join(", ", names.subList(0, 12)) + " ...";
     }
 
-    /** What a node is, in words. */
+    /** Describes a node in words. */
     public static String describe(Node node) {
         if (node instanceof MappingNode) {
             return "a mapping (key: value)";
@@ -91,7 +91,7 @@ public final class Wording {
         return number(new BigDecimal(value).round(new MathContext(3)).doubleValue());
     }
 
-    /** In one line, with characters that cannot be seen, or that turn the text around them, as U+200B. */
+    /** Makes a text one line and writes invisible or direction-changing characters as codes such as U+200B. */
     static String oneLine(String text) {
         String plain = text.replaceAll("[\\p{Cntrl}\\u0085\\u2028\\u2029]+", " ");
         StringBuilder line = new StringBuilder();

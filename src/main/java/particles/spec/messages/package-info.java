@@ -1,4 +1,2 @@
-/**
- * Where something was found in a file, and how a message says what is wrong there.
- */
+/** Places in files, and the wording of messages about them. */
 package particles.spec.messages;

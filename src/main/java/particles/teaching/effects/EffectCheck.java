@@ -1,23 +1,21 @@
 package particles.teaching.effects;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import particles.ParticleSystem;
-import particles.law.Effect.Trait;
 import particles.law.Effect;
-import particles.teaching.Finding.Kind;
+import particles.law.Effect.Trait;
 import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
+import particles.teaching.StudentFailure;
 
 /**
  * Holds an effect to what it claims of itself, by {@link EffectClaims}, and says where a claim fails: at which
- * particle, in
- * which component, and what is probably the mistake.
+ * particle, in which component, and what is probably the mistake.
  */
 public final class EffectCheck {
     private static final double STEP = 1e-5;
@@ -25,13 +23,14 @@ public final class EffectCheck {
 
     private final ParticleSystem system;
     private final Effect effect;
+    private final EffectLaw law;
     private final int n;
     private final double[] state;
-    private final List<Finding> findings = new ArrayList<>();
 
-    private EffectCheck(ParticleSystem system, Effect effect) {
+    private EffectCheck(ParticleSystem system, EffectLaw law) {
         this.system = system;
-        this.effect = effect;
+        this.law = law;
+        effect = law.maker().apply(system.getParticles());
         n = system.getStateSize();
         state = new double[n];
         system.getState(state);
@@ -43,30 +42,35 @@ public final class EffectCheck {
     }
 
     /**
-     * Checks an effect.
+     * Checks a law on six particles, one of them fixed, and on nine that are all free.
      *
-     * @param system the particles that the effect was made for
-     * @param effect the effect
-     * @return what is wrong; empty if it keeps what it claims
+     * @param law the law
+     * @return the first thing that is wrong; empty if it keeps what it claims
      */
-    public static List<Finding> check(ParticleSystem system, Effect effect) {
-        EffectCheck check = new EffectCheck(system, effect);
-        new EffectWriting(system, effect, check.state).finding().ifPresent(check.findings::add);
-        if (check.findings.isEmpty()) {
-            check.contradictions();
-            check.partners();
-            check.potential();
-            check.power();
-            check.velocities();
-        }
-        if (check.findings.isEmpty()) {
-            check.otherClaims();
-        }
-        return check.findings;
+    public static List<Finding> check(EffectLaw law) {
+        return new EffectCheck(EffectSample.system(), law).first()
+                .or(() -> new EffectCheck(EffectSample.larger(), law).first()).stream().toList();
     }
 
-    private void wrong(Kind kind, String text) {
-        findings.add(new Finding(kind, text));
+    private Optional<Finding> first() {
+        try {
+            return new EffectWriting(system, effect, state).finding().or(this::contradiction).or(this::partners)
+                    .or(() -> potential().or(this::power).or(this::velocities).map(this::orWrongIndex))
+                    .or(this::otherClaims).or(() -> NamedDirection.finding(system, effect, law, state));
+        } catch (IndexOutOfBoundsException e) {
+            return wrong(Kind.FAILURE, "it ends in an exception: " + StudentFailure.describe(e) + ". The state of "
+                    + n / 6 + " particles has " + n + " numbers, those of particle i from 6 i to 6 i + 5: a loop over"
+                    + " particles goes while i < particles.count()");
+        }
+    }
+
+    private static Optional<Finding> wrong(Kind kind, String text) {
+        return Optional.of(new Finding(kind, text));
+    }
+
+    private Finding orWrongIndex(Finding symptom) {
+        return new EffectIndices(system, effect, state).cause().map(text -> new Finding(Kind.STATE, text))
+                .orElse(symptom);
     }
 
     private double[] force(double[] at) {
@@ -80,23 +84,22 @@ public final class EffectCheck {
     }
 
     /** What stores all of its energy neither takes any out nor puts any in. */
-    private void contradictions() {
+    private Optional<Finding> contradiction() {
         Set<Trait> claims = effect.getTraits();
-        if (claims.contains(Trait.CONSERVATIVE) && (claims.contains(Trait.DISSIPATIVE)
-                || claims.contains(Trait.DRIVING))) {
-            wrong(Kind.METHOD, "it claims CONSERVATIVE and " + (claims.contains(Trait.DISSIPATIVE) ? "DISSIPATIVE"
-                    : "DRIVING")
-                    + ", which contradict each other: a conservative force keeps the energy that it stores");
-        }
+        return claims.contains(Trait.CONSERVATIVE) && (claims.contains(Trait.DISSIPATIVE)
+                || claims.contains(Trait.DRIVING)) ? wrong(Kind.METHOD, "it claims CONSERVATIVE and "
+                + (claims.contains(Trait.DISSIPATIVE) ? "DISSIPATIVE" : "DRIVING")
+                + ", which contradict each other: a conservative force keeps the energy that it stores")
+                : Optional.empty();
     }
 
     /**
      * Newton's third law: the forces add up to 0. Where they do not, it looks for a pair of particles that breaks the
      * law.
      */
-    private void partners() {
-        if (!effect.getTraits().contains(Trait.INTERNAL) || !findings.isEmpty()) {
-            return;
+    private Optional<Finding> partners() {
+        if (!effect.getTraits().contains(Trait.INTERNAL)) {
+            return Optional.empty();
         }
         double[] force = force(state);
         double[] sum = new double[3];
@@ -106,12 +109,14 @@ public final class EffectCheck {
             size = Math.max(size, Math.abs(force[k]));
         }
         double rest = Math.max(Math.abs(sum[0]), Math.max(Math.abs(sum[1]), Math.abs(sum[2])));
-        if (rest > 1e-10 * size) {
-            int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
-            wrong(Kind.METHOD, wrongPair(force).orElse("the forces on all particles add up to " + Formula.number(rest)
-                    + " along "
-                    + EffectWriting.axis(axis) + " and not to 0: F_ji has to be -F_ij"));
+        if (rest <= 1e-10 * size) {
+            return Optional.empty();
         }
+        int axis = rest == Math.abs(sum[0]) ? 0 : rest == Math.abs(sum[1]) ? 1 : 2;
+        Optional<Finding> pair = wrongPair(force).map(text -> new Finding(Kind.METHOD, text));
+        return pair.isPresent() || EffectClaims.leavesFixedOut(system, force) ? pair : wrong(Kind.METHOD,
+                "the forces on all particles add up to " + Formula.number(rest) + " along " + EffectWriting.axis(axis)
+                + " and not to 0: F_ji has to be -F_ij");
     }
 
     /** The force on i changes with the place of j as the force on j does with that of i, if they are opposite. */
@@ -126,15 +131,16 @@ public final class EffectCheck {
             }
         }
         if (pushesNoPartner(change)) {
-            return Optional.of("it claims INTERNAL, which is wrong: no particle's force changes with the place of "
-                    + "another,"
-                    + " so that there are no pairs that push each other");
+            return Optional.of("it claims INTERNAL, but " + effect.getName() + " is not: no particle's force changes "
+                    + "with the place of another, so that there are no pairs that push each other");
         }
+        boolean leftOut = EffectClaims.leavesFixedOut(system, force);
         for (int i = 0; i < change.length; i++) {
             for (int j = 0; j < change.length; j++) {
+                boolean noPair = i == j || leftOut && (isFixed(i) || isFixed(j));
                 double onI = change[j][6 * i + 3];
                 double onJ = change[i][6 * j + 3];
-                if (i != j && onI != 0 && Math.abs(onI - onJ) > 1e-3 * Math.abs(onI)) {
+                if (!noPair && onI != 0 && Math.abs(onI - onJ) > 1e-3 * Math.abs(onI)) {
                     return Optional.of("particle " + name(j) + " pushes " + name(i)
                             + (onJ == 0 ? ", and is not pushed itself: the partner's force F_ji = -F_ij is missing"
                             : Math.abs(onI + onJ) < 1e-3 * Math.abs(onI)
@@ -157,14 +163,18 @@ public final class EffectCheck {
         return true;
     }
 
+    private boolean isFixed(int i) {
+        return system.getParticles().isFixed(i);
+    }
+
     private String name(int i) {
         return "'" + system.getParticles().id(i) + "'";
     }
 
     /** Force = -grad of the potential energy, of the particles that can move. */
-    private void potential() {
-        if (!effect.getTraits().contains(Trait.CONSERVATIVE) || !findings.isEmpty()) {
-            return;
+    private Optional<Finding> potential() {
+        if (!effect.getTraits().contains(Trait.CONSERVATIVE)) {
+            return Optional.empty();
         }
         double[] force = force(state);
         double[] expected = new double[n];
@@ -175,61 +185,31 @@ public final class EffectCheck {
             moved[k - 3] = state[k - 3] - STEP;
             expected[k] = -(ahead - effect.getPotentialEnergy(moved, 0)) / (2 * STEP);
         }
-        compare(force, expected, "the slope of the potential energy asks for", "the potential energy");
+        return compare(force, expected);
     }
 
     /** Compares forces of free particles component by component, and looks for what is common to all differences. */
-    private void compare(double[] force, double[] expected, String authority, String other) {
+    private Optional<Finding> compare(double[] force, double[] expected) {
         double size = Math.max(Arrays.stream(force).map(Math::abs).max().orElse(0),
                 Arrays.stream(expected).map(Math::abs).max().orElse(0));
         for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
-            if (system.getParticles().isFixed(k / 6) || Math.abs(force[k] - expected[k]) <= SAME * size) {
-                continue;
+            if (!isFixed(k / 6) && Math.abs(force[k] - expected[k]) > SAME * size) {
+                return wrong(Kind.METHOD, entry(k) + " is " + Formula.number(force[k])
+                        + " where the slope of the potential energy asks for " + Formula.number(expected[k])
+                        + new ForceComparison(system, force, expected, size).cause(effect.dependsOnVelocity(),
+                        "the potential energy"));
             }
-            wrong(Kind.METHOD, entry(k) + " is " + Formula.number(force[k]) + " where " + authority + " "
-                    + Formula.number(expected[k])
-                    + new ForceComparison(system, force, expected, size).cause(effect.dependsOnVelocity(), other));
-            return;
         }
+        return Optional.empty();
     }
 
-    /** What damps takes as much power as it says. */
-    private void power() {
-        double dissipated = effect.getDissipatedPower(state, 0);
-        if (!effect.getTraits().contains(Trait.DISSIPATIVE) || effect.getTraits().contains(Trait.DRIVING)
-                || !findings.isEmpty()) {
-            return;
-        }
-        double[] force = force(state);
-        double power = 0;
-        double[] ahead = state.clone();
-        double[] behind = state.clone();
-        for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
-            power += force[k] * state[k];
-            ahead[k - 3] += STEP * state[k];
-            behind[k - 3] -= STEP * state[k];
-        }
-        power += (effect.getPotentialEnergy(ahead, 0) - effect.getPotentialEnergy(behind, 0)) / (2 * STEP);
-        if (Math.abs(power + dissipated) <= SAME * Math.max(1e-3, Math.abs(power))) {
-            return;
-        }
-        String start = "the forces do the work " + Formula.number(power) + " W and the effect says that it turns "
-                + Formula.number(dissipated)
-                + " W into heat";
-        double ratio = -power / dissipated;
-        wrong(Kind.METHOD, start + (dissipated == 0 ? ": getDissipatedPower is missing"
-                : Math.abs(ratio + 1) < 1e-4 && dissipated < 0
-                ? ": the sign of the dissipated power is wrong; what becomes heat counts as positive"
-                : Math.abs(ratio + 1) < 1e-4 ? ": the sign is wrong; damping has to push against the velocity"
-                : Math.abs(ratio - 2) < 1e-4 ? ": twice as much; a half stands in the dissipated power that does not "
-                + "belong there"
-                : Math.abs(ratio - 0.5) < 1e-4 ? ": half as much; a half is missing in the dissipated power, or is too "
-                + "much in the force" : ""));
+    private Optional<Finding> power() {
+        return new EffectPower(system, effect, state).wrong().map(text -> new Finding(Kind.METHOD, text));
     }
 
-    private void velocities() {
+    private Optional<Finding> velocities() {
         if (effect.dependsOnVelocity()) {
-            return;
+            return Optional.empty();
         }
         double[] other = state.clone();
         for (int k = 3; k < n; k += k % 6 == 5 ? 4 : 1) {
@@ -239,20 +219,16 @@ public final class EffectCheck {
         double[] changed = force(other);
         for (int k = 0; k < n; k++) {
             if (Math.abs(force[k] - changed[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
-                wrong(Kind.STATE, entry(k) + " changes with the velocity, and dependsOnVelocity() says false");
-                return;
+                return wrong(Kind.STATE, entry(k) + " changes with the velocity, and dependsOnVelocity() says false");
             }
         }
+        return Optional.empty();
     }
 
-    /** What is left: symmetries and derivatives; one line of each kind. */
-    private void otherClaims() {
-        Set<String> seen = new LinkedHashSet<>();
-        for (String line : EffectClaims.broken(system, effect, 2003)) {
-            if (seen.add(line.replaceFirst("[ :].*", ""))) {
-                wrong(Kind.METHOD, "a claim does not hold: " + line + hint(line));
-            }
-        }
+    /** What is left: power, symmetries and derivatives. */
+    private Optional<Finding> otherClaims() {
+        return EffectClaims.broken(system, effect, 2003).stream().findFirst()
+                .map(line -> new Finding(Kind.METHOD, claim(line)));
     }
 
     private boolean claimsItsPower() {
@@ -260,14 +236,18 @@ public final class EffectCheck {
                 .anyMatch(trait -> trait == Trait.CONSERVATIVE || trait == Trait.DISSIPATIVE || trait == Trait.DRIVING);
     }
 
-    private String hint(String line) {
-        if (line.startsWith("power") && !claimsItsPower()) {
-            return ". Claim CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with"
-                    + " getDissipatedPower or DRIVING with getDrivenPower";
-        }
+    private String claim(String line) {
         if (line.startsWith("translation")) {
-            return "; the force uses places and not differences of places, though it claims TRANSLATION_INVARIANT";
+            return "it claims TRANSLATION_INVARIANT, but " + effect.getName() + " is not: with all particles moved "
+                    + "alike the force changes, which uses places and not only differences of places";
         }
-        return line.startsWith("derivative") ? "; addForceDerivatives is not the derivative of addForces" : "";
+        if (line.startsWith("rotation")) {
+            return "it claims ROTATION_INVARIANT, but " + effect.getName() + " is not: with everything turned alike "
+                    + "the force is not the turned one, so that some direction is preferred";
+        }
+        String hint = line.startsWith("derivative") ? "; addForceDerivatives is not the derivative of addForces" : "";
+        return "a claim does not hold: " + line + (line.startsWith("power") && !claimsItsPower()
+                ? ". Claim CONSERVATIVE with getPotentialEnergy, DISSIPATIVE with getDissipatedPower or DRIVING with"
+                + " getDrivenPower" : hint);
     }
 }

@@ -2,6 +2,7 @@ package particles.teaching.effects;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
 import java.util.Random;
@@ -17,6 +18,7 @@ import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
 import particles.spec.ClassNames;
+import particles.spec.Key;
 
 /** A handful of particles for an effect to act on, and effects by name. */
 public final class EffectSample {
@@ -28,11 +30,20 @@ public final class EffectSample {
 
     /** @return six particles p0 to p5 about a unit apart, of different masses; p4 is fixed */
     public static ParticleSystem system() {
+        return system(6, 4);
+    }
+
+    /** @return nine such particles, all free */
+    static ParticleSystem larger() {
+        return system(9, -1);
+    }
+
+    private static ParticleSystem system(int count, int fixed) {
         ParticleSystem system = new ParticleSystem();
         Random random = new Random(715);
-        for (int i = 0; i < 6; i++) {
+        for (int i = 0; i < count; i++) {
             system.addParticle("p" + i, 0.5 + random.nextDouble(), new Vector3(i % 3, i / 3, 0.5 * i), Vector3.ZERO,
-                    i == 4);
+                    i == fixed);
         }
         return system;
     }
@@ -71,6 +82,26 @@ public final class EffectSample {
             throw new IllegalArgumentException("the Keys of " + name + " add no effect to the scene");
         }
         return scene.effects.get(0);
+    }
+
+    /**
+     * @param name    as for {@link #create}
+     * @param classes finds the class
+     * @return the law with what its keys say of it
+     */
+    public static EffectLaw law(String name, ClassNames classes) {
+        if (name.equals(SPRINGS) || name.equals(DAMPED_SPRINGS)) {
+            return new EffectLaw(particles -> create(name, particles, classes));
+        }
+        EffectKind kind = named(name).orElseGet(() -> byClass(name, classes));
+        Object described = kind.keys().schema().get("properties");
+        boolean signed = kind.keys().keys().stream().filter(Key::required).anyMatch(key -> !isPositive(described, key));
+        return new EffectLaw(particles -> create(name, particles, classes), kind.sentence(), signed);
+    }
+
+    private static boolean isPositive(Object described, Key<?> key) {
+        return described instanceof Map<?, ?> properties && properties.get(key.name()) instanceof Map<?, ?> schema
+                && schema.get("minimum") instanceof Number least && least.doubleValue() >= 0;
     }
 
     private static Optional<EffectKind> named(String name) {

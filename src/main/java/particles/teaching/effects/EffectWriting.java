@@ -8,6 +8,7 @@ import particles.law.Effect;
 import particles.law.PerParticleEffect;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
+import particles.teaching.Formula;
 
 /**
  * Looks at how an effect writes its forces, before anybody asks what they are: added, where they belong, and some at
@@ -87,9 +88,9 @@ final class EffectWriting {
         double[] parts = inTwoRanges(effect, state, 0).orElse(force);
         for (int k = 0; k < n; k++) {
             if (Math.abs(parts[k] - force[k]) > 1e-12 * Math.max(1, Math.abs(force[k]))) {
-                return wrong(Kind.STATE, entry(system, k) + " is " + parts[k]
+                return wrong(Kind.STATE, entry(system, k) + " is " + Formula.number(parts[k])
                         + " when the particles are asked for in two ranges, one"
-                        + " after the other, and " + force[k]
+                        + " after the other, and " + Formula.number(force[k])
                         + " at once: the loop has to go from 'from' to 'to', and over nothing else");
             }
         }

@@ -3,6 +3,7 @@ package particles.teaching.effects;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import particles.ParticleSystem;
 import particles.teaching.Formula;
 
@@ -38,8 +39,12 @@ final class ForceComparison {
         if (Arrays.stream(expected).allMatch(f -> Math.abs(f) <= SAME * size)) {
             return velocities ? ": a force that depends on the velocity is not CONSERVATIVE; claim DISSIPATIVE if it "
                     + "damps"
-                    : ": " + other + " is the same everywhere; getPotentialEnergy is missing, or the claim "
-                    + "CONSERVATIVE is wrong";
+                    : ": " + other + " is the same everywhere; getPotentialEnergy is missing (1/2 is 0 in "
+                    + "Java, 0.5 is meant), or the claim CONSERVATIVE is wrong";
+        }
+        Optional<String> leftOut = leftOut();
+        if (leftOut.isPresent()) {
+            return leftOut.get();
         }
         if (fits(-1, 0)) {
             return ": the sign is wrong, in the force or in " + other;
@@ -74,6 +79,28 @@ final class ForceComparison {
         }
         return off.size() == 3 ? "" : ": only " + String.join(" and ", off) + (off.size() == 1 ? " is" : " are")
                 + " wrong";
+    }
+
+    /** Where whole particles have no force, and all others the right one. */
+    private Optional<String> leftOut() {
+        List<String> names = new ArrayList<>();
+        for (int i = 0; i < force.length / 6; i++) {
+            boolean none = true;
+            boolean right = true;
+            for (int k = 6 * i + 3; k < 6 * i + 6; k++) {
+                none &= force[k] == 0;
+                right &= Math.abs(force[k] - expected[k]) <= SAME * size;
+            }
+            if (!right && !system.getParticles().isFixed(i)) {
+                if (!none) {
+                    return Optional.empty();
+                }
+                names.add("'" + system.getParticles().id(i) + "'");
+            }
+        }
+        return names.isEmpty() ? Optional.empty() : Optional.of(": there is no force on particle "
+                + String.join(", ", names) + ", and the right one on all others; "
+                + "the loop has to begin at 0 and go while i < particles.count()");
     }
 
     /** Whether force = factor * mass^power * expected, for all free particles. */

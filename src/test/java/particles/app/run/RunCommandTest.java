@@ -295,7 +295,7 @@ class RunCommandTest {
     @Test
     void aBlowUpKeepsWhatWasSeenAndEndsWithCode3() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--deltaT=0.5", "--duration=100"));
-        assertEquals(4, errors.toString().lines().count(), errors.toString());
+        assertEquals(3, errors.toString().lines().count(), errors.toString());
         assertTrue(files().containsAll(NUMBERS_AND_PLOTS) && files().contains("frames/frame-00000.png"),
                 files().toString());
         assertTrue(files().stream().noneMatch(name -> name.endsWith(".part")), files().toString());

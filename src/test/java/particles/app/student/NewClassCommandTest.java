@@ -8,6 +8,7 @@ import deSolvers.DESolver;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.lang.reflect.Constructor;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
@@ -17,7 +18,6 @@ import java.util.List;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import particles.ParticleSystem;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
@@ -26,7 +26,7 @@ import particles.law.Effect;
 import particles.law.Particles;
 import particles.teaching.Finding;
 import particles.teaching.effects.EffectCheck;
-import particles.teaching.effects.EffectSample;
+import particles.teaching.effects.EffectLaw;
 import particles.teaching.solvers.SolverCheck;
 
 /** Skeletons compile without a warning, do nothing yet, say how to go on, and never replace what is there. */
@@ -96,7 +96,15 @@ class NewClassCommandTest {
 
     private static DESolver make(Class<?> solver) {
         try {
-            return solver.asSubclass(DESolver.class).getConstructor().newInstance();
+            return made(solver.asSubclass(DESolver.class).getConstructor());
+        } catch (NoSuchMethodException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private static <T> T made(Constructor<T> maker, Object... arguments) {
+        try {
+            return maker.newInstance(arguments);
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(e);
         }
@@ -115,10 +123,9 @@ class NewClassCommandTest {
     @Test
     void anEffectCompilesAndIsToldThatItAddsNoForce() throws ReflectiveOperationException, IOException {
         assertTrue(run(ExitCode.DONE, "newEffect", "MyGravity").contains("- exercises.MyGravity: {strength: 2}"));
-        ParticleSystem system = EffectSample.system();
-        Effect effect = compiled("MyGravity").asSubclass(Effect.class).getConstructor(Particles.class, double.class)
-                .newInstance(system.getParticles(), 2);
-        List<Finding> wrong = EffectCheck.check(system, effect);
+        Constructor<? extends Effect> maker = compiled("MyGravity").asSubclass(Effect.class)
+                .getConstructor(Particles.class, double.class);
+        List<Finding> wrong = EffectCheck.check(new EffectLaw(particles -> made(maker, particles, 2.0)));
         assertEquals(1, wrong.size(), wrong.toString());
         assertTrue(wrong.get(0).toString().startsWith("method: there is no force on any particle"), wrong.toString());
     }

@@ -2,6 +2,7 @@ package particles.experiments.energy;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -177,7 +178,7 @@ class EnergyHistoryTest {
         double growth = StrictMath.pow(1 + 0.125 * 0.125, 8);
         assertEquals(0.5 * (growth - 1), books.getNumericalError(), 1e-15);             // measured 0, as the others
         assertEquals(0.5 * (growth - 1), books.getLargestNumericalError(), 1e-15);
-        List<ChartData> charts = books.charts(0.5);
+        List<ChartData> charts = books.charts(0.5, false);
         assertEquals(1, charts.size());
         assertEquals(growth - 1, charts.get(0).series().get(0).y()[8], 1e-15);
         assertEquals(0, charts.get(0).series().get(0).y()[0]);
@@ -192,7 +193,7 @@ class EnergyHistoryTest {
         assertEquals(-0.75 * before, books.getWork().values().stream().mapToDouble(w -> w).sum(), 1e-13);
         assertTrue(books.getLargestNumericalError() < 3e-14 * before,
                 "8.5e-14 J and not " + books.getLargestNumericalError());
-        Series work = books.charts(before).get(0).series().get(0);
+        Series work = books.charts(before, false).get(0).series().get(0);
         for (int k = 0; work.x()[k] < 0.5; k++) {
             assertEquals(0, work.y()[k]);                   // level until the bounce, and then a vertical line
         }
@@ -200,5 +201,41 @@ class EnergyHistoryTest {
                 work.x()[IntStream.range(0, work.y().length).filter(k -> work.y()[k] < 0).findFirst().orElse(0)]);
         assertTrue(IntStream.range(0, work.y().length).anyMatch(k -> work.x()[k] == 0.5 && work.y()[k] == 0));
         assertEquals(-0.75 * before, work.y()[work.y().length - 1], 1e-13);
+    }
+
+    /** Euler with omega deltaT = 1 doubles the energy at every step: 1024 times at the tenth. */
+    @Test
+    void onlyGrowthByMoreThanAThousandMakesTheAxisLogarithmic() {
+        assertFalse(observe(spring(new EulerSolver(), 1, 9), 1).chart("512 times").yLog());
+        EnergyHistory grown = observe(spring(new EulerSolver(), 1, 30), 1);     // less than 1e9: the spring turns over
+        assertTrue(grown.chart("a million times and more").yLog());
+        double[] total = grown.chart("the values stay those of the run").series().get(0).y();
+        assertEquals(grown.getStart(), total[0]);
+        assertEquals(grown.getEnd(), total[total.length - 1]);
+        assertFalse(observe(spring(new RK4Solver(), 0.1, 30), 1).chart("bounded").yLog());
+        assertFalse(observe(falling(0), 1).chart("from rest").yLog());
+    }
+
+    /** A falling ball's kinetic energy begins at 0 and grows as t^2; that is no blow-up. */
+    @Test
+    void aRunThatBeginsAtRestKeepsItsLinearAxis() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("ball", 1, Vector3.ZERO, Vector3.ZERO, false);
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -G, 0)));
+        assertFalse(observe(new Simulation(system, new RK4Solver(), 1e-4, 1, Double.POSITIVE_INFINITY), 1)
+                .chart("falling").yLog());
+    }
+
+    @Test
+    void sizesOfWorkAndErrorAreDrawnOnALogarithmicAxis() {
+        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
+        Simulation simulation = spring(new EulerSolver(), 1, 20);
+        simulation.addObserver(books);
+        simulation.run();
+        ChartData error = books.charts(0.5, true).get(0);
+        assertTrue(error.yLog());
+        assertEquals("|numerical error| / scale", error.yLabel());
+        double[] sizes = error.series().get(0).y();
+        assertEquals(books.getLargestNumericalError() / 0.5, sizes[sizes.length - 1]);
     }
 }

@@ -180,4 +180,45 @@ class FrameObserverTest {
             assertThrows(IllegalArgumentException.class, () -> new FrameObserver(renderer(), fps, List.of()));
         }
     }
+
+    private static LastSteps lastSteps(Simulation simulation) {
+        Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+        LastSteps last = new LastSteps(camera, W, H);
+        simulation.addObserver(last);
+        return last;
+    }
+
+    /** At one frame a second the run has one frame; its two steps follow, the last one shown for 2 s. */
+    @Test
+    void theLastStepsOfARunThatEndsEarlyAreShownOneByOne() {
+        Notes notes = new Notes();
+        Simulation simulation = thrown(0.125, 1);
+        simulation.getSystem().addEffect(TestEffects.failingAt(0.35));
+        LastSteps last = lastSteps(simulation);
+        try (FrameObserver frames = new FrameObserver(renderer(), 1, List.of(notes))) {
+            simulation.addObserver(frames);
+            assertThrows(SimulationException.class, simulation::run);
+            frames.replay(simulation.getSystem(), last, "blew up");
+        }
+        assertEquals(List.of(0, 1, 2, 3, 4), notes.frames);
+        double[] times = {0, 0, 0.125, 0.25, 0.25};
+        for (int k = 0; k < times.length; k++) {
+            double y = -4 + 8 * times[k] - 4 * times[k] * times[k];
+            assertEquals(H / 2.0 - 40 * y, notes.heights.get(k), 0.7, "frame " + k);       // as above
+        }
+    }
+
+    @Test
+    void noStepIsKeptAfterAllHasLeftThePicture() {
+        Simulation simulation = thrown(0.01, 3);        // falls below y = -5 m at t = 1 + sqrt(5)/2 = 2.118 s
+        LastSteps last = lastSteps(simulation);
+        simulation.run();
+        List<LastSteps.Step> steps = last.steps();
+        assertEquals(12, steps.size());
+        for (int k = 0; k < 12; k++) {
+            double t = 2.12 - 0.01 * (11 - k);
+            assertEquals(t, steps.get(k).time(), 1e-9);
+            assertEquals(-4 + 8 * t - 4 * t * t, steps.get(k).state()[1], 1e-9);
+        }
+    }
 }

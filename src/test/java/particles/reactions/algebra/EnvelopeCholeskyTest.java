@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** The narrow factorisation solves what it is given, and says when it cannot. */
+/** The envelope factorisation solves random systems and detects singular ones. */
 class EnvelopeCholeskyTest {
 
     /** Random matrices B B<sup>T</sup> with envelopes of any shape: A x comes back as b. Measured: 3e-13. */
     @Test
-    void solvesRandomSystems() {
+    void randomSystemsAreSolved() {
         Random random = new Random(3);
         for (int n = 1; n <= 12; n++) {
             int[] first = new int[n];
@@ -48,7 +48,7 @@ class EnvelopeCholeskyTest {
     }
 
     @Test
-    void dependentRowsAreNoticed() {
+    void dependentRowsAreDetected() {
         EnvelopeCholesky cholesky = new EnvelopeCholesky(new int[] {0, 0});
         cholesky.add(0, 0, 4);
         cholesky.add(1, 0, 2);

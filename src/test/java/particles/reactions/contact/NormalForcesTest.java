@@ -9,12 +9,12 @@ import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.api.Test;
 import particles.law.Vector3;
 
-/** The pushes of one to six planes satisfy the conditions that define them. */
+/** The normal forces of one to six planes satisfy their conditions. */
 class NormalForcesTest {
 
     /** Measured over 200 random cases of up to six planes: the worst condition fails by 1.3e-13 of the largest push. */
     @RepeatedTest(200)
-    void conditionsHold(RepetitionInfo info) {
+    void normalForcesSatisfyTheirConditions(RepetitionInfo info) {
         Random random = new Random(info.getCurrentRepetition());
         int count = 1 + random.nextInt(6);
         Vector3[] normals = new Vector3[count];
@@ -29,14 +29,14 @@ class NormalForcesTest {
         double scale = total.length();
         for (int p = 0; p < count; p++) {
             total = total.plus(normals[p].times(push[p]));
-            // nearly parallel planes can push far harder than they are pressed
+            // nearly parallel planes can push far harder than the force on them
             scale = Math.max(scale, push[p]);
         }
         for (int p = 0; p < count; p++) {
             double away = normals[p].dot(total);
             assertTrue(push[p] >= -1e-12 * scale, "plane " + p + " pulls: " + push[p]);
             assertTrue(away >= -1e-12 * scale, "plane " + p + " is still pressed: " + away);
-            assertEquals(0, push[p] * away, 1e-12 * scale * scale, "plane " + p + " pushes what moves away");
+            assertEquals(0, push[p] * away, 1e-12 * scale * scale, "plane " + p + " pushes a particle that moves away");
         }
     }
 
@@ -48,6 +48,6 @@ class NormalForcesTest {
         assertEquals(10 / Math.sqrt(2), push[0], 1e-13);
         assertEquals(10 / Math.sqrt(2), push[1], 1e-13);
         new NormalForces(2).solve(2, groove, new double[] {0, 10, 0}, new double[2], push);
-        assertEquals(0, push[0] + push[1], "nothing pushes what is pulled out");
+        assertEquals(0, push[0] + push[1], "no force on a particle that is pulled out");
     }
 }

@@ -9,7 +9,6 @@ import java.util.Random;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import org.junit.jupiter.api.Test;
-import particles.ParticleSystem;
 import particles.law.Effect.Trait;
 import particles.law.Effect;
 import particles.teaching.Finding;
@@ -74,8 +73,8 @@ class PlantedClaimsTest {
     private static final ToDoubleFunction<double[]> NONE = state -> 0;
 
     private static void assertFound(Effect effect, String... words) {
-        ParticleSystem system = EffectSample.system();
-        List<String> found = EffectCheck.check(system, effect).stream().map(Finding::toString).toList();
+        List<String> found = EffectCheck.check(new EffectLaw(particles -> effect)).stream()
+                .map(Finding::toString).toList();
         assertEquals(words.length == 0 ? 0 : 1, found.size(), found.toString());
         for (String word : words) {
             assertTrue(found.get(0).contains(word), found.get(0) + " does not contain " + word);
@@ -166,7 +165,14 @@ class PlantedClaimsTest {
     void internalIsAWrongClaimWithoutPairs() {
         assertFound(law(EnumSet.of(Trait.CONSERVATIVE, Trait.INTERNAL), false, SPRING, state -> 2 * squares(state, 0),
                 NONE),
-                "it claims INTERNAL, which is wrong: no particle's force changes with the place of another");
+                "it claims INTERNAL, but planted is not: no particle's force changes with the place of another");
+    }
+
+    /** v * v, as students write it, never turns round. */
+    @Test
+    void dragThatDoesNotTurnRoundWithTheVelocity() {
+        assertFound(law(EnumSet.of(Trait.DISSIPATIVE), true, (state, k) -> -0.2 * state[k] * state[k], NONE,
+                state -> 0.2 * squares(state, 3)), "|v| v is meant, and not v v");
     }
 
     @Test

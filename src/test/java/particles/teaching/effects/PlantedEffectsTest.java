@@ -10,7 +10,6 @@ import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import particles.ParticleSystem;
 import particles.law.Effect;
 import particles.law.Particles;
 import particles.spec.ClassNames;
@@ -114,8 +113,7 @@ class PlantedEffectsTest {
     }
 
     private static void assertFound(Function<Particles, Effect> maker, String... expected) {
-        ParticleSystem system = EffectSample.system();
-        List<Finding> found = EffectCheck.check(system, maker.apply(system.getParticles()));
+        List<Finding> found = EffectCheck.check(new EffectLaw(maker));
         assertEquals(expected.length == 0 ? 0 : 1, found.size(), found.toString());
         for (String part : expected) {
             assertTrue(found.get(0).toString().contains(part), found.get(0) + " does not say: " + part);
@@ -194,5 +192,52 @@ class PlantedEffectsTest {
     @Test
     void dragOfTwiceTheSize() {
         assertFound(drag(2), "twice as much; a half stands in the dissipated power");
+    }
+
+    private static List<String> found(Function<Particles, Effect> maker, String sentence, boolean signed) {
+        return EffectCheck.check(new EffectLaw(maker, sentence, signed)).stream().map(Finding::text).toList();
+    }
+
+    /** Force and energy agree, and both are upside down: only the words tell. */
+    @Test
+    void aSignThatForceAndEnergyShareIsToldByTheSentence() {
+        String both = ": the sign is wrong, in the force and in the potential energy";
+        assertEquals(List.of("gravity pulls down, and this force points up" + both),
+                found(gravity(-1, 1, -1, 4, true), "Gravity.", false));
+        assertEquals(List.of("a spring pulls back when it is stretched, and this force pushes further apart" + both),
+                found(chain(-1, 1, -0.5), "A chain of springs.", false));
+        assertEquals(List.of("what attracts pulls closer, and this force pushes away" + both),
+                found(chain(-1, 1, -0.5), "Neighbours attract each other.", false));
+        assertEquals(List.of("what repels pushes apart, and this force pulls closer" + both),
+                found(chain(1, -1, 0.5), "Neighbours repel each other.", false));
+    }
+
+    @Test
+    void wordsThatTellNoDirectionAccuseNobody() {
+        assertEquals(List.of(), found(gravity(-1, 1, -1, 4, true), "A balloon.", false));
+        assertEquals(List.of(), found(gravity(-1, 1, -1, 4, true), "Antigravity.", false));
+        assertEquals(List.of(), found(gravity(-1, 1, -1, 4, true), "Gravity along a vector of the scene.", true));
+        assertEquals(List.of(), found(chain(-1, 1, -0.5), "Attracts far away and repels near by.", false));
+    }
+
+    @Test
+    void aNumberOfParticlesThatIsWrittenDown() {
+        assertFound(p -> new PerParticle(p, Effect.Trait.CONSERVATIVE) {
+            @Override
+            public void addForces(double[] state, double time, double[] f) {
+                for (int i = 0; i < 6; i++) {
+                    f[6 * i + 4] -= 9.81 * particles.mass(i);
+                }
+            }
+
+            @Override
+            public double getPotentialEnergy(double[] state, double time) {
+                double sum = 0;
+                for (int i = 0; i < particles.count(); i++) {
+                    sum += particles.mass(i) * 9.81 * state[6 * i + 1];
+                }
+                return sum;
+            }
+        }, "there is no force on particle 'p6', 'p7', 'p8', and the right one on all others; the loop has to");
     }
 }

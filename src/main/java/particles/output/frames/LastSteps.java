@@ -1,0 +1,94 @@
+package particles.output.frames;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import particles.Motion;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.Rule;
+import particles.law.Particles;
+import particles.output.raster.CameraProjection;
+import particles.view.Camera;
+
+/**
+ * Keeps the last steps of a run, so that a blow-up can be shown one step at a time: it often takes fewer steps than
+ * there are between two frames. Nothing is kept once all that moves has left the picture.
+ */
+public final class LastSteps implements Observer {
+    /** More steps than this would take too long to watch, one at a time. */
+    private static final int MOST_STEPS = 12;
+    /** All kept states together have at most this many numbers, 32 MB, however large the system is. */
+    private static final int MOST_NUMBERS = 4_000_000;
+
+    /**
+     * Where everything was after a step.
+     *
+     * @param time  when (s)
+     * @param state in the layout of the system's state
+     */
+    record Step(double time, double[] state) {
+    }
+
+    private final CameraProjection view;
+    private final Deque<Step> steps = new ArrayDeque<>();
+    private boolean gone;
+
+    /**
+     * @param camera from where the run is seen
+     * @param width  of the pictures (pixels)
+     * @param height of the pictures (pixels)
+     */
+    public LastSteps(Camera camera, int width, int height) {
+        view = new CameraProjection(camera, width, height);
+    }
+
+    @Override
+    public void started(ParticleSystem system) {
+        keep(system, system.getTime(), system.getOwnState());
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        keep(motion.getSystem(), motion.getEndTime(), motion.getEndState());
+    }
+
+    /** The state of before the rule is not worth a picture of its own; one of other particles cannot be drawn. */
+    @Override
+    public void changed(ParticleSystem system, Rule rule) {
+        if (!steps.isEmpty() && !gone) {
+            steps.removeLast();
+        }
+        keep(system, system.getTime(), system.getOwnState());
+    }
+
+    private void keep(ParticleSystem system, double time, double[] state) {
+        int numbers = system.getStateSize();            // the system's own array may be longer
+        if (!steps.isEmpty() && steps.peekLast().state.length != numbers) {
+            steps.clear();
+        }
+        boolean outside = !isAnyInPicture(system.getParticles(), state);
+        if (outside && gone) {
+            return;
+        }
+        gone = outside;
+        boolean full = steps.size() >= Math.max(2, Math.min(MOST_STEPS, MOST_NUMBERS / Math.max(1, numbers)));
+        double[] copy = full ? steps.removeFirst().state : new double[numbers];
+        System.arraycopy(state, 0, copy, 0, numbers);
+        steps.addLast(new Step(time, copy));
+    }
+
+    private boolean isAnyInPicture(Particles particles, double[] state) {
+        for (int i = 0, x = 0; i < particles.count(); i++, x += Particles.STRIDE) {
+            if (!particles.isFixed(i) && view.isInPicture(state[x], state[x + 1], state[x + 2])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** @return the steps, the first one first; the last one may be the first at which nothing was in the picture */
+    List<Step> steps() {
+        return List.copyOf(steps);
+    }
+}

@@ -1,0 +1,306 @@
+package particles.teaching.collection;
+
+import static particles.teaching.collection.EffectSpecimen.wrong;
+import static particles.teaching.collection.Law.each;
+import static particles.teaching.collection.Law.law;
+import static particles.teaching.collection.Law.own;
+import static particles.teaching.collection.Law.pairEnergy;
+import static particles.teaching.collection.Law.pairs;
+import static particles.teaching.collection.Law.push;
+import static particles.teaching.collection.Law.square;
+import static particles.teaching.collection.Law.sum;
+
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Stream;
+import particles.law.Effect.Trait;
+import particles.law.ParticleForce;
+import particles.law.Particles;
+import particles.law.PerParticleEffect;
+import particles.law.Vector3;
+
+/** Wrong force laws in the styles that students write, each with one mistake. */
+final class WrongEffects {
+    private static final double G = 9.81;
+
+    private WrongEffects() {
+    }
+
+    static List<EffectSpecimen> all() {
+        return Stream.of(signs(), energies(), claims(), indices(), pairsOfParticles()).flatMap(List::stream).toList();
+    }
+
+    private static Law gravity(Particles p, double force, double energy) {
+        return law("Gravity", Trait.CONSERVATIVE).force(each(p, (s, f, x, m) -> f[x + 4] -= force * m * G))
+                .energy(sum(p, (s, x, m) -> energy * m * G * s[x + 1]));
+    }
+
+    private static Law drag(Particles p, double force, double heat, Trait... traits) {
+        return law("Drag", traits).moving().force(each(p, (s, f, x, m) -> push(f, x, -0.4 * force, s, x + 3)))
+                .heat(sum(p, (s, x, m) -> 0.4 * heat * square(s, x + 3)));
+    }
+
+    private static Law tether(Particles p, double force, double energy, Trait... traits) {
+        return law("Tether", traits).force(each(p, (s, f, x, m) -> push(f, x, -4 * force, s, x)))
+                .energy(sum(p, (s, x, m) -> 2 * energy * square(s, x)));
+    }
+
+    private static List<EffectSpecimen> signs() {
+        return List.of(
+                wrong("Gravity.", "force upwards", "sign", p -> gravity(p, -1, 1)),
+                wrong("Gravity.", "energy falls with height", "sign", p -> gravity(p, 1, -1)),
+                wrong("Gravity.", "force and energy upwards", "gravity.*(up|down)", p -> gravity(p, -1, -1)),
+                wrong("Drag.", "pushes along", "sign", p -> drag(p, -1, 1, Trait.DISSIPATIVE)),
+                wrong("Drag.", "heat negative", "sign of the dissipated power", p -> drag(p, 1, -1,
+                        Trait.DISSIPATIVE)),
+                wrong("Drag.", "pushes along and cools", "sign|against the velocity", p -> drag(p, -1, -1,
+                        Trait.DISSIPATIVE)),
+                wrong("A spring to the origin.", "pushes away and says so", "spring.*pull|pull.*spring|sign",
+                        p -> tether(p, -1, -1, Trait.CONSERVATIVE)),
+                wrong("Attracts all particles to each other.", "repels", "attract", p -> law("MyForce",
+                        Trait.INTERNAL, Trait.CONSERVATIVE).force(pairs(p, -1, (r, mm) -> -mm / (r * r)))
+                        .energy(pairEnergy(p, (r, mm) -> mm / r))),
+                wrong("Charges repel each other.", "attracts", "repel|repulsion", p -> law("Charges", Trait.INTERNAL,
+                        Trait.CONSERVATIVE).force(pairs(p, -1, (r, mm) -> 2 / (r * r)))
+                        .energy(pairEnergy(p, (r, mm) -> -2 / r))),
+                wrong("Springs between neighbours.", "push when stretched, and say so",
+                        "spring.*pull|pull.*spring|sign", p -> law("Chain", Trait.INTERNAL, Trait.CONSERVATIVE)
+                        .force((s, t, f) -> RightEffects.chain(p, s, f, -20, 0.8, 0, false))
+                        .energy((s, t) -> RightEffects.chainEnergy(p, s, -20, 0.8, false))),
+                wrong("A floor that holds particles up.", "sucks them down", "floor.*push|push.*floor|sign",
+                        p -> law("Floor", Trait.CONSERVATIVE).force(each(p, (s, f, x, m)
+                        -> f[x + 4] -= Math.max(0, 50 * (0.5 - s[x + 1])))).energy(sum(p, (s, x, m)
+                        -> -25 * Math.pow(Math.max(0, 0.5 - s[x + 1]), 2)))),
+                wrong("Drag with the square of the speed", "v * v has no sign", "v v",
+                        p -> law("QuadraticDrag", Trait.DISSIPATIVE).moving().force(each(p, (s, f, x, m) -> {
+                            for (int k = x + 3; k < x + 6; k++) {
+                                f[k] -= 0.2 * s[k] * s[k];
+                            }
+                        })).heat(sum(p, (s, x, m) -> 0.2 * (Math.abs(s[x + 3] * s[x + 3] * s[x + 3])
+                                + Math.abs(s[x + 4] * s[x + 4] * s[x + 4])
+                                + Math.abs(s[x + 5] * s[x + 5] * s[x + 5]))))));
+    }
+
+    private static List<EffectSpecimen> energies() {
+        return List.of(
+                wrong("Gravity.", "no mass in the force", "mass is missing in the force", p -> gravity(p, 1, 1)
+                        .force(each(p, (s, f, x, m) -> f[x + 4] -= G))),
+                wrong("Gravity.", "no mass in the energy", "mass is missing in the potential energy",
+                        p -> gravity(p, 1, 1).energy(sum(p, (s, x, m) -> G * s[x + 1]))),
+                wrong("Gravity.", "no energy", "getPotentialEnergy is missing", p -> gravity(p, 1, 0)),
+                wrong("Gravity.", "energy goes with x", "x and y", p -> gravity(p, 1, 1).energy(sum(p, (s, x, m)
+                        -> m * G * s[x]))),
+                wrong("A spring to the origin.", "no half in the energy", "half", p -> tether(p, 1, 2,
+                        Trait.CONSERVATIVE)),
+                wrong("A spring to the origin.", "1/2 of whole numbers", "1/2 is 0", p -> tether(p, 1, 1,
+                        Trait.CONSERVATIVE).energy(sum(p, (s, x, m) -> 1 / 2 * 4 * square(s, x)))),
+                wrong("Drag.", "a half in the heat", "half", p -> drag(p, 1, 0.5, Trait.DISSIPATIVE)),
+                wrong("Drag.", "no heat", "getDissipatedPower is missing", p -> drag(p, 1, 0, Trait.DISSIPATIVE)),
+                wrong("Chain of springs", "rest length left out of the energy", "slope|potential energy",
+                        p -> law("Chain", Trait.CONSERVATIVE)
+                        .force((s, t, f) -> RightEffects.chain(p, s, f, 20, 0.8, 0, false))
+                        .energy((s, t) -> RightEffects.chainEnergy(p, s, 20, 0, false))),
+                wrong("Sun", "r^2 and not r^3 below the vector", "slope|distance", p -> law("Sun", Trait.CONSERVATIVE)
+                        .force(each(p, (s, f, x, m) -> push(f, x, -m / square(s, x), s, x)))
+                        .energy(sum(p, (s, x, m) -> -m / Math.sqrt(square(s, x))))),
+                wrong("Damped springs", "the dampers' heat left out", "getDissipatedPower", p -> law("Damped",
+                        Trait.DISSIPATIVE).moving()
+                        .force((s, t, f) -> RightEffects.chain(p, s, f, 20, 0.8, 0.5, false))
+                        .energy((s, t) -> RightEffects.chainEnergy(p, s, 20, 0.8, false))),
+                wrong("Damped springs", "the springs' energy left out", "getPotentialEnergy", p -> law("Damped",
+                        Trait.DISSIPATIVE).moving()
+                        .force((s, t, f) -> RightEffects.chain(p, s, f, 20, 0.8, 0.5, false))
+                        .heat((s, t) -> RightEffects.chainHeat(p, s, 0.5))),
+                wrong("Shaker", "no driven power", "getDrivenPower", p -> law("Shaker", Trait.DRIVING)
+                        .force(each(p, (s, f, x, m) -> f[x + 3] += 0.7))));
+    }
+
+    private static List<EffectSpecimen> claims() {
+        return List.of(
+                wrong("Gravity.", "claims INTERNAL", "claims INTERNAL", p -> gravity(p, 1, 1)
+                        .claiming(Trait.CONSERVATIVE, Trait.INTERNAL)),
+                wrong("A spring to the origin.", "claims INTERNAL", "claims INTERNAL", p -> tether(p, 1, 1,
+                        Trait.CONSERVATIVE, Trait.INTERNAL)),
+                wrong("Drag.", "claims INTERNAL", "claims INTERNAL", p -> drag(p, 1, 1, Trait.DISSIPATIVE,
+                        Trait.INTERNAL)),
+                wrong("Gravity.", "claims no direction", "claims? ROTATION_INVARIANT", p -> gravity(p, 1, 1)
+                        .claiming(Trait.CONSERVATIVE, Trait.ROTATION_INVARIANT)),
+                wrong("A spring to the origin.", "claims no place", "claims? TRANSLATION_INVARIANT",
+                        p -> tether(p, 1, 1, Trait.CONSERVATIVE, Trait.TRANSLATION_INVARIANT)),
+                wrong("Drag.", "claims CONSERVATIVE", "not CONSERVATIVE|claims CONSERVATIVE", p -> drag(p, 1, 0,
+                        Trait.CONSERVATIVE)),
+                wrong("Drag.", "claims to conserve and to dissipate", "contradict", p -> drag(p, 1, 1,
+                        Trait.CONSERVATIVE, Trait.DISSIPATIVE)),
+                wrong("Gravity.", "claims to conserve and to drive", "contradict", p -> gravity(p, 1, 1)
+                        .claiming(Trait.CONSERVATIVE, Trait.DRIVING)),
+                wrong("Gravity.", "claims DISSIPATIVE for what does not damp", "claims DISSIPATIVE",
+                        p -> gravity(p, 1, 0)
+                        .claiming(Trait.DISSIPATIVE)),
+                wrong("Drag.", "says that velocities do not count", "dependsOnVelocity", p -> drag(p, 1, 1,
+                        Trait.DISSIPATIVE).still()),
+                wrong("Drag.", "claims nothing", "[Cc]laims? .*DISSIPATIVE", p -> drag(p, 1, 1)),
+                wrong("Drag in wind", "the wind's work is not told", "DRIVING|getDrivenPower", p -> drag(p, 1, 1,
+                        Trait.DISSIPATIVE).force(each(p, (s, f, x, m) -> {
+                            push(f, x, -0.4, s, x + 3);
+                            f[x + 3] += 0.8;
+                        }))),
+                wrong("Swirl around the y axis", "claims CONSERVATIVE with no energy", "CONSERVATIVE",
+                        p -> law("Swirl", Trait.CONSERVATIVE).force(each(p, (s, f, x, m) -> {
+                            f[x + 3] += s[x + 2];
+                            f[x + 5] -= s[x];
+                        }))));
+    }
+
+    private static List<EffectSpecimen> indices() {
+        Random random = new Random(9);
+        double[] kept = new double[600];
+        return List.of(
+                wrong("Gravity.", "stride 3", "stride|6 i|position stands", p -> gravity(p, 1, 1).force((s, t, f) -> {
+                    for (int i = 0; i < p.count(); i++) {
+                        f[3 * i + 1] -= p.mass(i) * G;
+                    }
+                })),
+                wrong("Gravity.", "written over the position", "position stands", p -> gravity(p, 1, 1).force(each(p,
+                        (s, f, x, m) -> f[x + 1] -= m * G))),
+                wrong("A spring to the origin.", "positions read with stride 3", "six entries",
+                        p -> tether(p, 1, 1, Trait.CONSERVATIVE).force(each(p, (s, f, x, m)
+                        -> push(f, x, -4, s, x / 2)))),
+                wrong("A spring to the origin.", "velocity read for the position", "velocity",
+                        p -> tether(p, 1, 1, Trait.CONSERVATIVE).force(each(p, (s, f, x, m)
+                        -> push(f, x, -4, s, x + 3)))),
+                wrong("Drag.", "position read for the velocity", "position", p -> drag(p, 1, 1, Trait.DISSIPATIVE)
+                        .force(each(p, (s, f, x, m) -> push(f, x, -0.4, s, x)))),
+                wrong("Gravity.", "begins at particle 1", "no force on particle 'p0'.*loop",
+                        p -> gravity(p, 1, 1).force((s, t, f) -> {
+                            for (int i = 1; i < p.count(); i++) {
+                                f[6 * i + 4] -= p.mass(i) * G;
+                            }
+                        })),
+                wrong("Drag.", "ends before the last particle", "no force on particle 'p5'.*loop",
+                        p -> drag(p, 1, 1, Trait.DISSIPATIVE).force((s, t, f) -> {
+                            for (int i = 0; i < p.count() - 1; i++) {
+                                push(f, 6 * i, -0.4, s, 6 * i + 3);
+                            }
+                        })),
+                wrong("Gravity.", "one particle too many", "loop|i <", p -> gravity(p, 1, 1).force((s, t, f) -> {
+                    for (int i = 0; i <= p.count(); i++) {
+                        f[6 * i + 4] -= p.mass(Math.min(i, p.count() - 1)) * G;
+                    }
+                })),
+                wrong("Gravity.", "counts entries as particles", "loop|i <", p -> gravity(p, 1, 1).force((s, t, f) -> {
+                    for (int i = 0; i < s.length; i++) {
+                        f[6 * i + 4] -= G;
+                    }
+                })),
+                wrong("Gravity.", "four particles are expected", "loop|left out|no force", p -> gravity(p, 1, 1)
+                        .force((s, t, f) -> {
+                            for (int i = 0; i < 4; i++) {
+                                f[6 * i + 4] -= p.mass(i) * G;
+                            }
+                        })),
+                wrong("Drag.", "six particles are expected", "particles", p -> drag(p, 1, 1, Trait.DISSIPATIVE)
+                        .force((s, t, f) -> {
+                            for (int i = 0; i < 6; i++) {
+                                push(f, 6 * i, -0.4, s, 6 * i + 3);
+                            }
+                        })),
+                wrong("Gravity.", "all of it in every range", "range", p -> new InRanges(p, false)),
+                wrong("Gravity.", "the last of each range left out", "range|loop", p -> new InRanges(p, true)),
+                wrong("Gravity.", "set and not added", "= instead of \\+=", p -> gravity(p, 1, 1).force(each(p,
+                        (s, f, x, m) -> f[x + 4] = -m * G))),
+                wrong("Drag.", "y forgotten", "only y|y is", p -> drag(p, 1, 1, Trait.DISSIPATIVE).force(each(p,
+                        (s, f, x, m) -> {
+                            f[x + 3] -= 0.4 * s[x + 3];
+                            f[x + 5] -= 0.4 * s[x + 5];
+                        }))),
+                wrong("Gravity.", "along z", "y and z", p -> gravity(p, 1, 1).force(each(p, (s, f, x, m)
+                        -> f[x + 5] -= m * G))),
+                wrong("Noise.", "random", "random", p -> law("Noise").force(each(p, (s, f, x, m)
+                        -> f[x + 3] += random.nextDouble()))),
+                wrong("Drag.", "changes the velocities itself", "changes the state", p -> drag(p, 1, 1,
+                        Trait.DISSIPATIVE).force(each(p, (s, f, x, m) -> s[x + 3] *= 0.9))),
+                wrong("Drag.", "forces kept from call to call", "kept|call", p -> drag(p, 1, 1, Trait.DISSIPATIVE)
+                        .force((s, t, f) -> {
+                            for (int k = 3; k < f.length; k += k % 6 == 5 ? 4 : 1) {
+                                kept[k] -= 0.4 * s[k];
+                                f[k] += kept[k];
+                            }
+                        })),
+                wrong("Friction.", "0/0 at rest", "division by 0", p -> law("Friction", Trait.DISSIPATIVE).moving()
+                        .force(each(p, (s, f, x, m) -> push(f, x, -m / Math.sqrt(square(s, x + 3)), s, x + 3)))),
+                wrong("Gravity.", "nothing written yet", "no force", Nothing::new));
+    }
+
+    private static List<EffectSpecimen> pairsOfParticles() {
+        return List.of(
+                wrong("Springs between neighbours.", "partner forgotten", "partner", p -> law("Chain", Trait.INTERNAL,
+                        Trait.CONSERVATIVE).force((s, t, f) -> {
+                            for (int x = 0; x + 6 < s.length; x += 6) {
+                                double size = 20 - 16 / Law.distance(s, x, x + 6);
+                                for (int k = x; k < x + 3; k++) {
+                                    f[k + 3] += size * (s[k + 6] - s[k]);
+                                }
+                            }
+                        }).energy((s, t) -> RightEffects.chainEnergy(p, s, 20, 0.8, false))),
+                wrong("Attraction", "partner pushed the same way", "opposite", p -> law("Attraction", Trait.INTERNAL,
+                        Trait.CONSERVATIVE).force(pairs(p, 1, (r, mm) -> mm / (r * r)))
+                        .energy(pairEnergy(p, (r, mm) -> -mm / r))),
+                wrong("Attraction", "each pair twice", "twice", p -> law("Attraction", Trait.INTERNAL,
+                        Trait.CONSERVATIVE).force(pairs(p, -1, (r, mm) -> 2 * mm / (r * r)))
+                        .energy(pairEnergy(p, (r, mm) -> -mm / r))),
+                wrong("N-body", "each asks itself too", "division by 0", p -> law("NBody", Trait.INTERNAL)
+                        .force(own(p, 0, true, (r, mm) -> mm / (r * r)))),
+                wrong("N-body", "only those after it", "partner|not pushed", p -> law("NBody", Trait.INTERNAL,
+                        Trait.CONSERVATIVE).force(own(p, -1, false, (r, mm) -> mm / (r * r)))
+                        .energy(pairEnergy(p, (r, mm) -> -mm / r))),
+                wrong("N-body", "begins at particle 1", "'p0'", p -> law("NBody", Trait.INTERNAL, Trait.CONSERVATIVE)
+                        .force(own(p, 1, false, (r, mm) -> mm / (r * r)))
+                        .energy(pairEnergy(p, (r, mm) -> -mm / r))),
+                wrong("N-body", "the other mass only", "not opposite|mass", p -> law("NBody", Trait.INTERNAL,
+                        Trait.CONSERVATIVE).force((s, t, f) -> {
+                            double[] sum = new double[f.length];
+                            own(p, 0, false, (r, mm) -> mm / (r * r)).add(s, t, sum);
+                            for (int k = 0; k < f.length; k++) {
+                                f[k] += sum[k] / p.mass(k / 6);
+                            }
+                        }).energy(pairEnergy(p, (r, mm) -> -mm / r))));
+    }
+
+    /** As the skeleton is before anything is filled in. */
+    private static final class Nothing extends ParticleForce {
+        Nothing(Particles particles) {
+            super(particles);
+        }
+
+        @Override
+        protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+            return Vector3.ZERO;
+        }
+    }
+
+    /** Gravity for several threads. */
+    private record InRanges(Particles particles, boolean lastOut) implements PerParticleEffect {
+        @Override
+        public String getName() {
+            return "gravity";
+        }
+
+        @Override
+        public Set<Trait> getTraits() {
+            return Set.of(Trait.CONSERVATIVE);
+        }
+
+        @Override
+        public void addForces(double[] state, double time, double[] force, int from, int to) {
+            for (int i = lastOut ? from : 0; i < (lastOut ? to - 1 : particles.count()); i++) {
+                force[6 * i + 4] -= G * particles.mass(i);
+            }
+        }
+
+        @Override
+        public double getPotentialEnergy(double[] state, double time) {
+            return sum(particles, (s, x, m) -> m * G * s[x + 1]).of(state, time);
+        }
+    }
+}
