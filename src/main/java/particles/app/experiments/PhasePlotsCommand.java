@@ -98,7 +98,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
             return scene.phase().map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
-            throw wrong("axes", "'" + axes + "' has to be made made made of the letters x, y and z");
+            throw wrong("axes", "'" + axes + "' has to be made of the letters x, y and z");
         }
         return Arrays.stream(axes.split("")).distinct().map(letter ->
                 Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();

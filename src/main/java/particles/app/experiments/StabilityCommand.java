@@ -95,7 +95,8 @@ public final class StabilityCommand extends ExperimentCommand {
                         + " eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet"
                         + " and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and"
                         + " with strong damping it is their limit."),
-                List.of(region("slides", "Explicit methods are stable in the shaded region: deltaT times each eigenvalue"
+                List.of(region("slides",
+                                "Explicit methods are stable in the shaded region: deltaT times each eigenvalue"
                                 + " has to lie there",
                                 "The slides' solvers and adams. Of the imaginary axis, only 0 belongs to the regions"
                                 + " of euler, midpoint and adams; the outline of adams runs so close beside the axis,"

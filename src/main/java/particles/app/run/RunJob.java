@@ -73,7 +73,7 @@ final class RunJob {
             out.flush();
         });
         Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
-        RunFiles files = new RunFiles(scene.output(), frames, video);
+        RunFiles files = new RunFiles(scene.output(), frames, video, charts);
         try (OutputFolder folder = OutputFolder.open(results, files.names())) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);

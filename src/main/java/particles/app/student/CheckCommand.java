@@ -12,10 +12,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
@@ -24,7 +24,6 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.GuardedRun;
 import particles.teaching.GuardedRun.Outcome;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -36,9 +35,6 @@ abstract class CheckCommand extends ProgramCommand {
     @Option(names = "--out", paramLabel = "FOLDER",
             description = "Where the report goes (default: build/out and the task's name).")
     private String out;
-
-    @Mixin
-    private final ChartOptions charts = new ChartOptions();
 
     @Option(names = "--inThisProcess", hidden = true, description = "Checks here, as the process that was made for it.")
     private boolean inThisProcess;
@@ -64,6 +60,16 @@ abstract class CheckCommand extends ProgramCommand {
     /** @return the option that says what is checked, and its value */
     abstract String subject();
 
+    /** @return options that are handed on to the check's process; none where no charts are drawn */
+    List<String> chartArguments() {
+        return List.of();
+    }
+
+    /** @return what its charts are for */
+    ChartFormat format() {
+        return ChartFormat.PAGE;
+    }
+
     /** @throws Failure if there is nothing of that name; runs the class's own code */
     abstract Checked check();
 
@@ -74,7 +80,7 @@ abstract class CheckCommand extends ProgramCommand {
             return;
         }
         List<String> args = new ArrayList<>(List.of(name(), subject()));
-        args.addAll(charts.arguments());
+        args.addAll(chartArguments());
         if (out != null) {                              // picocli leaves an option null that was not given
             args.add("--out=" + out);
         }
@@ -165,7 +171,7 @@ abstract class CheckCommand extends ProgramCommand {
     private Path writeReport(ResultPage page) {
         Path folder = out == null ? Path.of("build", "out", name()) : Path.of(out);
         try (OutputFolder files = OutputFolder.open(folder, name() + ".md")) {
-            ResultPageWriter.write(files, page, charts.format());
+            ResultPageWriter.write(files, page, format());
         }
         return folder.resolve(name() + ".md");
     }

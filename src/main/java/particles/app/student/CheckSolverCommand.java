@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import particles.app.cli.ChartOptions;
 import particles.output.report.ResultPage;
+import particles.output.charts.ChartFormat;
 import particles.output.charts.Panel;
 import particles.output.report.Picture;
 import particles.teaching.Finding;
@@ -16,6 +18,7 @@ import particles.teaching.solvers.SolverCheck;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverVerdict;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: what method a solver is, and what is wrong with it. */
@@ -27,6 +30,19 @@ public final class CheckSolverCommand extends CheckCommand {
     @Option(names = "--solver", paramLabel = "NAME", required = true,
             description = "A solver's name, or the class of your own.")
     private String solver;
+
+    @Mixin
+    private final ChartOptions charts = new ChartOptions();
+
+    @Override
+    List<String> chartArguments() {
+        return charts.arguments();
+    }
+
+    @Override
+    ChartFormat format() {
+        return charts.format();
+    }
 
     @Override
     String name() {

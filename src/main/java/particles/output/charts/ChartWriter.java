@@ -24,7 +24,10 @@ public final class ChartWriter {
     private static final int STACKED_HEIGHT = 760;
     private static final int SQUARE_WIDTH = 720;
     private static final int SQUARE_HEIGHT = 700;
-    private static final String PNG = ".png";
+    /** How the name of a picture ends. */
+    public static final String PNG = ".png";
+    /** How the name of a vector graphic ends. */
+    public static final String SVG = ".svg";
 
     private final OutputFolder folder;
     private final ChartFormat format;
@@ -113,7 +116,7 @@ public final class ChartWriter {
             encoder.close();
         }
         if (format.svg()) {
-            SvgDrawing.write(folder, name.replace(PNG, ".svg"), width, height, drawing);
+            SvgDrawing.write(folder, name.replace(PNG, SVG), width, height, drawing);
         }
     }
 }
