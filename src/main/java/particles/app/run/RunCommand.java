@@ -16,7 +16,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code gradle run}: a scene becomes frames, an animation, plots and numbers. */
+/** {@code gradle run}: runs a scene and writes frames, an animation, plots and numbers. */
 @Command(name = "run",
         description = "Runs a scene: pictures, an animation, energy and phase-space plots, the trajectory.")
 public final class RunCommand extends ProgramCommand {
@@ -59,7 +59,7 @@ public final class RunCommand extends ProgramCommand {
     private final StopRequest stop;
 
     /**
-     * @param scenes the folder in which scenes are looked for
+     * @param scenes the folder of scenes
      * @param style  how options are typed, for messages
      * @param stop   tells the run when it has to end early
      */

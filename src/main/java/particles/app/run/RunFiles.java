@@ -12,7 +12,7 @@ import particles.output.files.TrajectoryWriter;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Video;
 
-/** Which files a run writes, known before it begins. */
+/** The files that a run will write. */
 final class RunFiles {
     static final String ENERGY = "energy.png";
     static final String PHASE = "phase.png";
@@ -21,9 +21,9 @@ final class RunFiles {
     private final boolean frames;
 
     /**
-     * @param output what the scene wants
-     * @param frames whether pictures are wanted at all
-     * @param video  which film is made of them
+     * @param output the scene's output settings
+     * @param frames whether to draw pictures
+     * @param video  the film to make of them
      * @param charts what charts are for
      */
     RunFiles(OutputDescription output, boolean frames, Video video, ChartFormat charts) {
@@ -49,7 +49,7 @@ final class RunFiles {
         return frames;
     }
 
-    /** @return the names, those to look at first */
+    /** @return the names, those to look at first at the front */
     String[] names() {
         return names.toArray(String[]::new);
     }

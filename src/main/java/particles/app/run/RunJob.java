@@ -3,11 +3,13 @@ package particles.app.run;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
+import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
@@ -22,7 +24,7 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.threads.ParallelForces;
 
-/** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
+/** Runs one scene and writes a folder of results, which is complete even if the run ends early. */
 final class RunJob {
     private final Path file;
     private final Overrides overrides;
@@ -35,13 +37,13 @@ final class RunJob {
 
     /**
      * @param file      the scene
-     * @param overrides what goes before what it says
-     * @param results   the folder for what comes out
+     * @param overrides options that override it
+     * @param results   the folder for results
      * @param frames    whether pictures are drawn
-     * @param wanted    another film than the scene's, if one was asked for
+     * @param wanted    the film requested by an option, if any
      * @param charts    what the charts are for
      * @param style     how options are typed, for messages
-     * @param stop      tells when the run has to end early
+     * @param stop      tells the run to end early
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
            ChartFormat charts, OptionStyle style, StopRequest stop) {
@@ -59,7 +61,7 @@ final class RunJob {
      * Runs the scene.
      *
      * @param out where progress and the summary are printed
-     * @throws Failure if the run ended early; what it made until then is complete
+     * @throws Failure if the run ended early; the results until then are complete
      */
     void run(PrintWriter out) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
@@ -85,6 +87,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
+                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyScale()));
                 early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
@@ -100,7 +103,7 @@ final class RunJob {
         }
     }
 
-    /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
+    /** If a run fails, for example on a full disk, incomplete files are deleted. */
     private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
         try {
             return simulate(scene, observers);
@@ -110,7 +113,7 @@ final class RunJob {
         }
     }
 
-    /** @return why it ended early, if it did */
+    /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
                 scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
@@ -118,8 +121,10 @@ final class RunJob {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
-            observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
-                    + Digits.few(e.getTime()) + " s");
+            if (!(e instanceof NumericalErrorException error) || error.isEarly()) {
+                observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
+                        + Digits.few(e.getTime()) + " s");
+            }
             return FrictionMessage.of(scene, style::option,
                     e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
         } catch (StoppedException e) {

@@ -30,11 +30,11 @@ import particles.view.Camera;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/** What looks on while a scene runs, and makes files of what it sees. */
+/** The observers of a run that write its files. */
 final class RunObservers implements AutoCloseable {
-    /** A trajectory of no more lines than this can be opened by anything. */
+    /** The largest number of lines of a trajectory, which any program can open. */
     private static final long MOST_LINES = 200_000;
-    /** So many samples of the energies are taken at most; they cost about what half an evaluation does. */
+    /** The largest number of energy samples; each costs about half an evaluation. */
     private static final long MOST_ENERGIES = 100_000;
 
     private static final int ANIMATION_WIDTH = 640;
@@ -71,16 +71,16 @@ final class RunObservers implements AutoCloseable {
         phase.ifPresent(this::add);
     }
 
-    /** @param observer one more, told after those that are there */
+    /** @param observer an observer, called after the earlier ones */
     void add(Observer observer) {
         scene.simulation().addObserver(observer);
     }
 
     /**
-     * Has frames drawn, an animation made of them if the scene wants one, and a film if one is wanted.
+     * Adds observers that draw frames and make the animation and film, if wanted.
      *
-     * @param camera from where
-     * @param video  which film
+     * @param camera the camera
+     * @param video  the kind of film
      */
     void addFrames(Camera camera, Video video) {
         OutputDescription output = scene.output();
@@ -106,7 +106,7 @@ final class RunObservers implements AutoCloseable {
     /**
      * Shows the last steps in slow motion, if there are pictures.
      *
-     * @param headline that a run has ended early, and when
+     * @param headline the text that says when the run ended early
      */
     void showEnd(String headline) {
         frames.ifPresent(observer -> observer.replay(scene.system(), lastSteps.orElseThrow(), headline));
@@ -120,7 +120,7 @@ final class RunObservers implements AutoCloseable {
         return books;
     }
 
-    /** Completes the files that were written during the run, also where it ended early. */
+    /** Completes the files written during the run, even if it ended early. */
     @Override
     public void close() {
         try {
@@ -131,7 +131,7 @@ final class RunObservers implements AutoCloseable {
     }
 
     /**
-     * Draws what was recorded.
+     * Draws the charts of the recorded data.
      *
      * @param format what the charts are for
      */
@@ -155,7 +155,7 @@ final class RunObservers implements AutoCloseable {
         writer.writePhase(RunFiles.PHASE, path, field);
     }
 
-    /** What tells this run from others of the scene. */
+    /** The caption: solver and settings of this run. */
     private String caption() {
         return scene.description().solver() + ", deltaT = " + Digits.exact(scene.simulation().getDeltaT()) + " s";
     }

@@ -21,7 +21,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: what method a solver is, and what is wrong with it. */
+/** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: identifies a solver's method and finds its mistakes. */
 @Command(name = CheckSolverCommand.NAME,
         description = "Checks a solver: which method it is, and what is wrong with it.")
 public final class CheckSolverCommand extends CheckCommand {
@@ -76,9 +76,9 @@ public final class CheckSolverCommand extends CheckCommand {
         SolverFigures figures;
         try {
             figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
-        } catch (RuntimeException e) {                  // the class's own: what was found out is told all the same
+        } catch (RuntimeException e) {                  // thrown by the class itself; still report what was found
             List<Finding> all = new ArrayList<>(verdict.findings());
-            if (verdict.wrong().isEmpty()) {            // else it is a consequence of what is said already
+            if (verdict.wrong().isEmpty()) {            // otherwise it follows from a mistake already reported
                 all.add(SolverFigures.failure(e));
             }
             return new Checked(name, verdict.identity(), all, new ResultPage(NAME, title, paragraphs(all), List.of(),

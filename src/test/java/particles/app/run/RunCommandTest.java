@@ -292,6 +292,15 @@ class RunCommandTest {
         assertEquals("mine", Files.readString(out.resolve("energy.png")));
     }
 
+    /** omega h = 0.1: Euler multiplies the energy of 25 J by 1.01 in each step, up to 1000 times 100 N times 1.5 m. */
+    @Test
+    void aThousandfoldGainIsABlowUp() throws IOException {
+        assertEquals(ExitCode.STOPPED, run("--solver=euler", "--duration=20", "--frames=false"));
+        assertTrue(errors.toString().matches("euler stopped at t = 9\\.\\d+ s at particle 'block': the numerical error"
+                + " is \\d+ J, over 1000 times the energy to be expected, [\\d.]+ J\\R"
+                + "undamped springs gain energy with euler at any deltaT\\Rtry -Psolver=rk4\\R"), errors.toString());
+    }
+
     @Test
     void aBlowUpKeepsWhatWasSeenAndEndsWithCode3() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--deltaT=0.5", "--duration=100"));
