@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
@@ -12,6 +13,7 @@ import particles.scene.SceneFiles;
 import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.Overrides;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle run}: runs a scene and writes frames, an animation, plots and numbers. */
@@ -49,6 +51,9 @@ public final class RunCommand extends ProgramCommand {
             description = "Whether to make film.mp4 from the pictures (default: as the scene says, or none).")
     private Video video;
 
+    @Mixin
+    private final ChartOptions charts = new ChartOptions();
+
     private final Path scenes;
     private final OptionStyle style;
     private final StopRequest stop;
@@ -77,7 +82,8 @@ public final class RunCommand extends ProgramCommand {
                     style.option("video") + "=mp4 needs pictures; remove " + style.option("frames")
                     + "=false");
         }
-        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop).run(lines);
+        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), charts.format(), style,
+                stop).run(lines);
     }
 
     private void override(Overrides overrides, String name, String value) {

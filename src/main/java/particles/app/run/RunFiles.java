@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.output.files.TrajectoryWriter;
@@ -22,14 +24,17 @@ final class RunFiles {
      * @param output the scene's output settings
      * @param frames whether to draw pictures
      * @param video  the film to make of them
+     * @param charts what charts are for
      */
-    RunFiles(OutputDescription output, boolean frames, Video video) {
+    RunFiles(OutputDescription output, boolean frames, Video video, ChartFormat charts) {
         this.frames = frames;
         addIf(frames, OutputFolder.FRAMES);
         addIf(frames && output.animation(), GifAnimation.FILE);
         addIf(frames && video == Video.MP4, Film.FILE);
-        addIf(output.energy(), ENERGY);
-        addIf(output.phase().isPresent(), PHASE);
+        for (String end : charts.svg() ? List.of(ChartWriter.PNG, ChartWriter.SVG) : List.of(ChartWriter.PNG)) {
+            addIf(output.energy(), ENERGY.replace(ChartWriter.PNG, end));
+            addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end));
+        }
         names.add(TrajectoryWriter.FILE);
         names.add(RunSummaryWriter.FILE);
     }

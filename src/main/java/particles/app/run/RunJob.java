@@ -13,6 +13,7 @@ import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.scene.Scene;
@@ -30,6 +31,7 @@ final class RunJob {
     private final Path results;
     private final boolean frames;
     private final Optional<Video> wanted;
+    private final ChartFormat charts;
     private final OptionStyle style;
     private final StopRequest stop;
 
@@ -39,16 +41,18 @@ final class RunJob {
      * @param results   the folder for results
      * @param frames    whether pictures are drawn
      * @param wanted    the film requested by an option, if any
+     * @param charts    what the charts are for
      * @param style     how options are typed, for messages
      * @param stop      tells the run to end early
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
-           OptionStyle style, StopRequest stop) {
+           ChartFormat charts, OptionStyle style, StopRequest stop) {
         this.file = file;
         this.overrides = overrides;
         this.results = results;
         this.frames = frames;
         this.wanted = wanted;
+        this.charts = charts;
         this.style = style;
         this.stop = stop;
     }
@@ -71,7 +75,7 @@ final class RunJob {
             out.flush();
         });
         Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
-        RunFiles files = new RunFiles(scene.output(), frames, video);
+        RunFiles files = new RunFiles(scene.output(), frames, video, charts);
         try (OutputFolder folder = OutputFolder.open(results, files.names())) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);
@@ -90,7 +94,7 @@ final class RunJob {
                     observers.books(),
                     progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
-            observers.drawCharts();
+            observers.drawCharts(charts);
             summary.lines().forEach(out::println);
             out.println("in " + results + ": " + String.join(", ", files.names()));
             early.ifPresent(why -> {

@@ -13,6 +13,7 @@ import particles.experiments.phase.VectorFields;
 import particles.messages.Digits;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.files.TrajectoryWriter;
@@ -129,23 +130,29 @@ final class RunObservers implements AutoCloseable {
         }
     }
 
-    /** Draws the charts of the recorded data. */
-    void drawCharts() {
+    /**
+     * Draws the charts of the recorded data.
+     *
+     * @param format what the charts are for
+     */
+    void drawCharts(ChartFormat format) {
+        ChartWriter writer = new ChartWriter(folder, format);
         String title = scene.description().title() + " (" + caption() + ")";
         if (scene.output().energy()) {
             List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
             charts.addAll(books.charts(energy.getScale(), energy.hasGrown()));
-            ChartWriter.writeStacked(folder, RunFiles.ENERGY, charts);
+            writer.write(RunFiles.ENERGY, charts);
         }
-        phase.ifPresent(history -> drawPhase(history, Axis.values()[scene.phase().orElseThrow().axis()], title));
+        phase.ifPresent(history -> drawPhase(writer, history,
+                Axis.values()[scene.phase().orElseThrow().axis()], title));
     }
 
-    private void drawPhase(PhaseHistory history, Axis axis, String title) {
+    private void drawPhase(ChartWriter writer, PhaseHistory history, Axis axis, String title) {
         ParticleSystem system = scene.system();
         ChartData path = history.chart(axis, title);
         ChartData.Series states = path.series().get(0);
         Optional<VectorField> field = VectorFields.around(system, axis, states.x(), states.y());
-        ChartWriter.writePhase(folder, RunFiles.PHASE, path, field);
+        writer.writePhase(RunFiles.PHASE, path, field);
     }
 
     /** The caption: solver and settings of this run. */

@@ -15,6 +15,7 @@ import java.util.Optional;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
@@ -59,7 +60,17 @@ abstract class CheckCommand extends ProgramCommand {
     /** @return the option that says what is checked, and its value */
     abstract String subject();
 
-    /** @throws Failure if if no such class exists; runs the class's own code */
+    /** @return options that are handed on to the check's process; none where no charts are drawn */
+    List<String> chartArguments() {
+        return List.of();
+    }
+
+    /** @return what its charts are for */
+    ChartFormat format() {
+        return ChartFormat.PAGE;
+    }
+
+    /** @throws Failure if no such class exists; runs the class's own code */
     abstract Checked check();
 
     @Override
@@ -69,6 +80,7 @@ abstract class CheckCommand extends ProgramCommand {
             return;
         }
         List<String> args = new ArrayList<>(List.of(name(), subject()));
+        args.addAll(chartArguments());
         if (out != null) {                              // picocli leaves an option null that was not given
             args.add("--out=" + out);
         }
@@ -159,7 +171,7 @@ abstract class CheckCommand extends ProgramCommand {
     private Path writeReport(ResultPage page) {
         Path folder = out == null ? Path.of("build", "out", name()) : Path.of(out);
         try (OutputFolder files = OutputFolder.open(folder, name() + ".md")) {
-            ResultPageWriter.write(files, page);
+            ResultPageWriter.write(files, page, format());
         }
         return folder.resolve(name() + ".md");
     }

@@ -14,6 +14,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.JUnitXml;
 import particles.output.report.ResultPage;
@@ -168,7 +169,8 @@ public final class GradeCommand extends ProgramCommand {
                 List.of(DataTable.column("exercise"), DataTable.column("mark"),
                 DataTable.column("what there is to say")),
                 rows);
-        ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)));
+        ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)),
+                ChartFormat.PAGE);
         JUnitXml.write(files, NAME, cases);
     }
 }
