@@ -11,6 +11,7 @@ import deSolvers.MidpointSolver;
 import deSolvers.RK4Solver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.implicit.ImplicitMidpointSolver;
 import deSolvers.symplectic.SymplecticEulerSolver;
 import java.util.List;
 import java.util.function.Supplier;
@@ -194,5 +195,38 @@ class EnergyLedgerTest {
         run(booked, new SymplecticEulerSolver(), 0.01, 1);
         assertArrayEquals(alone.getOwnState(), booked.getOwnState());
         assertEquals(alone.getEvaluations(), booked.getEvaluations());
+    }
+
+    /**
+     * A particle in drag with c/m = 1000 1/s, in steps of 0.1 s: v falls to 1/101 in each step of backward Euler, and
+     * Simpson's rule over such a step would find 20 times the energy that there is. Drag takes h c v_1^2; the rest of
+     * the loss, m (v_1 - v_0)^2/2 in each step, is the solver's.
+     */
+    @Test
+    void dragThatAStepJumpsOverTakesNoMoreThanThereIs() {
+        ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
+        system.addEffect(new LinearDrag(system.getParticles(), 1000, Wind.STILL));
+        EnergyLedger ledger = run(system, new BackwardEulerSolver(), 0.1, 0.3);
+        assertEquals(-0.5 * (1 - 1 / 101.0) * (1 - 1 / 101.0) / (1 - 1 / (101.0 * 101.0)), ledger.getNumericalError(),
+                0.005);                                 // a hundredth of the energy may be booked in another way
+        assertEquals(-100 / (101.0 * 101.0), ledger.getWork().get("drag (dissipated)"), 0.005);
+    }
+
+    /**
+     * A spring with omega h = 31.6 and damping that decays 100 times in a step, by the implicit midpoint rule: the
+     * velocity changes its sign in every step, and the power is that at the mean velocity. For a linear spring that is
+     * the method's own balance, so that nothing is left over.
+     */
+    @Test
+    void dampingThatAStepJumpsOverIsWhatTheMidpointRuleTakes() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("wall", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("block", 1, new Vector3(1, 0, 0), new Vector3(1, 0, 0), false);
+        SpringForce spring = new SpringForce(system.getParticles());
+        spring.addSpring(0, 1, 1000, 1, 100);
+        system.addEffect(spring);
+        EnergyLedger ledger = run(system, new ImplicitMidpointSolver(), 1, 5);
+        assertTrue(ledger.getEnergy() < 0.9 * 0.5, ledger.getEnergy() + " J of 0.5 J: the damping did work");
+        assertEquals(0, ledger.getNumericalError(), 1e-9);
     }
 }

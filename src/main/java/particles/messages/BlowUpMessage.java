@@ -6,11 +6,13 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.function.UnaryOperator;
 import particles.BlowUpException;
+import particles.NumericalErrorException;
 import particles.law.Effect;
 import particles.law.Particles;
 import particles.SimulationException;
 import particles.effects.LinearDrag;
 import particles.experiments.stability.SpringRates;
+import particles.reactions.RigidConstraints;
 import particles.scene.Scene;
 import particles.spec.NumberType;
 
@@ -24,6 +26,7 @@ public final class BlowUpMessage {
     /** Where damping is solved for by fixed point, as in verlet, a step times its rate that converges quickly. */
     private static final double FIXED_POINT = 0.5;
     private static final String STEADY = "rk4";
+    private static final String ADAPTIVE = "dormand-prince";
     private static final String STIFF = "backward-euler";
 
     private final Scene scene;
@@ -55,14 +58,19 @@ public final class BlowUpMessage {
         String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
                 + ": ";
         if (e.getCause() instanceof DESolverException cause) {
-            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "") + advice();
+            return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "")
+                    .replaceFirst(" \\(last change .*", "") + advice();    // a guess at the cause, which follows here
+        }
+        if (e instanceof NumericalErrorException error) {
+            return (error.isEarly() ? line : "from t = " + Digits.few(e.getTime()) + " s on the motion by "
+                    + scene.description().solver() + " is wrong: ") + e.getMessage() + advice();
         }
         return line + (e instanceof BlowUpException ? energy() + advice() : e.getMessage());
     }
 
     /** @return whether numbers grew without bounds, rather than a solver that found no solution */
     public static boolean isBlowUp(SimulationException e) {
-        return e instanceof BlowUpException
+        return e instanceof BlowUpException || e instanceof NumericalErrorException
                 || e.getCause() instanceof DESolverException cause && cause.getEntry() >= 0;
     }
 
@@ -89,7 +97,7 @@ public final class BlowUpMessage {
                     + trying(tighter() + option("solver", STIFF));
         }
         double limit = limit(solver);
-        if (limit == 0) {
+        if (limit == 0 && fastest > 0) {
             return "\nundamped springs gain energy with " + name + " at any deltaT"
                     + trying(withStep(SolverCatalog.info(STEADY)));
         }
@@ -98,10 +106,17 @@ public final class BlowUpMessage {
                     ? "equations that it could not solve" + trying(step(Digits.few(deltaT / 2)))
                     : "it adds energy where springs buckle" + trying(option("solver", STIFF)));
         }
-        return deltaT <= stableStep(solver)
-                ? "\nsprings are not the cause: deltaT is within the limit of " + name
-                        + trying(step(Digits.few(deltaT / 4)))
+        return fastest == 0 || deltaT <= stableStep(solver)
+                ? "\n" + notSprings(name) + trying(option("solver", ADAPTIVE) + ", which chooses its own sub-steps")
                 : "\n" + tooLong(solver, limit) + trying(step(Digits.roundedDown(stableStep(solver))));
+    }
+
+    private String notSprings(String name) {
+        if (scene.system().getReactions().stream().anyMatch(RigidConstraints.class::isInstance)) {
+            return "no spring is too stiff for this deltaT, but what turns fast on rods or wires needs shorter steps";
+        }
+        return fastest == 0 ? "without springs, it is not known how long deltaT may be"
+                : "springs are not the cause: deltaT is within the limit of " + name;
     }
 
     private static String trying(String what) {

@@ -1,6 +1,7 @@
 package particles.messages;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,6 +12,8 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.scene.format.Overrides;
 import particles.scene.Scene;
@@ -117,6 +120,56 @@ class BlowUpMessageTest {
         assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
                 + " iterations.*\\ndeltaT is [\\d.]+ times too long for the fastest damping \\(rate \\* deltaT"
                 + " = .*\\ntry --deltaT=0\\.00\\d+"), line);
+    }
+
+    /** A rope of rods that swings down from the horizontal and cracks like a whip. */
+    private static final String WHIP = """
+            title: A whip of rods
+            teaches: What turns fast needs short steps.
+            solver: SOLVER
+            deltaT: 0.02
+            duration: 2
+            particles:
+              - {id: p0, position: [0, 0, 0], fixed: true}
+            PARTICLESrods:
+            RODSeffects: [gravity]
+            """;
+    private static Scene whip(String solver, Overrides overrides) {
+        StringBuilder particles = new StringBuilder();
+        StringBuilder rods = new StringBuilder();
+        for (int i = 1; i <= 30; i++) {
+            particles.append("  - {id: p").append(i).append(", position: [").append(i * 0.0625)
+                    .append(", 0, 0], mass: 0.01}\n");
+            rods.append("  - {from: p").append(i - 1).append(", to: p").append(i).append("}\n");
+        }
+        String scene = WHIP.replace("SOLVER", solver).replace("PARTICLES", particles).replace("RODS", rods);
+        return SceneBuilder.build(SceneReader.read("whip.yaml", scene.getBytes(StandardCharsets.UTF_8)), overrides);
+    }
+
+    /** Rods have no stability limit that could be told; an adaptive solver finds its steps, and keeps the energy. */
+    @ParameterizedTest
+    @ValueSource(strings = {"verlet", "rk4", "midpoint", "euler", "symplectic-euler", "yoshida4", "adams"})
+    void whatTurnsFastOnRodsWantsAnAdaptiveSolver(String solver) {
+        Overrides overrides = new Overrides();
+        String line = blowUp(whip(solver, overrides));
+        assertTrue(line.endsWith("\nno spring is too stiff for this deltaT, but what turns fast on rods or wires needs"
+                + " shorter steps\ntry --solver=dormand-prince, which chooses its own sub-steps"), line);
+        assertFalse(line.contains("damping") || line.contains("NaN"), line);
+        overrides.with("solver", "dormand-prince", "--solver");
+        Scene advised = whip(solver, overrides);
+        double before = advised.system().getEnergy(advised.system().getOwnState(), 0);
+        advised.simulation().run();
+        double after = advised.system().getEnergy(advised.system().getOwnState(), 2);
+        assertEquals(before, after, 1e-4 * 0.3 * 9.81);         // of its weight times a metre
+    }
+
+    @Test
+    void aRunThatWentWrongIsToldFromWhenOn() {
+        Scene scene = chain("euler", 0, new Overrides());
+        String line = new BlowUpMessage(scene, name -> "--" + name).of(
+                new NumericalErrorException(1.25, 2, "the numerical error of 3 J is larger", false));
+        assertTrue(line.startsWith("from t = 1.25 s on the motion by euler is wrong: the numerical error of 3 J is"
+                + " larger\nundamped springs gain energy with euler at any deltaT\ntry "), line);
     }
 
     /** A straight pair of rods between a wall and a hand that pulls away: no step is short enough for that. */

@@ -3,14 +3,17 @@ package particles.app.run;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
+import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.scene.Scene;
@@ -21,32 +24,35 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.threads.ParallelForces;
 
-/** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
+/** Runs one scene and writes a folder of results, which is complete even if the run ends early. */
 final class RunJob {
     private final Path file;
     private final Overrides overrides;
     private final Path results;
     private final boolean frames;
     private final Optional<Video> wanted;
+    private final ChartFormat charts;
     private final OptionStyle style;
     private final StopRequest stop;
 
     /**
      * @param file      the scene
-     * @param overrides what goes before what it says
-     * @param results   the folder for what comes out
+     * @param overrides options that override it
+     * @param results   the folder for results
      * @param frames    whether pictures are drawn
-     * @param wanted    another film than the scene's, if one was asked for
+     * @param wanted    the film requested by an option, if any
+     * @param charts    what the charts are for
      * @param style     how options are typed, for messages
-     * @param stop      tells when the run has to end early
+     * @param stop      tells the run to end early
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
-           OptionStyle style, StopRequest stop) {
+           ChartFormat charts, OptionStyle style, StopRequest stop) {
         this.file = file;
         this.overrides = overrides;
         this.results = results;
         this.frames = frames;
         this.wanted = wanted;
+        this.charts = charts;
         this.style = style;
         this.stop = stop;
     }
@@ -55,7 +61,7 @@ final class RunJob {
      * Runs the scene.
      *
      * @param out where progress and the summary are printed
-     * @throws Failure if the run ended early; what it made until then is complete
+     * @throws Failure if the run ended early; the results until then are complete
      */
     void run(PrintWriter out) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
@@ -69,7 +75,7 @@ final class RunJob {
             out.flush();
         });
         Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
-        RunFiles files = new RunFiles(scene.output(), frames, video);
+        RunFiles files = new RunFiles(scene.output(), frames, video, charts);
         try (OutputFolder folder = OutputFolder.open(results, files.names())) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);
@@ -81,13 +87,14 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
+                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyScale()));
                 early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),
                     observers.books(),
                     progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
-            observers.drawCharts();
+            observers.drawCharts(charts);
             summary.lines().forEach(out::println);
             out.println("in " + results + ": " + String.join(", ", files.names()));
             early.ifPresent(why -> {
@@ -96,7 +103,7 @@ final class RunJob {
         }
     }
 
-    /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
+    /** If a run fails, for example on a full disk, incomplete files are deleted. */
     private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
         try {
             return simulate(scene, observers);
@@ -106,7 +113,7 @@ final class RunJob {
         }
     }
 
-    /** @return why it ended early, if it did */
+    /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
                 scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));
@@ -114,8 +121,10 @@ final class RunJob {
             scene.simulation().run();
             return Optional.empty();
         } catch (SimulationException e) {
-            observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
-                    + Digits.few(e.getTime()) + " s");
+            if (!(e instanceof NumericalErrorException error) || error.isEarly()) {
+                observers.showEnd((BlowUpMessage.isBlowUp(e) ? "blew up" : "stopped") + " at t = "
+                        + Digits.few(e.getTime()) + " s");
+            }
             return FrictionMessage.of(scene, style::option,
                     e).or(() -> Optional.of(new BlowUpMessage(scene, style::option).of(e)));
         } catch (StoppedException e) {

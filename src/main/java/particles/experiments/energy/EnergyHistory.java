@@ -37,6 +37,7 @@ public final class EnergyHistory implements Observer {
     private final List<MinMaxThinning> stored = new ArrayList<>();
     private double[] values = {};
     private long step;
+    private double motionAndSprings;
     private double largestOfMotionAndSprings;
     private double restScale;
 
@@ -102,6 +103,7 @@ public final class EnergyHistory implements Observer {
         kinetic.add(time, motion);
         potential.add(time, sum);
         total.add(time, motion + sum);
+        motionAndSprings = internal;
         largestOfMotionAndSprings = Math.max(largestOfMotionAndSprings, internal);
     }
 
@@ -145,6 +147,16 @@ public final class EnergyHistory implements Observer {
      */
     public double getScale() {
         return largestOfMotionAndSprings > AT_REST * restScale ? largestOfMotionAndSprings : restScale;
+    }
+
+    /** The latest kinetic plus spring energy (J). */
+    double getLatest() {
+        return motionAndSprings;
+    }
+
+    /** The energy scale of the scene if nothing moved (J). */
+    double getRestScale() {
+        return restScale;
     }
 
     /**

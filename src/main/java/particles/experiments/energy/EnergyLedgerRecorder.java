@@ -90,6 +90,11 @@ public final class EnergyLedgerRecorder implements Observer {
         return ledger.getNumericalError();
     }
 
+    /** The same as of the last step that was recorded (J). */
+    double getLatestNumericalError() {
+        return error.last();
+    }
+
     /** @return the largest of it during the run, without its sign (J); NaN before a run */
     public double getLargestNumericalError() {
         return error.isEmpty() ? Double.NaN : Math.max(error.largest(), -error.smallest());

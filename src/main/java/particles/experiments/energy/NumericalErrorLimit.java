@@ -1,0 +1,99 @@
+package particles.experiments.energy;
+
+import particles.Motion;
+import particles.NumericalErrorException;
+import particles.Observer;
+import particles.ParticleSystem;
+import particles.law.Particles;
+import particles.messages.Digits;
+
+/**
+ * Fails a run that gained more energy from nothing than it has: at the end of a run if the numerical error was larger
+ * than the energy scale, or earlier, once it is {@value #MOST_GAIN} times all energy that is not error. Between the two
+ * there is something to be seen: how a step that is too long blows up, or how Euler spirals outwards.
+ *
+ * <p>Only a gain counts. Solvers that damp lose energy, and no run can lose more than it has and is given. What wind,
+ * moving anchors or births put in belongs to the scale, as a solver that is off by a small part of that has an error
+ * that grows as long as they go on.
+ */
+public final class NumericalErrorLimit implements Observer {
+    private static final int MOST_GAIN = 1000;
+    private static final double ROUND_OFF = 1e-9;
+    /** Of the energy of motion that is expected in a scene: less than this is the rounding of a scene at rest. */
+    private static final double AT_REST = 1e-12;
+
+    private final EnergyHistory energy;
+    private final EnergyLedgerRecorder books;
+    private final double rounding;
+    private double explained;
+    private double largest;
+    private double passed = Double.NaN;
+    private int fastest;
+
+    /**
+     * @param energy      the run's energies; told of each step before this
+     * @param books       the run's ledger; told of each step before this
+     * @param energyScale how much energy of motion is to be expected in the scene (J)
+     */
+    public NumericalErrorLimit(EnergyHistory energy, EnergyLedgerRecorder books, double energyScale) {
+        this.energy = energy;
+        this.books = books;
+        rounding = AT_REST * energyScale;
+    }
+
+    @Override
+    public void moved(Motion motion) {
+        double error = books.getLatestNumericalError();
+        largest = Math.max(largest, error);
+        explained = Math.max(explained, energy.getLatest() - Math.max(0, error));
+        double expected = Math.max(explained, energy.getRestScale());
+        if (error > Math.max(rounding, MOST_GAIN * expected) && error > MOST_GAIN * (expected + putIn())) {
+            find(motion);
+            throw new NumericalErrorException(motion.getEndTime(), fastest, "the numerical error is "
+                    + Digits.few(error) + " J, over " + MOST_GAIN + " times the energy to be expected, "
+                    + Digits.few(expected + putIn()) + " J", true);
+        }
+        if (Double.isNaN(passed) && isAboveScale(error)) {
+            passed = motion.getEndTime();
+            find(motion);
+        }
+    }
+
+    @Override
+    public void finished(ParticleSystem system) {
+        if (isAboveScale(largest)) {
+            throw new NumericalErrorException(passed, fastest, "the numerical error of " + Digits.few(largest)
+                    + " J is larger than the energy scale, " + Digits.few(energy.getScale() + putIn()) + " J", false);
+        }
+    }
+
+    /** A body that Euler lets fall has, after its first step, an energy that is all error: that is not above. */
+    private boolean isAboveScale(double error) {
+        double above = (1 + ROUND_OFF) * energy.getScale();
+        return error > Math.max(rounding, above) && error > above + putIn();
+    }
+
+    /** All work that brought energy into the run (J). */
+    private double putIn() {
+        double sum = 0;
+        for (double work : books.getWork().values()) {
+            sum += Math.max(0, work);
+        }
+        return sum;
+    }
+
+    /** Notes which particle has the largest kinetic energy. */
+    private void find(Motion motion) {
+        Particles particles = motion.getSystem().getParticles();
+        double[] state = motion.getEndState();
+        double most = -1;
+        for (int i = 0, v = 3; i < particles.count(); i++, v += Particles.STRIDE) {
+            double twice = particles.mass(i) * (state[v] * state[v] + state[v + 1] * state[v + 1]
+                    + state[v + 2] * state[v + 2]);
+            if (!particles.isFixed(i) && twice > most) {
+                most = twice;
+                fastest = i;
+            }
+        }
+    }
+}

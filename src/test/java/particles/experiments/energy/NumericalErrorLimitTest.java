@@ -1,0 +1,155 @@
+package particles.experiments.energy;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.DESolver;
+import deSolvers.EulerSolver;
+import deSolvers.RK4Solver;
+import deSolvers.implicit.BackwardEulerSolver;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import particles.NumericalErrorException;
+import particles.ParticleSystem;
+import particles.Simulation;
+import particles.SimulationException;
+import particles.effects.LinearDrag;
+import particles.effects.Wind;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
+import particles.scene.SceneBuilder;
+import particles.scene.SceneReader;
+import particles.scene.Scene;
+import particles.scene.format.Overrides;
+
+/** Which numerical errors fail a run: gains without a cause, and no others. */
+class NumericalErrorLimitTest {
+
+    private static void run(Simulation simulation, double energyScale) {
+        EnergyHistory energy = new EnergyHistory();
+        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
+        simulation.addObserver(energy);
+        simulation.addObserver(books);
+        simulation.addObserver(new NumericalErrorLimit(energy, books, energyScale));
+        simulation.run();
+    }
+
+    /** x'' = -x from (1, 0). */
+    private static ParticleSystem oscillator() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("wall", 1, Vector3.ZERO, Vector3.ZERO, true);
+        system.addParticle("block", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);
+        SpringForce spring = new SpringForce(system.getParticles());
+        spring.addSpring(0, 1, 1, 0, 0);
+        system.addEffect(spring);
+        return system;
+    }
+
+    private static Simulation of(ParticleSystem system, DESolver solver, double deltaT, double duration) {
+        return new Simulation(system, solver, deltaT, duration, Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * Euler multiplies the energy by 1 + h^2 = 2 in each step: (2^n - 1)/2 J are error. To be expected is 1 J, the
+     * force of 1 N times the length of 1 m.
+     */
+    @Test
+    void aGainOfAThousandEndsTheRunAtOnce() {
+        run(of(oscillator(), new EulerSolver(), 1, 10), 0.5);      // 511.5 J
+        NumericalErrorException e = assertThrows(NumericalErrorException.class,
+                () -> run(of(oscillator(), new EulerSolver(), 1, 100), 0.5));
+        assertTrue(e.isEarly());
+        assertEquals(11, e.getTime());
+        assertEquals(1, e.getParticle());
+        assertEquals("the numerical error is 1020 J, over 1000 times the energy to be expected, 1 J", e.getMessage());
+    }
+
+    /**
+     * With drag of c/m = h = 0.1, Euler keeps the amplitude: |1 + h lambda|^2 = 1 - h c + h^2 = 1. What drag takes, on
+     * the average c v^2 = 0.05 W, Euler gives, so that the error passes the energy of 0.5 J after about 10 s.
+     */
+    @Test
+    void anErrorAboveTheEnergyFailsTheRunAtItsEnd() {
+        assertEquals(10, failure(30).getTime(), 1);     // the work swings about its average; measured: 10.?
+        assertFalse(failure(30).isEarly());
+        assertTrue(failure(30).getMessage().matches(
+                "the numerical error of 1\\.\\d+ J is larger than the energy scale, 0\\.5\\d* J"),
+                failure(30).getMessage());
+        run(of(draggedOscillator(), new EulerSolver(), 0.1, 8), 0.5);
+        run(of(draggedOscillator(), new RK4Solver(), 0.1, 30), 0.5);
+    }
+
+    private static NumericalErrorException failure(double duration) {
+        return assertThrows(NumericalErrorException.class,
+                () -> run(of(draggedOscillator(), new EulerSolver(), 0.1, duration), 0.5));
+    }
+
+    private static ParticleSystem draggedOscillator() {
+        ParticleSystem system = oscillator();
+        system.addEffect(new LinearDrag(system.getParticles(), 0.1, Wind.STILL));
+        return system;
+    }
+
+    /** Backward Euler loses (1 + h^2) a step, all energy in the end: it damps, and invents nothing. */
+    @Test
+    void lossesNeverFail() {
+        run(of(oscillator(), new BackwardEulerSolver(), 0.5, 100), 0.5);
+    }
+
+    /**
+     * Without force nothing has an energy; with springs at their rest lengths it is rounding, which Euler multiplies by
+     * some millions in 150 steps.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1})
+    void nothingAtRestFails(double stiffness) {
+        ParticleSystem system = new ParticleSystem();
+        Vector3[] corners = {new Vector3(0.1, 0.2, 0.3), new Vector3(1.3, 0.7, -0.4), new Vector3(0.6, 1.9, 0.8)};
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int i = 0; i < corners.length; i++) {
+            system.addParticle("p" + i, 1, corners[i], Vector3.ZERO, false);
+        }
+        for (int i = 0; i < corners.length; i++) {
+            Vector3 edge = corners[(i + 1) % 3].minus(corners[i]);
+            springs.addSpring(i, (i + 1) % 3, stiffness, Math.nextUp(edge.length()), 0);
+        }
+        system.addEffect(springs);
+        run(of(system, new EulerSolver(), 0.2, 30), 1);
+        assertTrue(system.getKineticEnergy(system.getOwnState()) < 1e-20);
+    }
+
+    /**
+     * Euler gives every drop (g h)^2/2 in each of 20 steps, 2.4 J to the 12.5 J of its birth: after a minute the sum
+     * over 600 drops is more than 10 ever have at once. That is no blow-up, as births put in much more.
+     */
+    @Test
+    void anErrorThatIsASmallPartOfWhatIsPutInDoesNotFail() {
+        Scene scene = SceneBuilder.build(SceneReader.read("drops.yaml", DROPS.getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
+        EnergyLedgerRecorder books = new EnergyLedgerRecorder(1);
+        EnergyHistory energy = new EnergyHistory();
+        scene.simulation().addObserver(energy);
+        scene.simulation().addObserver(books);
+        run(scene.simulation(), scene.energyScale());
+        assertTrue(books.getNumericalError() > 1.5 * energy.getScale(),
+                books.getNumericalError() + " J of " + energy.getScale() + " J");
+    }
+
+    private static final String DROPS = """
+            title: Drops
+            teaches: An error that adds up over births.
+            solver: euler
+            deltaT: 0.05
+            duration: 60
+            particles:
+              - {id: nozzle, position: [0, 0, 0], fixed: true}
+            effects:
+              - gravity
+            rules:
+              - emitter: {id: jet, position: [0, 0, 0], speed: 5, rate: 10, lifetime: 1}
+            """;
+}
