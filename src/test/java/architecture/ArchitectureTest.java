@@ -20,8 +20,8 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Who may use whom: the solvers know nothing of particles, the physics nothing of files or pictures, and only the
- * command line prints. Read from the sources themselves, imports and fully-qualified names alike.
+ * Rules of the architecture, checked on the sources: which package may use which (imports and fully-qualified names),
+ * lengths of files and lines, and that only the command line prints.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)         // the sources are read once
 class ArchitectureTest {
@@ -30,7 +30,7 @@ class ArchitectureTest {
     private static final int MOST_CODE_LINES = 240;
     private static final int MOST_FILES = 22;
 
-    /** Each package, and what it may use besides itself and the plain JDK. */
+    /** For each package, what it may use besides itself and the plain JDK. */
     private static final Map<String, Set<String>> MAY_USE = table("""
             deSolvers:
             deSolvers.adaptive:            deSolvers deSolvers.rungeKutta
@@ -47,16 +47,16 @@ class ArchitectureTest {
             particles.app:                 particles.app.cli particles.app.experiments particles.app.run
                                            particles.app.student
             particles.app.cli:             deSolvers deSolvers.catalog particles particles.experiments.runs
-                                           particles.output.files particles.scene picocli
+                                           particles.output.charts particles.output.files particles.scene picocli
             particles.app.experiments:     deSolvers.catalog particles particles.app.cli particles.app.student
                                            particles.experiments.energy particles.experiments.lecture
                                            particles.experiments.phase particles.experiments.race
                                            particles.experiments.runs particles.experiments.spectrum
                                            particles.experiments.stability particles.experiments.work particles.law
-                                           particles.messages particles.output.animation particles.output.files
-                                           particles.output.frames particles.output.race particles.output.raster
-                                           particles.output.report particles.output.text particles.scene
-                                           particles.scene.format particles.view picocli
+                                           particles.messages particles.output.animation particles.output.charts
+                                           particles.output.files particles.output.frames particles.output.race
+                                           particles.output.raster particles.output.report particles.output.text
+                                           particles.scene particles.scene.format particles.view picocli
             particles.app.run:             deSolvers.catalog particles particles.app.cli particles.app.student
                                            particles.experiments.energy particles.experiments.phase
                                            particles.experiments.runs particles.lab particles.law particles.messages
@@ -64,7 +64,8 @@ class ArchitectureTest {
                                            particles.output.frames particles.output.raster particles.scene
                                            particles.scene.format particles.threads particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.law
-                                           particles.output.files particles.output.report particles.output.text
+                                           particles.output.charts particles.output.files particles.output.report
+                                           particles.output.text
                                            particles.spec particles.teaching particles.teaching.effects
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view
@@ -102,7 +103,7 @@ class ArchitectureTest {
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       particles.output.files particles.output.text particles.view java.awt
-                                           org.jfree
+                                           javax.xml org.apache.batik org.jfree org.w3c.dom
             particles.output.files:        particles particles.law com.fasterxml.jackson
             particles.output.frames:       particles particles.law particles.output.files particles.output.painters
                                            particles.output.raster particles.output.text particles.view java.awt
@@ -112,7 +113,7 @@ class ArchitectureTest {
                                            particles.output.text particles.view java.awt
             particles.output.raster:       particles particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
-                                           particles.view java.awt javax.xml org.jfree
+                                           particles.view javax.xml
             particles.output.text:         particles.output.files particles.view java.awt org.jfree
             particles.reactions:           particles particles.law particles.reactions.algebra
                                            particles.reactions.contact particles.reactions.wires particles.view
@@ -179,7 +180,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void everyPackageHasARowAndUsesOnlyWhatItMay() {
+    void everyPackageUsesOnlyWhatItsRowAllows() {
         List<String> wrong = new ArrayList<>();
         for (SourceFile source : sources) {
             Set<String> allowed = MAY_USE.get(source.packageName());
@@ -236,14 +237,14 @@ class ArchitectureTest {
     }
 
     @Test
-    void tableItselfHasNoCycles() {
+    void theTableHasNoCycles() {
         Map<String, Set<String>> table = new TreeMap<>();
         MAY_USE.forEach((name, allowed) -> table.put(name, new TreeSet<>(MAY_USE.keySet().stream()
                 .filter(other -> !other.equals(name) && isAllowed(other, allowed)).toList())));
         assertEquals("", cycle(table));
     }
 
-    /** Takes away what uses nothing that is left, until nothing is left, or a cycle. */
+    /** Removes packages that use none of the remaining ones; a cycle remains. */
     private static String cycle(Map<String, Set<String>> uses) {
         Map<String, Set<String>> left = new TreeMap<>(uses);
         while (left.entrySet().removeIf(entry -> entry.getValue().stream().noneMatch(left::containsKey))) {
@@ -253,7 +254,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void noFileIsLong() {
+    void noFileHasMoreThan240CodeLines() {
         assertNone(sources.stream().filter(source -> source.codeLines() > MOST_CODE_LINES)
                 .map(source -> source + " has " + source.codeLines() + " lines of code").toList());
     }
@@ -267,7 +268,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void noPackageIsCrowded() {
+    void noPackageHasTooManyFiles() {
         Map<String, Long> files = sources.stream().collect(Collectors.groupingBy(SourceFile::packageName,
                 Collectors.counting()));
         assertNone(files.entrySet().stream().filter(room -> room.getValue() > MOST_FILES)
@@ -281,7 +282,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void noExceptionIsCaughtAndForgotten() {
+    void noExceptionIsSwallowed() {
         assertNone(findings(SourceFile::emptyCatches, source -> true));
     }
 
@@ -298,9 +299,9 @@ class ArchitectureTest {
         assertTrue(wrong.isEmpty(), () -> String.join(System.lineSeparator(), wrong));
     }
 
-    /** The test's own test: every offence is seen, and only offences are. */
+    /** Tests this test: violations are found, and nothing else. */
     @Test
-    void offencesAreSeen(@TempDir Path folder) throws IOException {
+    void violationsAreFound(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("Bad.java"), """
                 package deSolvers;
                 import particles.effects.*;

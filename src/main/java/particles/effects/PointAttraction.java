@@ -75,6 +75,9 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
     public void addForces(double[] state, double time, double[] force, int from, int to) {
         double[] masses = particles.masses();
         for (int i = from, x = STRIDE * from; i < to; i++, x += STRIDE) {
+            if (particles.isFixed(i)) {
+                continue;                               // a sun that is drawn may stand at the very centre
+            }
             double rx = state[x] - cx;
             double ry = state[x + 1] - cy;
             double rz = state[x + 2] - cz;
@@ -90,6 +93,9 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
     @Override
     public void addForceDerivatives(double[] state, double time, ForceDerivatives derivatives) {
         for (int i = 0, x = 0; i < particles.count(); i++, x += STRIDE) {
+            if (particles.isFixed(i)) {
+                continue;
+            }
             r[0] = state[x] - cx;
             r[1] = state[x + 1] - cy;
             r[2] = state[x + 2] - cz;

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import particles.view.Camera;
 import particles.view.CurveView;
+import particles.view.ParticleMark;
 import particles.view.RenderOptions;
 import particles.law.Plane;
 import particles.law.Sphere;
@@ -83,6 +84,16 @@ final class SceneFacts {
         facts.put("ageColours", look.style().ageColours());
         facts.put("trail", look.style().trail());
         facts.put("night", look.style().night());
+        Map<String, Object> marks = new LinkedHashMap<>();
+        look.style().marks().forEach(mark -> marks.put(mark.particle(), mark(mark)));
+        facts.put("marks", marks);
+        return facts;
+    }
+
+    private static Map<String, Object> mark(ParticleMark mark) {
+        Map<String, Object> facts = new LinkedHashMap<>();
+        mark.colour().ifPresent(colour -> facts.put("colour", colour));
+        facts.put("radius", mark.radius());
         return facts;
     }
 

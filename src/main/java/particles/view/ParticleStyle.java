@@ -10,8 +10,11 @@ import java.util.List;
  *                   0xRRGGBB
  * @param trail      how long a trail stays visible (s); 0 for no trails
  * @param night      whether the sky is dark, so that a glow is visible
+ * @param arrows     how long arrows along velocities are: as far as a particle gets in this time (s); 0 for none
+ * @param marks      particles that are drawn in their own way
  */
-public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, boolean night) {
+public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, boolean night, double arrows,
+        List<ParticleMark> marks) {
 
     /** The ways of drawing a particle. */
     public enum Kind {
@@ -29,14 +32,25 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
     public static final ParticleStyle STANDARD = new ParticleStyle(Kind.BALLS,
             List.of(0xffe9a8, 0xff9d2e, 0xd83a0f, 0x5a1208), 0, false);
 
+    /** All particles alike, without arrows. */
+    public ParticleStyle(Kind kind, List<Integer> ageColours, double trail, boolean night) {
+        this(kind, ageColours, trail, night, 0, List.of());
+    }
+
     /** @throws IllegalArgumentException if there is no colour, or the duration of trails is out of its range */
     public ParticleStyle {
         ageColours = List.copyOf(ageColours);
+        marks = List.copyOf(marks);
         if (ageColours.isEmpty()) {
             throw new IllegalArgumentException("a glow needs at least one colour");
         }
         if (!(trail >= 0) || !(trail <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("a trail has to last 0 s or more, not " + trail + " s");
         }
+    }
+
+    /** @return the same with trails of this duration (s) */
+    public ParticleStyle withTrail(double seconds) {
+        return new ParticleStyle(kind, ageColours, seconds, night, arrows, marks);
     }
 }

@@ -10,6 +10,7 @@ import deSolvers.RK4Solver;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import particles.law.Effect;
 import particles.law.Sphere;
@@ -17,6 +18,7 @@ import particles.law.Vector3;
 import particles.scene.format.Overrides;
 import particles.view.Camera;
 import particles.view.CurveView;
+import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
@@ -133,6 +135,17 @@ class SceneBuilderTest {
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, ParticleStyle.STANDARD.ageColours(), 0, false), day);
         assertEquals(ParticleStyle.Kind.BLOBS, build(BOB + "look: {particlesAs: blobs}\n").look().style().kind());
         assertEquals(ParticleStyle.STANDARD, build(BOB + "look: {trail: 0}\n").look().style());
+    }
+
+    @Test
+    void aParticleCanBeDrawnInItsOwnWay() {
+        ParticleStyle style = build(BOB + "look: {velocityArrows: 0.2,"
+                + " marks: [{particle: bob, colour: '#ff0000', label: here}]}\n").look().style();
+        assertEquals(0.2, style.arrows());
+        assertEquals(List.of(new ParticleMark("bob", OptionalInt.of(0xff0000), 0, "here")), style.marks());
+        String problem = assertThrows(SceneException.class, () -> build(BOB + "look: {marks: [{particle: bib}]}\n"))
+                .getMessage();
+        assertTrue(problem.contains("unknown particle 'bib'; did you mean 'bob'?"), problem);
     }
 
     /** Whatever particles meet or slide along is seen, be it a rule, an effect or a constraint. */

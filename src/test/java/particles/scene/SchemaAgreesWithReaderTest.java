@@ -25,8 +25,8 @@ import particles.spec.messages.Problems;
 
 /**
  * Editors check by the schema, the program by the reader: of scenes that are changed at random both say the same, as
- * far as a schema can know. (Ids that do not exist, and what else holds between parts of a scene, only the reader
- * knows.)
+ * far as a schema can know. (Ids and classes that do not exist, and what else holds between parts of a scene, only
+ * the reader knows.)
  */
 class SchemaAgreesWithReaderTest {
     private static final int CHANGES = 600;
@@ -60,7 +60,7 @@ class SchemaAgreesWithReaderTest {
     private static List<String> problems(String text) {
         Problems problems = new Problems();
         SceneReader.readValues(text.getBytes(StandardCharsets.UTF_8), new Reading("x.yaml", problems));
-        return problems.lines();
+        return problems.lines().stream().filter(line -> !line.contains("class 'my.Solver' cannot be used")).toList();
     }
 
     @Test

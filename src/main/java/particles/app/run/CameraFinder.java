@@ -20,7 +20,7 @@ import particles.view.Camera;
  * A camera for scenes that give none: as near as it can be with everything in the picture. Where things go is found by
  * a rehearsal, a run of its own that nobody else sees.
  */
-final class CameraFinder {
+public final class CameraFinder {
     /**
      * A rehearsal makes no more steps than this, times particles: it shows where things go, and a second or two is
      * enough.
@@ -41,7 +41,7 @@ final class CameraFinder {
      * @param overrides what goes before it
      * @return the scene's own camera, or one that suits it
      */
-    static Camera find(Scene scene, SceneDescription described, Overrides overrides) {
+    public static Camera find(Scene scene, SceneDescription described, Overrides overrides) {
         return scene.camera().orElseGet(() -> {
             Box box = rehearse(SceneBuilder.build(described, overrides));
             return CameraFraming.around(box.low, box.high,

@@ -274,10 +274,12 @@ class View {
       if (!this.isShown[i]) {
         continue;
       }
-      const size = look.kind === 'points' ? 0.5 * this.ball : this.ball;
+      const mark = look.marks[this.structure.ids[i]];
+      const size = mark?.radius || (look.kind === 'points' ? 0.5 * this.ball : this.ball);
       this.matrix.makeScale(size, size, size).setPosition(state[6 * i], state[6 * i + 1], state[6 * i + 2]);
       this.balls.setMatrixAt(shown, this.matrix);
-      this.balls.setColorAt(shown, this.particleColour(look, fixed[i], (time - births[i]) / (lives[i] ?? Infinity)));
+      this.balls.setColorAt(shown, mark?.colour !== undefined ? this.colour.set(mark.colour)
+          : this.particleColour(look, fixed[i], (time - births[i]) / (lives[i] ?? Infinity)));
       shown++;
     }
     this.balls.count = shown;
@@ -337,7 +339,7 @@ class View {
   strainColour(strain) {
     const part = strain / this.facts.look.strainRange;
     const full = part < 0 ? COMPRESSED : STRETCHED;
-    return new THREE.Color().copy(AT_REST).lerp(full, Math.sqrt(Math.min(1, Math.abs(part))));
+    return new THREE.Color().copy(AT_REST).lerp(full, Math.min(1, Math.abs(part)));
   }
 
   placeTrails(state, time) {
@@ -352,9 +354,11 @@ class View {
         this.trail.push({time, places: new Map(ids.map((id, i) => [id, [...state.subarray(6 * i, 6 * i + 3)]]))});
       }
       this.trail = this.trail.filter(sample => sample.time >= time - duration);
-      const colour = new THREE.Color(this.facts.look.colours[0]);
+      const {colours: [usual], marks} = this.facts.look;
+      const byParticle = ids.map(id => new THREE.Color(marks[id]?.colour ?? usual));
       for (let k = 1; k < this.trail.length; k++) {
         for (const [i, id] of ids.entries()) {
+          const colour = byParticle[i];
           const from = this.trail[k - 1].places.get(id), to = this.trail[k].places.get(id);
           if (from && to && !this.structure.fixed[i]) {
             positions.push(...from, ...to);

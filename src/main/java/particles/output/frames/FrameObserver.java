@@ -25,7 +25,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     private final double fps;
     private final FrameWorker worker;
-    private final boolean withLives;
+    private final ParticleStyle style;
     private final TrailRecorder trails;
     private double[] between = {};
     private int index;
@@ -41,8 +41,8 @@ public final class FrameObserver implements Observer, AutoCloseable {
             throw new IllegalArgumentException("frames a second have to be positive and at most 1e6, not " + fps);
         }
         this.fps = fps;
-        withLives = renderer.style().kind() == ParticleStyle.Kind.GLOW;
-        trails = new TrailRecorder(renderer.style().trail(), fps);
+        style = renderer.style();
+        trails = new TrailRecorder(style.trail(), fps);
         worker = new FrameWorker(renderer, List.copyOf(sinks));
     }
 
@@ -103,9 +103,9 @@ public final class FrameObserver implements Observer, AutoCloseable {
 
     private FrameState take(ParticleSystem system, double[] state, int count, double time) {
         FrameState frame = worker.next();
-        frame.take(state, count, time);
+        frame.take(state, count, time, style.arrows() > 0);
         if (frame.structure != structure) {
-            frame.takeStructure(system, withLives);
+            frame.takeStructure(system, style.kind() == ParticleStyle.Kind.GLOW, style.marks());
             frame.structure = structure;
         }
         frame.trailIndex = trails.indicesNow(system, count, structure);

@@ -6,6 +6,7 @@ import java.awt.image.DataBufferInt;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.law.Vector3;
 import particles.output.painters.BlobPainter;
 import particles.output.painters.DrawnSizes;
@@ -48,6 +49,7 @@ public final class FrameRenderer {
     private final Optional<BlobPainter> blobs;
     private final Optional<GlowPainter> glow;
     private final Optional<TrailPainter> trails;
+    private final Optional<FrameMarks> marks;
     private final Optional<FrameText> text;
     // what the first frame decides
     private DrawnSizes sizes;
@@ -94,6 +96,8 @@ public final class FrameRenderer {
                 height))
                 : Optional.empty();
         trails = style().trail() > 0 ? Optional.of(new TrailPainter(view, style().trail())) : Optional.empty();
+        marks = style().arrows() > 0 || !style().marks().isEmpty() ? Optional.of(new FrameMarks(view, style()))
+                : Optional.empty();
         this.text = text;
     }
 
@@ -122,6 +126,8 @@ public final class FrameRenderer {
             }
         }
         important.add(sky.warning.getRGB() & 0xffffff);
+        style().marks().forEach(mark -> mark.colour().ifPresent(rgb -> IntStream.range(0, 8).forEach(shade ->
+                important.add(Colours.lit(rgb, 0.46f + 0.09f * shade, 0)))));
         for (int k = 0; k < 12; k++) {
             double age = k / 12.0;
             for (int layers = 1; glow.isPresent() && layers <= 8; layers *= 2) {
@@ -158,9 +164,10 @@ public final class FrameRenderer {
         compose();
         trails.ifPresent(layer -> layer.paint(state, shown, stage.look().particleColour(), raster, backdrop, pixels));
         glow.ifPresent(layer -> layer.paint(state, projected, shown, sizes.ball(), raster, backdrop, pixels));
-        if (text.isPresent()) {
+        if (text.isPresent() || marks.isPresent()) {
             Graphics2D g = image.createGraphics();
-            text.get().draw(g, getWidth(), getHeight(), state, springsSeen);
+            marks.ifPresent(layer -> layer.draw(g, state, sizes.ball()));
+            text.ifPresent(words -> words.draw(g, getWidth(), getHeight(), state, springsSeen));
             g.dispose();
         }
         return pixels;

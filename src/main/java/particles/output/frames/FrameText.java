@@ -86,7 +86,8 @@ final class FrameText {
         }
         add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.ink, margin,
                 height - margin - 29 * unit);
-        add(lines, stage.caption(), small, sky.soft, margin, height - margin);
+        String arrows = stage.look().style().arrows() > 0 ? "; arrows: velocity" : "";
+        add(lines, stage.caption() + arrows, small, sky.soft, margin, height - margin);
         if (withStrain) {
             addScale(lines, scale(width, height), height - margin);
         }

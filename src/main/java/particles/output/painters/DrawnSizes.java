@@ -3,17 +3,19 @@ package particles.output.painters;
 import particles.view.RenderOptions;
 
 /**
- * How large balls and springs are drawn, decided once, when the first frame is: a scene that says nothing gets balls
- * that can be told apart.
+ * The drawn sizes of balls and springs, decided at the first frame; by default balls are small enough to be told apart.
  *
- * @param ball    the radius of a ball (m)
- * @param coils whether springs are drawn as coils, as they are where there are few
+ * @param ball      the radius of a ball (m)
+ * @param coilBelow springs of less than this stiffness (N/m) are drawn as coils: all where they are few, else those
+ *                  that are far softer than the others
  */
-public record DrawnSizes(double ball, boolean coils) {
+public record DrawnSizes(double ball, double coilBelow) {
     private static final int MOST_COILS = 40;
+    /** Of the stiffest spring's stiffness. */
+    private static final double SOFT = 0.01;
     private static final double PART_OF_PICTURE = 0.028;
     private static final double PART_OF_SPRING = 0.26;
-    /** Of the distance between neighbours, were the particles spread evenly over a cube as high as the picture. */
+    /** Fraction of the spacing of particles spread evenly over a cube as high as the picture. */
     private static final double PART_OF_DISTANCE = 0.3;
 
     public static DrawnSizes of(FrameState state, RenderOptions look, double viewHeight) {
@@ -26,13 +28,30 @@ public record DrawnSizes(double ball, boolean coils) {
         if (mean > 0) {
             ball = Math.min(ball, PART_OF_SPRING * mean);
         }
-        return new DrawnSizes(look.particleRadius() > 0 ? look.particleRadius() : ball, state.springs <= MOST_COILS);
+        return new DrawnSizes(look.particleRadius() > 0 ? look.particleRadius() : ball, coilBelow(state));
     }
 
-    /**
-     * @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it
-     *         (m)
-     */
+    private static double coilBelow(FrameState state) {
+        if (state.springs <= MOST_COILS) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double soft = 0;
+        for (int s = 0; s < state.springs; s++) {
+            soft = Math.max(soft, state.rigid[s] ? 0 : SOFT * state.stiffness[s]);
+        }
+        int count = 0;
+        for (int s = 0; s < state.springs; s++) {
+            count += state.stiffness[s] < soft ? 1 : 0;
+        }
+        return count <= MOST_COILS ? soft : 0;
+    }
+
+    /** @return whether spring s is drawn as a coil, not as a straight tube */
+    boolean isCoil(FrameState state, int s) {
+        return coilBelow == Double.POSITIVE_INFINITY || state.stiffness[s] < coilBelow;
+    }
+
+    /** @return the radius of a fixed particle among glowing ones, whose spots of light are larger (m) */
     double core() {
         return ball / 3;
     }

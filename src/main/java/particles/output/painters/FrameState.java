@@ -2,14 +2,16 @@ package particles.output.painters;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import particles.ParticleSystem;
 import particles.law.Particles;
+import particles.view.ParticleMark;
 import particles.view.SpringView;
 
-/** What a frame needs to know, copied from a running simulation so that it can be drawn beside it. */
+/** A snapshot of a running simulation, so that a frame can be drawn in another thread. */
 public final class FrameState {
-    /** Which state of the springs it has; the observer counts. */
+    /** The version of the springs. */
     public int structure;
     public double time;
     public int particles;
@@ -21,25 +23,36 @@ public final class FrameState {
     public int[] from = {};
     public int[] to = {};
     public double[] restLength = {};
+    public double[] stiffness = {};
     /** Which of them are rods. */
     public boolean[] rigid = {};
-    /** When particles came into being and are to die of age (s); only where they are asked for. */
+    /** Times of birth and death of particles (s), if requested. */
     public double[] birth = {};
     public double[] death = {};
     /**
-     * Where particles were, the oldest sample first, and the index of each in the newest; none where all are the same.
+     * Earlier positions, the oldest sample first, and the index of each particle in the newest; empty if all are the
+     * same.
      */
     public TrailSample[] trail = {};
     public int[] trailIndex = {};
-    /** What is written below the title, line by line; the first line is a warning. */
+    /** Three entries a particle (m/s); only where arrows are drawn. */
+    public double[] velocities = {};
+    /** How each particle is drawn otherwise than all others, or null; empty where all are alike. */
+    ParticleMark[] marks = {};
+    /** The lines below the title; the first one is a warning. */
     public List<String> notes = List.of();
 
     /**
-     * Copies the places.
+     * Copies the positions.
      *
      * @param state in the layout of the system's state
      */
     public void take(double[] state, int count, double time) {
+        take(state, count, time, false);
+    }
+
+    /** @param withVelocities whether arrows are drawn */
+    public void take(double[] state, int count, double time, boolean withVelocities) {
         this.time = time;
         notes = List.of();
         trail = new TrailSample[0];
@@ -52,15 +65,31 @@ public final class FrameState {
             positions[i + 1] = state[x + 1];
             positions[i + 2] = state[x + 2];
         }
+        if (withVelocities) {
+            velocities = new double[3 * count];
+            for (int i = 0, v = 3; i < 3 * count; i += 3, v += Particles.STRIDE) {
+                System.arraycopy(state, v, velocities, i, 3);
+            }
+        }
     }
 
     /**
      * Copies what changes only when rules change it: springs and rods, and which particles are fixed.
      *
-     * @param withLives whether it is asked for when particles were born and when they die
+     * @param withLives whether times of birth and death are needed
      */
     public void takeStructure(ParticleSystem system, boolean withLives) {
+        takeStructure(system, withLives, List.of());
+    }
+
+    /** @param marked particles that are drawn in their own way */
+    public void takeStructure(ParticleSystem system, boolean withLives, List<ParticleMark> marked) {
         int count = system.getParticles().count();
+        marks = new ParticleMark[marked.isEmpty() ? 0 : count];
+        for (int i = 0; i < marks.length; i++) {
+            String id = system.getParticles().id(i);
+            marks[i] = marked.stream().filter(mark -> mark.particle().equals(id)).findFirst().orElse(null);
+        }
         fixed = Arrays.copyOf(fixed, count);
         for (int i = 0; i < count; i++) {
             fixed[i] = system.getParticles().isFixed(i);
@@ -80,6 +109,7 @@ public final class FrameState {
             from = new int[needed];
             to = new int[needed];
             restLength = new double[needed];
+            stiffness = new double[needed];
             rigid = new boolean[needed];
         }
         springs = 0;
@@ -88,9 +118,29 @@ public final class FrameState {
                 from[springs] = view.from(s);
                 to[springs] = view.to(s);
                 restLength[springs] = view.restLength(s);
+                stiffness[springs] = view.stiffness(s);
                 rigid[springs] = view.stiffness(s) == Double.POSITIVE_INFINITY;
                 springs++;
             }
         }
+    }
+
+    private Optional<ParticleMark> mark(int particle) {
+        return particle < marks.length ? Optional.ofNullable(marks[particle]) : Optional.empty();
+    }
+
+    /** @return the colour of particle i, 0xRRGGBB: its own, or that of all others */
+    public int colour(int i, int others) {
+        return mark(i).map(mark -> mark.colour().orElse(others)).orElse(others);
+    }
+
+    /** @return the radius of particle i's ball (m): its own, or that of all others */
+    public double radius(int i, double others) {
+        return mark(i).map(ParticleMark::radius).filter(radius -> radius > 0).orElse(others);
+    }
+
+    /** @return what is written beside particle i; empty for nothing */
+    public String label(int i) {
+        return mark(i).map(ParticleMark::label).orElse("");
     }
 }

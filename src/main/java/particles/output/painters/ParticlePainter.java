@@ -8,10 +8,11 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 
 /**
- * Draws particles as what the look says, but for their glow and trails, which lie over all else; fixed ones as balls.
+ * Draws particles as balls, points or blobs, fixed ones always as balls; glow and trails are drawn later, over
+ * everything else.
  */
 public final class ParticlePainter {
-    /** The radius of a point, in parts of the picture's height. */
+    /** The radius of a point, relative to the picture's height. */
     private static final double POINT = 0.0026;
 
     private final RoundShapes shapes;
@@ -34,7 +35,7 @@ public final class ParticlePainter {
         this.blobs = blobs;
     }
 
-    /** @return how far what rests on a plane reaches below its middle (m) */
+    /** @return how far a particle at rest on a plane extends below its centre (m) */
     public double reach(FrameState state) {
         boolean large = false;
         for (int i = 0; i < state.particles && !large; i++) {
@@ -49,9 +50,9 @@ public final class ParticlePainter {
         return shown.particle(i) && (state.fixed[i] || kind == ParticleStyle.Kind.BALLS);
     }
 
-    /** @return the radius of a ball (m) */
-    double ball() {
-        return kind == ParticleStyle.Kind.GLOW ? sizes.core() : sizes.ball();
+    /** @return the radius of particle i's ball (m) */
+    double ball(FrameState state, int i) {
+        return state.radius(i, kind == ParticleStyle.Kind.GLOW ? sizes.core() : sizes.ball());
     }
 
     /** @return whether particle i is a point */
@@ -71,11 +72,12 @@ public final class ParticlePainter {
         }
         for (int i = 0; i < state.particles; i++) {
             if (isBall(state, i) && projected.visible[i]) {
-                shapes.ball(projected.x[i], projected.y[i], ball() * projected.scale[i], projected.depth[i],
-                        ball(), state.fixed[i] ? look.fixedColour() : look.particleColour());
+                double radius = ball(state, i);
+                shapes.ball(projected.x[i], projected.y[i], radius * projected.scale[i], projected.depth[i], radius,
+                        state.colour(i, state.fixed[i] ? look.fixedColour() : look.particleColour()));
             } else if (isPoint(state, i) && projected.visible[i]) {
                 shapes.ball(projected.x[i], projected.y[i], Raster.SAMPLES * POINT * view.height, projected.depth[i], 0,
-                        look.particleColour());
+                        state.colour(i, look.particleColour()));
             } else if (blobs.isPresent() && !state.fixed[i] && shown.particle(i)) {
                 System.arraycopy(state.positions, 3 * i, inBlobs, 3 * count++, 3);
             }

@@ -7,7 +7,7 @@ import particles.output.raster.ShadowMap;
 import particles.view.Scenery;
 import particles.view.Surface;
 
-/** Casts what a frame shows onto a plane's shadow map. */
+/** Draws the shadows of a frame's shapes onto a plane's shadow map. */
 public final class ShadowPainter {
     private final VisibilityFilter shown;
     private final DrawnSizes sizes;
@@ -42,7 +42,7 @@ public final class ShadowPainter {
         project(map, state.positions, state.particles);
         for (int i = 0; i < state.particles; i++) {
             if (above[i] && particles.isBall(state, i)) {
-                map.disc(columns[i], rows[i], particles.ball());
+                map.disc(columns[i], rows[i], particles.ball(state, i));
             } else if (above[i] && particles.isPoint(state, i)) {
                 map.disc(columns[i], rows[i], particles.point());
             }
@@ -51,8 +51,8 @@ public final class ShadowPainter {
             int a = state.from[s];
             int b = state.to[s];
             if (above[a] && above[b] && shown.spring(a, b)) {
-                double radius = state.rigid[s] ? sizes.rod() : sizes.coils() ? 0.5 * sizes.coil() : sizes.tube();
-                map.strip(columns[a], rows[a], columns[b], rows[b], radius);
+                double soft = sizes.isCoil(state, s) ? 0.5 * sizes.coil() : sizes.tube();
+                map.strip(columns[a], rows[a], columns[b], rows[b], state.rigid[s] ? sizes.rod() : soft);
             }
         }
         for (Surface surface : scenery.surfaces()) {
@@ -90,7 +90,7 @@ public final class ShadowPainter {
         for (int i = 0; i < n; i++) {
             columns[i] = map.column(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
             rows[i] = map.row(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
-            above[i] = map.isAbove(p[3 * i], p[3 * i + 1], p[3 * i + 2]);       // false where it is no number
+            above[i] = map.isAbove(p[3 * i], p[3 * i + 1], p[3 * i + 2]);       // false for NaN
         }
     }
 

@@ -6,7 +6,8 @@ import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
 
 /**
- * Springs, coloured by their strain: as coils where they are few, as straight tubes where they are many. Rods as bars.
+ * Springs, coloured by their strain: as coils where they are few or soft, as straight tubes where they are many. Rods
+ * are bars, and so are springs between fixed particles, whose length does not change.
  */
 public final class SpringPainter {
     private static final int ROD = 0x6c7683;
@@ -14,6 +15,8 @@ public final class SpringPainter {
     /** The straight piece at either end of a coil, and where the coil has its full width, as parts of the length. */
     private static final double STRAIGHT = 0.07;
     private static final double WIDE = 0.11;
+    /** Of the picture's height. */
+    private static final double LIFT = 0.004;
 
     private final RoundShapes shapes;
     private final CameraProjection view;
@@ -29,7 +32,7 @@ public final class SpringPainter {
         this.coil = new ProjectedParticles(view);
     }
 
-    /** @return whether any spring is seen, so far, and its strain */
+    /** @return whether any spring with strain is visible so far */
     public boolean paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown) {
         boolean seen = false;
         for (int s = 0; s < state.springs; s++) {
@@ -46,7 +49,7 @@ public final class SpringPainter {
         if (!projected.visible[a] || !projected.visible[b]) {
             return false;
         }
-        if (state.rigid[s]) {
+        if (state.rigid[s] || state.fixed[a] && state.fixed[b]) {
             double radius = sizes.rod() * (projected.scale[a] + projected.scale[b]) / 2;
             shapes.tube(projected.x[a], projected.y[a], projected.near[a], projected.x[b], projected.y[b],
                     projected.near[b],
@@ -61,15 +64,20 @@ public final class SpringPainter {
         double rest = state.restLength[s];
         double strain = rest > 0 ? (length - rest) / rest : length > 0 ? look.strainRange() : 0;
         int rgb = Colours.ofStrain(strain, look.strainRange());
-        if (sizes.coils() && length > 4 * sizes.wire() && rest > 0) {
+        if (sizes.isCoil(state, s) && length > 4 * sizes.wire() && rest > 0) {
             return paintCoil(p, 3 * a, dx / length, dy / length, dz / length, length, rest, rgb);
         }
         double radius = sizes.tube() * (projected.scale[a] + projected.scale[b]) / 2;
-        return shapes.tube(projected.x[a], projected.y[a], projected.near[a], projected.x[b], projected.y[b],
-                projected.near[b], radius, rgb);
+        return shapes.tube(projected.x[a], projected.y[a], lifted(projected, a), projected.x[b], projected.y[b],
+                lifted(projected, b), radius, rgb);
     }
 
-    /** A helix around the line from particle to particle; its number of turns is that of the spring, at any stretch. */
+    /** A little nearer, so that a surface that the springs span does not hide half of each. */
+    private double lifted(ProjectedParticles projected, int i) {
+        return view.nearness(projected.depth[i] - LIFT * view.viewHeight);
+    }
+
+    /** Draws a helix from particle to particle; the number of turns does not change with length. */
     private boolean paintCoil(double[] p, int at, double ex, double ey, double ez, double length, double rest,
             int rgb) {
         // two directions across, the first of them as far as possible towards the viewer

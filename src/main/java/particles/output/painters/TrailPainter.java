@@ -6,17 +6,18 @@ import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
 import particles.output.raster.Raster;
 
-/** Draws where particles were as lines that fade, over the picture and behind what is nearer. */
+/** Draws the past paths of particles as fading lines, hidden by anything nearer. */
 public final class TrailPainter {
-    /** How opaque a line is where the particle is now. */
+    /** The opacity of a line at the particle. */
     private static final double STRONGEST = 0.85;
-    /** Half the line's width, in parts of the picture's height. */
+    /** Half the line's width, relative to the picture's height. */
     private static final double HALF_WIDTH = 0.0018;
 
     private final CameraProjection view;
     private final double duration;
     private final double half;
     private final float[] cover;
+    private final int[] colours;
     private int top;
     private int bottom;
 
@@ -25,6 +26,7 @@ public final class TrailPainter {
         this.duration = duration;
         half = Math.max(0.7, HALF_WIDTH * view.height);
         cover = new float[view.width * view.height];
+        colours = new int[cover.length];
     }
 
     public void paint(FrameState state, VisibilityFilter shown, int rgb, Raster raster, Backdrop backdrop,
@@ -36,18 +38,18 @@ public final class TrailPainter {
         bottom = 0;
         for (int i = 0; i < state.particles; i++) {
             if (!state.fixed[i] && shown.particle(i)) {
-                follow(state, i, raster, backdrop);
+                follow(state, i, state.colour(i, rgb), raster, backdrop);
             }
         }
         for (int p = top * view.width; p < bottom * view.width; p++) {
             if (cover[p] > 0) {
-                pixels[p] = Colours.mix(pixels[p], rgb, cover[p]);
+                pixels[p] = Colours.mix(pixels[p], colours[p], cover[p]);
             }
         }
     }
 
-    /** Back in time from where a particle is. */
-    private void follow(FrameState state, int i, Raster raster, Backdrop backdrop) {
+    /** Draws one path backwards in time from the particle. */
+    private void follow(FrameState state, int i, int rgb, Raster raster, Backdrop backdrop) {
         double[] from = point(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
         double fromShare = 1;
         int index = state.trailIndex.length == 0 ? i : state.trailIndex[i];
@@ -56,14 +58,14 @@ public final class TrailPainter {
             float[] places = sample.places();
             double[] to = point(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
             double share = 1 - (state.time - sample.time()) / duration;
-            line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), raster, backdrop);
+            line(from, to, STRONGEST * fromShare, STRONGEST * Math.max(0, share), rgb, raster, backdrop);
             from = to;
             fromShare = share;
             index = sample.earlier(index);
         }
     }
 
-    /** @return the place in the picture (pixels) and the nearness there, or not a number where it cannot be drawn */
+    /** @return the picture coordinates (pixels) and nearness, or NaN if it cannot be drawn */
     private double[] point(double x, double y, double z) {
         double depth = view.depth(x, y, z);
         double scale = view.scale(depth);
@@ -71,7 +73,8 @@ public final class TrailPainter {
             view.nearness(depth)};
     }
 
-    private void line(double[] a, double[] b, double opacityA, double opacityB, Raster raster, Backdrop backdrop) {
+    private void line(double[] a, double[] b, double opacityA, double opacityB, int rgb, Raster raster,
+            Backdrop backdrop) {
         double dx = b[0] - a[0];
         double dy = b[1] - a[1];
         double square = dx * dx + dy * dy;
@@ -94,13 +97,14 @@ public final class TrailPainter {
                 if (offSquare >= reach * reach) {
                     continue;
                 }
-                // of pixels: hypot guards against what cannot be, at ten times the cost
+                // sqrt is enough for pixels and ten times faster than hypot
                 double off = Math.sqrt(offSquare);
                 float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
                 int p = y * view.width + x;
                 double near = a[2] + along * (b[2] - a[2]);
                 if (covered > cover[p] && near > backdrop.near(p) && near > raster.nearAt(x, y)) {
                     cover[p] = covered;
+                    colours[p] = rgb;
                     top = Math.min(top, y);
                     bottom = Math.max(bottom, y + 1);
                 }

@@ -28,8 +28,7 @@ public final class Colours {
         if (Double.isNaN(part)) {
             return AT_REST;
         }
-        // the square root sets small strains off from rest
-        return mix(AT_REST, part < 0 ? COMPRESSED : STRETCHED, Math.sqrt(Math.min(1, Math.abs(part))));
+        return mix(AT_REST, part < 0 ? COMPRESSED : STRETCHED, Math.min(1, Math.abs(part)));
     }
 
     /** @return the colour under so much light, and a highlight of white on top */

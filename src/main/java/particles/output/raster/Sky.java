@@ -2,25 +2,27 @@ package particles.output.raster;
 
 import java.awt.Color;
 
-/** The light in which a scene stands: what is behind it, and in which ink words are written. */
+/** Day or night: colours of the background, the grid and text. */
 public enum Sky {
-    DAY(0xa9c3dc, 0xf1f2f0, 0xdde2e6, 0xe8e4dc, 0xc9c3b8, 0x2b3440, 0x5a6572, 0xb3261e),
-    NIGHT(0x080b14, 0x1d2433, 0x0e1119, 0x23252b, 0x34373f, 0xe9e6df, 0xa9afb9, 0xff8a80);
+    DAY(0xa9c3dc, 0xf1f2f0, 0xdde2e6, 0xe8e4dc, 0xc9c3b8, 0x2b3440, 0x5a6572, 0xb3261e, 0xf4f6f8),
+    NIGHT(0x080b14, 0x1d2433, 0x0e1119, 0x23252b, 0x34373f, 0xe9e6df, 0xa9afb9, 0xff8a80, 0x10141f);
 
     final int top;
     public final int horizon;
     final int bottom;
     public final int ground;
-    /** Of the grid on the ground. */
+    /** The colour of the grid on the ground. */
     final int line;
     public final Color ink;
-    /** Of words that matter less. */
+    /** The colour of less important text. */
     public final Color soft;
-    /** Of words that must not be missed. */
+    /** The colour of warnings. */
     public final Color warning;
+    /** Around words that stand beside things. */
+    public final Color halo;
 
     Sky(int top, int horizon, int bottom, int ground, int line, int ink, int soft,
-            int warning) {
+            int warning, int halo) {
         this.top = top;
         this.horizon = horizon;
         this.bottom = bottom;
@@ -29,6 +31,7 @@ public enum Sky {
         this.ink = new Color(ink);
         this.soft = new Color(soft);
         this.warning = new Color(warning);
+        this.halo = new Color(halo);
     }
 
     public static Sky of(boolean night) {

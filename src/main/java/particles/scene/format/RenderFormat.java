@@ -14,9 +14,9 @@ import particles.spec.messages.Problems;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 
-/** What a scene says of how it is drawn. */
+/** The keys of how a scene is drawn. */
 public final class RenderFormat {
-    private static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
+    static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
     private static final List<String> SHOWN = Arrays.stream(RenderOptions.Shown.values()).map(RenderFormat::nameOf)
             .toList();
     private static final List<String> KINDS = Arrays.stream(ParticleStyle.Kind.values()).map(RenderFormat::nameOf)
@@ -56,9 +56,15 @@ public final class RenderFormat {
     static final Key<String> BACK_COLOUR = colour("backColour", STANDARD.backColour(), "The colour of a"
             + " surface's back.");
 
+    static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.between(0, 1000, "s"), 0.0,
+            "Draws an arrow along each particle's velocity, as long as the way it would go in this time (s); 0 for"
+                    + " no arrows.");
+    public static final Key<List<Values>> MARKS = Key.withDefault("marks", ListType.of("a mark", MarkFormat.TYPE),
+            List.of(), "Particles with a colour, a size or a label of their own.");
+
     static final MappingType TYPE = MappingType.of("the look", PARTICLES, PARTICLES_AS, AGE_COLOURS, TRAIL, SKY,
             SPRINGS, PARTICLE_RADIUS, STRAIN_RANGE,
-            PARTICLE_COLOUR, FIXED_COLOUR, FRONT_COLOUR, BACK_COLOUR);
+            PARTICLE_COLOUR, FIXED_COLOUR, FRONT_COLOUR, BACK_COLOUR, VELOCITY_ARROWS, MARKS);
 
     private RenderFormat() {
     }
@@ -74,10 +80,11 @@ public final class RenderFormat {
         List<Integer> colours = values.find(AGE_COLOURS).map(all -> all.stream().map(RenderFormat::rgb).toList())
                 .orElse(ParticleStyle.STANDARD.ageColours());
         boolean night = values.find(SKY).map("night"::equals).orElse(kind == ParticleStyle.Kind.GLOW);
-        return new ParticleStyle(kind, colours, values.get(TRAIL), night);
+        return new ParticleStyle(kind, colours, values.get(TRAIL), night, values.get(VELOCITY_ARROWS),
+                values.get(MARKS).stream().map(MarkFormat::of).toList());
     }
 
-    /** Says what does not go together. */
+    /** Reports keys that cannot be combined. */
     public static void check(Values values, Problems problems) {
         if (!values.isGiven(AGE_COLOURS) || !values.isIntact(AGE_COLOURS)) {
             return;
@@ -98,7 +105,7 @@ public final class RenderFormat {
         return Key.withDefault(name, COLOUR, String.format("#%06x", standard), sentence);
     }
 
-    private static int rgb(String colour) {
+    static int rgb(String colour) {
         return Integer.parseInt(colour.substring(1), 16);
     }
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.law.Vector3;
+import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -26,12 +27,12 @@ import particles.view.ChartData;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 
-/** A machine without any font: frames without words, and one clear line for a chart. */
+/** On a machine without fonts, frames have no text and a chart is one clear error. */
 class FontCheckTest {
     @TempDir
     Path top;
 
-    /** What runs in a Java of its own: fonts are looked for once in the life of one. */
+    /** The program of a child process: a JVM looks for fonts only once. */
     public static final class Drawing {
         private Drawing() {
         }
@@ -50,7 +51,8 @@ class FontCheckTest {
                 }
                 for (int k = 0; k < 2; k++) {
                     try {
-                        ChartWriter.write(folder, "chart.png", new ChartData("t", "x", "y", false, false, List.of()));
+                        new ChartWriter(folder, ChartFormat.PAGE).write("chart.png",
+                                List.of(new ChartData("t", "x", "y", false, false, List.of())));
                     } catch (OutputException e) {
                         System.out.println(e.getMessage());
                     }

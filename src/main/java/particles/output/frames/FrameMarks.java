@@ -1,0 +1,139 @@
+package particles.output.frames;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import particles.output.painters.FrameState;
+import particles.output.raster.CameraProjection;
+import particles.output.raster.Sky;
+import particles.output.text.FontCheck;
+import particles.view.ParticleStyle;
+
+/** Arrows along velocities and the labels of particles, drawn over the picture so that nothing hides them. */
+final class FrameMarks {
+    private static final Color ARROW = new Color(0x009e73);
+    /** Farther out, in pixels, nothing is drawn. */
+    private static final double FARTHEST = 1e5;
+    private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
+
+    private final CameraProjection view;
+    private final ParticleStyle style;
+    private final Sky sky;
+    private final float unit;
+
+    /** A particle's label: its left end, and its baseline from the top (pixels). */
+    private record Label(String text, double x, double y) {
+    }
+
+    FrameMarks(CameraProjection view, ParticleStyle style) {
+        this.view = view;
+        this.style = style;
+        sky = Sky.of(style.night());
+        unit = Math.max(0.5f, view.height / 720f);
+    }
+
+    /** @param ball the radius of a ball (m) */
+    void draw(Graphics2D g, FrameState state, double ball) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        if (style.arrows() > 0) {
+            drawArrows(g, state);
+        }
+        if (FontCheck.isAvailable()) {
+            g.setFont(font());
+            for (Label label : labels(state, ball)) {
+                g.setColor(sky.halo);
+                for (int k = 0; k < 8; k++) {
+                    double angle = Math.PI / 4 * k;
+                    g.drawString(label.text, (float) (label.x + 1.6 * unit * Math.cos(angle)),
+                            (float) (label.y + 1.6 * unit * Math.sin(angle)));
+                }
+                g.setColor(sky.ink);
+                g.drawString(label.text, (float) label.x, (float) label.y);
+            }
+        }
+    }
+
+    /** @return the rectangles that labels take up (pixels) */
+    List<Rectangle2D> boxes(FrameState state, double ball) {
+        List<Rectangle2D> boxes = new ArrayList<>();
+        for (Label label : labels(state, ball)) {
+            Rectangle2D box = font().getStringBounds(label.text, SMOOTH);
+            boxes.add(new Rectangle2D.Double(label.x, label.y + box.getY(), box.getWidth(), box.getHeight()));
+        }
+        return boxes;
+    }
+
+    private Font font() {
+        return FontCheck.font(Font.PLAIN, 18 * unit);
+    }
+
+    /** To the right of the ball, or to its left where the picture ends. */
+    private List<Label> labels(FrameState state, double ball) {
+        List<Label> labels = new ArrayList<>();
+        for (int i = 0; i < state.particles; i++) {
+            String text = state.label(i);
+            Optional<double[]> seen = text.isEmpty() ? Optional.empty() : place(state, i, 0);
+            if (seen.isPresent()) {
+                double[] place = seen.get();
+                double away = state.radius(i, ball) * place[2] + 6 * unit;
+                double width = font().getStringBounds(text, SMOOTH).getWidth();
+                boolean fits = place[0] + away + width < view.width;
+                labels.add(new Label(text, fits ? place[0] + away : place[0] - away - width, place[1] + 6 * unit));
+            }
+        }
+        return labels;
+    }
+
+    private void drawArrows(Graphics2D g, FrameState state) {
+        g.setColor(ARROW);
+        for (int i = 0; i < state.particles; i++) {
+            Optional<double[]> from = place(state, i, 0);
+            Optional<double[]> to = place(state, i, style.arrows());
+            if (!state.fixed[i] && from.isPresent() && to.isPresent()) {
+                double[] start = from.get();
+                drawArrow(g, start[0], start[1], to.get()[0] - start[0], to.get()[1] - start[1]);
+            }
+        }
+    }
+
+    private void drawArrow(Graphics2D g, double x, double y, double dx, double dy) {
+        double length = Math.sqrt(dx * dx + dy * dy);
+        if (!(length > unit) || !(length < FARTHEST)) {
+            return;
+        }
+        double head = Math.min(length, 15 * unit);
+        double ex = dx / length;
+        double ey = dy / length;
+        g.setStroke(new BasicStroke(3 * unit, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND));
+        g.draw(new Line2D.Double(x, y, x + dx - 0.9 * head * ex, y + dy - 0.9 * head * ey));
+        Path2D tip = new Path2D.Double();
+        tip.moveTo(x + dx, y + dy);
+        tip.lineTo(x + dx - head * ex - 0.45 * head * ey, y + dy - head * ey + 0.45 * head * ex);
+        tip.lineTo(x + dx - head * ex + 0.45 * head * ey, y + dy - head * ey - 0.45 * head * ex);
+        tip.closePath();
+        g.fill(tip);
+    }
+
+    /** @return pixels from the left and from the top, and pixels per metre, if it can be drawn */
+    private Optional<double[]> place(FrameState state, int i, double seconds) {
+        double[] at = new double[3];
+        for (int c = 0; c < 3; c++) {
+            at[c] = state.positions[3 * i + c] + (seconds > 0 ? seconds * state.velocities[3 * i + c] : 0);
+        }
+        double depth = view.depth(at[0], at[1], at[2]);
+        double scale = view.scale(depth);
+        double[] place = {view.x(at[0], at[1], at[2], scale), view.y(at[0], at[1], at[2], scale), scale};
+        boolean near = Math.abs(place[0]) < FARTHEST && Math.abs(place[1]) < FARTHEST;      // false for NaN
+        return view.isInFront(depth) && near ? Optional.of(place) : Optional.empty();
+    }
+}

@@ -1,0 +1,32 @@
+package particles.scene.format;
+
+import java.util.OptionalInt;
+import particles.scene.parts.SpringDescription;
+import particles.spec.Key;
+import particles.spec.MappingType;
+import particles.spec.NumberType;
+import particles.spec.TextType;
+import particles.spec.Values;
+import particles.view.ParticleMark;
+
+/** What a scene says of how one particle is drawn. */
+public final class MarkFormat {
+    public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
+            "The particle that is drawn in this way.");
+    static final Key<String> COLOUR = Key.optional("colour", RenderFormat.COLOUR,
+            "Its colour, and that of its trail; by default that of its kind.");
+    static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
+            "The radius of its ball (m); 0 for that of all others.");
+    static final Key<String> LABEL = Key.optional("label", TextType.prose(), "What is written beside it.");
+
+    static final MappingType TYPE = MappingType.of("a mark", PARTICLE, COLOUR, RADIUS, LABEL);
+
+    private MarkFormat() {
+    }
+
+    static ParticleMark of(Values values) {
+        OptionalInt colour = values.find(COLOUR).map(RenderFormat::rgb).map(OptionalInt::of)
+                .orElse(OptionalInt.empty());
+        return new ParticleMark(values.get(PARTICLE), colour, values.get(RADIUS), values.find(LABEL).orElse(""));
+    }
+}

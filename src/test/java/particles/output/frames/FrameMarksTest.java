@@ -1,0 +1,131 @@
+package particles.output.frames;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import particles.ParticleSystem;
+import particles.effects.springs.SpringForce;
+import particles.law.Vector3;
+import particles.output.painters.DrawnSizes;
+import particles.output.painters.FrameState;
+import particles.output.raster.CameraProjection;
+import particles.view.Camera;
+import particles.view.ParticleMark;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+
+/** Particles with a colour, a size and a label of their own, and arrows, in pictures of 20 pixels a metre. */
+class FrameMarksTest {
+    private static final int W = 320;
+    private static final int H = 200;
+    private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0,
+            10);
+    private static final double RADIUS = 1;
+
+    private static ParticleStyle style(double arrows, ParticleMark... marks) {
+        return new ParticleStyle(ParticleStyle.Kind.BALLS, ParticleStyle.STANDARD.ageColours(), 0, false, arrows,
+                List.of(marks));
+    }
+
+    private static FrameState state(ParticleStyle style, double x) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("plain", 1, new Vector3(-4, 0, 0), Vector3.ZERO, false);
+        system.addParticle("marked", 1, new Vector3(x, 0, 0), new Vector3(3, 0, 0), false);
+        FrameState state = new FrameState();
+        state.take(system.getOwnState(), 2, 0, style.arrows() > 0);
+        state.takeStructure(system, false, style.marks());
+        return state;
+    }
+
+    private static int[] picture(ParticleStyle style) {
+        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, RADIUS, 0.1,
+                0x0000ff, 0, 0, 0, style);
+        FrameRenderer renderer = new FrameRenderer(new FrameSetup(FRONT, look, Scenery.NONE, "", ""), W, H,
+                Optional.empty());
+        return renderer.render(state(style, 2));
+    }
+
+    private static long count(int[] picture, IntPredicate colour) {
+        long count = 0;
+        for (int rgb : picture) {
+            count += colour.test(rgb) ? 1 : 0;
+        }
+        return count;
+    }
+
+    private static boolean isRed(int rgb) {
+        return (rgb >> 16 & 255) > 60 + (rgb & 255);
+    }
+
+    private static boolean isBlue(int rgb) {
+        return (rgb & 255) > 90 + (rgb >> 8 & 255);
+    }
+
+    /** Discs of radius 20 and 40 pixels; the highlight in the middle and the edges, some per cent, are neither. */
+    @Test
+    void aMarkedParticleHasItsOwnColourAndSize() {
+        int[] picture = picture(style(0, new ParticleMark("marked", OptionalInt.of(0xff0000), 2 * RADIUS, "")));
+        double disc = Math.PI * 20 * 20;
+        assertEquals(disc, count(picture, FrameMarksTest::isBlue), 0.1 * disc);
+        assertEquals(4 * disc, count(picture, FrameMarksTest::isRed), 0.4 * disc);
+        assertEquals(0, count(picture(style(0)), FrameMarksTest::isRed));
+    }
+
+    /** From the middle of the ball at x = 2 m, pixel 200, 3 m/s for 0.8 s: 48 pixels. */
+    @Test
+    void anArrowIsAsLongAsTheWayInItsTime() {
+        int[] picture = picture(style(0.8));
+        int last = 0;
+        for (int p = 0; p < picture.length; p++) {
+            boolean green = (picture[p] >> 8 & 255) > 60 + (picture[p] >> 16 & 255) && !isBlue(picture[p]);
+            last = green ? Math.max(last, p % W) : last;
+        }
+        assertEquals(248, last, 2);             // the tip itself is narrower than a pixel
+    }
+
+    @Test
+    void aLabelStandsBesideItsParticleAndInThePicture() {
+        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
+        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
+        Rectangle2D right = marks.boxes(state(style, 2), RADIUS).get(0);
+        assertTrue(right.getMinX() > 220 && right.getMinX() < 230, right.toString());   // the ball ends at 220
+        assertTrue(right.getMinY() < 100 && right.getMaxY() > 100, right.toString());
+        Rectangle2D left = marks.boxes(state(style, 6.8), RADIUS).get(0);
+        assertTrue(left.getMaxX() < 160 + 20 * 5.8 && left.getMinX() > 0, left.toString());
+    }
+
+    /** 41 springs are too many for coils, but a hundred times softer than the others is told from them. */
+    @Test
+    void softSpringsAmongManyStiffOnesAreCoils() {
+        assertEquals(1, coils(41, 99));
+        assertEquals(0, coils(41, 101));
+        assertEquals(40, coils(40, 101), "few springs are all coils");
+    }
+
+    /** A chain with one spring of its own stiffness among others of 10,000 N/m; how many coils are there? */
+    private static long coils(int count, double soft) {
+        ParticleSystem system = new ParticleSystem();
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int i = 0; i <= count; i++) {
+            system.addParticle("p" + i, 1, new Vector3(i, 0, 0), Vector3.ZERO, false);
+        }
+        for (int i = 0; i < count; i++) {
+            springs.addSpring(i, i + 1, i == 7 ? soft : 10_000, 1, 0);
+        }
+        system.addEffect(springs);
+        FrameState state = new FrameState();
+        state.take(system.getOwnState(), count + 1, 0);
+        state.takeStructure(system, false);
+        double below = DrawnSizes.of(state, RenderOptions.STANDARD, 10).coilBelow();
+        return springs.springCount() == count ? IntStream.range(0, count)
+                .filter(s -> state.stiffness[s] < below).count() : -1;
+    }
+}
