@@ -47,16 +47,16 @@ class ArchitectureTest {
             particles.app:                 particles.app.cli particles.app.experiments particles.app.run
                                            particles.app.student
             particles.app.cli:             deSolvers deSolvers.catalog particles particles.experiments.runs
-                                           particles.output.files particles.scene picocli
+                                           particles.output.charts particles.output.files particles.scene picocli
             particles.app.experiments:     deSolvers.catalog particles particles.app.cli particles.app.student
                                            particles.experiments.energy particles.experiments.lecture
                                            particles.experiments.phase particles.experiments.race
                                            particles.experiments.runs particles.experiments.spectrum
                                            particles.experiments.stability particles.experiments.work particles.law
-                                           particles.messages particles.output.animation particles.output.files
-                                           particles.output.frames particles.output.race particles.output.raster
-                                           particles.output.report particles.output.text particles.scene
-                                           particles.scene.format particles.view picocli
+                                           particles.messages particles.output.animation particles.output.charts
+                                           particles.output.files particles.output.frames particles.output.race
+                                           particles.output.raster particles.output.report particles.output.text
+                                           particles.scene particles.scene.format particles.view picocli
             particles.app.run:             deSolvers.catalog particles particles.app.cli particles.app.student
                                            particles.experiments.energy particles.experiments.phase
                                            particles.experiments.runs particles.lab particles.law particles.messages
@@ -64,7 +64,8 @@ class ArchitectureTest {
                                            particles.output.frames particles.output.raster particles.scene
                                            particles.scene.format particles.threads particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.law
-                                           particles.output.files particles.output.report particles.output.text
+                                           particles.output.charts particles.output.files particles.output.report
+                                           particles.output.text
                                            particles.spec particles.teaching particles.teaching.effects
                                            particles.teaching.exercises particles.teaching.figures
                                            particles.teaching.marking particles.teaching.solvers particles.view
@@ -102,7 +103,7 @@ class ArchitectureTest {
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
                                            org.jcodec
             particles.output.charts:       particles.output.files particles.output.text particles.view java.awt
-                                           org.jfree
+                                           javax.xml org.apache.batik org.jfree org.w3c.dom
             particles.output.files:        particles particles.law com.fasterxml.jackson
             particles.output.frames:       particles particles.law particles.output.files particles.output.painters
                                            particles.output.raster particles.output.text particles.view java.awt
@@ -112,7 +113,7 @@ class ArchitectureTest {
                                            particles.output.text particles.view java.awt
             particles.output.raster:       particles particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
-                                           particles.view java.awt javax.xml org.jfree
+                                           particles.view javax.xml
             particles.output.text:         particles.output.files particles.view java.awt org.jfree
             particles.reactions:           particles particles.law particles.reactions.algebra
                                            particles.reactions.contact particles.reactions.wires particles.view

@@ -39,20 +39,20 @@ public abstract class Type<T> {
         return read(node, "the value", new Reading(option, problems));
     }
 
-    /** @return what is allowed, to follow "it has to be": {@code a number over 0 (kg)} */
+    /** @return what is allowed; text that follows "it has to be": {@code a number over 0 (kg)} */
     public abstract String describe();
 
-    /** @return any value of this type, to try something out with; nothing if none is known */
+    /** @return a sample value of this type for trials; empty if there is none */
     Optional<T> sample() {
         return Optional.empty();
     }
 
-    /** @return the keywords of the JSON Schema that allow the same */
+    /** @return the JSON Schema of this type */
     abstract Map<String, Object> schema();
 
     /**
      * @param value a value of this type
-     * @return the value as JSON has it: a number, text, boolean or list
+     * @return the value as JSON: a number, text, boolean or list
      */
     Object toJson(T value) {
         return value;

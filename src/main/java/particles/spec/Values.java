@@ -6,7 +6,7 @@ import java.util.NoSuchElementException;
 import java.util.Optional;
 import particles.spec.messages.Place;
 
-/** What a mapping of a file says: the values of its keys and where they stand. */
+/** The values of a mapping in a file, by key, with their places. */
 public final class Values {
     private record Found(Optional<?> value, Place place, boolean intact) {
     }
@@ -20,7 +20,7 @@ public final class Values {
         this.place = place;
     }
 
-    /** @return what a mapping without any key says, at a place that only messages see */
+    /** @return the values of an empty mapping; the place is used only in messages */
     public static Values none(Place place) {
         return new Values(place);
     }
@@ -40,7 +40,7 @@ public final class Values {
 
     /**
      * @param key a key of the mapping
-     * @return its value, or its default; nothing if it has neither or if what stands there is wrong
+     * @return its value, or its default; empty if it has neither or its value is wrong
      */
     @SuppressWarnings("unchecked")                      // put() ties each key to a value of its type
     public <T> Optional<T> find(Key<T> key) {
@@ -56,7 +56,7 @@ public final class Values {
         return find(key).orElseThrow(() -> new NoSuchElementException("'" + key.name() + "' has no value at " + place));
     }
 
-    /** @return whether the key stands in the file, with a right value or a wrong one */
+    /** @return whether the key is in the file, with a right or wrong value */
     public boolean isGiven(Key<?> key) {
         return found.containsKey(key);
     }

@@ -8,7 +8,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import particles.law.Vector3;
 
-/** A vector in space, written [x, y, z]. */
+/** The type of a vector, written [x, y, z]. */
 public final class VectorType extends Type<Vector3> {
     private final NumberType component;
     private final String description;

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 
-/** A whole number in a range; 20.0 and 2e1 are 20. */
+/** The type of a whole number in a range; 20.0 and 2e1 count as 20. */
 public final class WholeNumberType extends Type<Integer> {
     private final int least;
     private final int most;

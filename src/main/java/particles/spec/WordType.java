@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 
-/** Any single value, a number or a text, kept as it was written. */
+/** The type of any single value, a number or a text, kept as written. */
 public final class WordType extends Type<String> {
     private final String description;
 
@@ -15,7 +15,7 @@ public final class WordType extends Type<String> {
 
     /**
      * @param description what it is, with what is allowed
-     * @return values of which the reader looks at nothing but that each is one
+     * @return a type that accepts any single value unchecked
      */
     public static WordType of(String description) {
         return new WordType(description);

@@ -37,7 +37,7 @@ public final class CheckProcess {
         assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
         assertEquals(ExitCode.BAD_INPUT.code(), process.exitValue(), screen);
         String report = Files.readString(folder.resolve(command + ".md"));
-        assertTrue(report.startsWith("# " + planted.getName() + ": the check did not come to its end."), report);
+        assertTrue(report.startsWith("# " + planted.getName() + ": the check did not finish."), report);
         assertEquals(planted.getSimpleName(), screen.lines().findFirst().orElseThrow()
                 .replaceFirst("(.*[.$])?(\\w+): wrong.*",
                 "$2"), "the verdict comes first: " + screen);

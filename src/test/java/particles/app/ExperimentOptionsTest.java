@@ -8,25 +8,44 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
+import particles.app.cli.ProgramCommand;
 import particles.app.run.StopRequest;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
 
 /** What cannot be measured is refused in one line, before any file is written. */
 class ExperimentOptionsTest {
     @TempDir
     Path top;
 
+    /** Which commands draw charts is known of each; where there are none, the options would do nothing. */
+    @Test
+    void chartsAreSlidesAndSvgOnlyWhereThereAreCharts() {
+        Set<String> expected = Set.of("run", "lectureFigures", "energyDrift", "workPrecision", "stiffGallery",
+                "phasePlots", "stability", "effectCost", "race", "report", "checkSolver");
+        for (ProgramCommand command : Main.commands(OptionStyle.GRADLE, new StopRequest())) {
+            CommandSpec spec = new CommandLine(command).getCommandSpec();
+            for (String option : List.of("--slide", "--svg")) {
+                assertEquals(expected.contains(spec.name()), spec.findOption(option) != null, spec.name() + option);
+            }
+        }
+    }
+
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
         "phasePlots     | -Pparticles=blok    | option -Pparticles: the scene has no particle 'blok'; did you mean"
                 + " 'block'?",
         "phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''",
-        "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be made made made of the letters x, y and z",
+        "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be made of the letters x, y and z",
         "phasePlots     | -Psolvers=rk5       | option -Psolvers: no solver is called 'rk5'; did you mean 'rk4'?",
         "phasePlots     | -Pscene=27          | option -Pscene: at its start this scene has no free particle",
         "phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?",

@@ -1,14 +1,14 @@
 package particles.app.cli;
 
-/** How the program ends, for scripts to read. */
+/** The exit codes of the program. */
 public enum ExitCode {
-    /** All was done. */
+    /** Success. */
     DONE(0),
-    /** An error of the program's own, or trouble with files, such as a full disk. */
+    /** An internal error, or a problem with files, such as a full disk. */
     TROUBLE(1),
-    /** An option, a scene or an exercise that is not valid. */
+    /** An invalid option, scene or exercise. */
     BAD_INPUT(2),
-    /** The simulation stopped, because its numbers had blown up. */
+    /** The simulation stopped early, for example because it blew up. */
     STOPPED(3);
 
     private final int code;

@@ -2,7 +2,7 @@ package particles.app.cli;
 
 import java.util.List;
 
-/** What a person can put right, said in lines that need no stack trace. */
+/** A failure that the user can fix, reported in lines without a stack trace. */
 public final class Failure extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
@@ -10,7 +10,7 @@ public final class Failure extends RuntimeException {
     private final transient List<String> lines;
 
     /**
-     * @param exitCode how the program ends
+     * @param exitCode the exit code
      * @param lines    what is wrong, each line clear on its own
      */
     public Failure(ExitCode exitCode, List<String> lines) {
@@ -20,7 +20,7 @@ public final class Failure extends RuntimeException {
     }
 
     /**
-     * @param exitCode how the program ends
+     * @param exitCode the exit code
      * @param line     what is wrong
      */
     public Failure(ExitCode exitCode, String line) {

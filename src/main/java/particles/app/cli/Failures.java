@@ -14,20 +14,20 @@ import particles.SimulationException;
 import particles.output.files.OutputException;
 import particles.scene.SceneException;
 
-/** What becomes of an exception: what can be expected to go wrong is a clear line each, anything else a stack trace. */
+/** Prints exceptions: expected failures as clear lines, anything else with a stack trace. */
 public final class Failures {
     private final PrintWriter err;
 
-    /** @param err where lines and stack traces go */
+    /** @param err the error stream */
     public Failures(PrintWriter err) {
         this.err = err;
     }
 
     /**
-     * Prints what went wrong.
+     * Prints an exception.
      *
      * @param thrown what a command threw
-     * @return how the program ends
+     * @return the exit code
      */
     public ExitCode print(Throwable thrown) {
         if (thrown instanceof Failure failure) {
@@ -65,9 +65,7 @@ public final class Failures {
         return ExitCode.TROUBLE;
     }
 
-    /**
-     * Java's own messages are often the bare name of a file, or say only by their class or their cause what happened.
-     */
+    /** Java's own messages are often only a file name; the exception's class or cause says what happened. */
     private static String line(IOException e) {
         if (e instanceof FileSystemException file && file.getReason() == null) {
             return file.getFile() + ": " + reason(file);

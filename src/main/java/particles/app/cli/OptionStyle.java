@@ -1,14 +1,11 @@
 package particles.app.cli;
 
-/**
- * How the person at the keyboard writes an option: {@code -Pscene=2} for gradle, {@code --scene=2} for the start
- * script.
- */
+/** How the user types an option: {@code -Pscene=2} with gradle, {@code --scene=2} with the start script. */
 public enum OptionStyle {
     SHELL("--"),
     GRADLE("-P");
 
-    /** The system property by which build.gradle says that it started the program. */
+    /** The system property that build.gradle sets. */
     public static final String STARTED_BY = "desolver.startedBy";
 
     private final String prefix;
@@ -23,21 +20,21 @@ public enum OptionStyle {
 
     /**
      * @param name an option's name, with or without dashes or -P before it
-     * @return the option as it is to be typed
+     * @return the option as the user types it
      */
     public String option(String name) {
         return prefix + bare(name);
     }
 
     /**
-     * @param found an option as the program got it, with or without =value
-     * @return the option as the person typed it, without the value
+     * @param found an option as the program received it, with or without =value
+     * @return the option as the user typed it, without the value
      */
     String typed(String found) {
         return this == GRADLE ? option(found) : found.replaceFirst("=.*", "");
     }
 
-    /** @return the text of the command line's own help, with the options as they are to be typed */
+    /** @return the help text, with options as the user types them */
     String help(String text) {
         return text.replaceAll("(?<![\\w-])--(?=\\w)", prefix);
     }

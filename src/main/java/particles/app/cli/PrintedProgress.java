@@ -4,7 +4,7 @@ import java.io.PrintWriter;
 import java.util.function.LongSupplier;
 import particles.experiments.runs.ProgressListener;
 
-/** Says how far an experiment is: a line every two seconds at most, none where it is short. */
+/** Prints the progress of an experiment: at most one line every two seconds, none for short ones. */
 public final class PrintedProgress implements ProgressListener {
     private static final double NANO = 1e-9;
     private static final double PAUSE = 2;

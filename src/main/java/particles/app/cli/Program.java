@@ -7,7 +7,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParseResult;
 
-/** The program as a function: commands, arguments and two streams in, an exit code out. */
+/** Runs a command from its arguments and returns the exit code. */
 public final class Program {
     private final List<ProgramCommand> commands;
     private final OptionStyle style;
@@ -15,11 +15,10 @@ public final class Program {
     private final PrintWriter err;
 
     /**
-     * @param commands what it can do; each is used for one call of {@link #execute} only, as it holds that call's
-     *                 options
-     * @param style    how options are written in what is printed
+     * @param commands the commands; each can be executed only once, since it holds its options
+     * @param style    how options are written in messages
      * @param out      where results go
-     * @param err      where it goes what is wrong
+     * @param err      the error stream
      */
     public Program(List<ProgramCommand> commands, OptionStyle style, PrintWriter out, PrintWriter err) {
         this.commands = commands;
@@ -30,7 +29,7 @@ public final class Program {
 
     /**
      * @param args a command's name and its options, {@code --name=value}
-     * @return how the program ends
+     * @return the exit code
      */
     public ExitCode execute(String... args) {
         ExitCode code = attempt(args);
@@ -71,14 +70,13 @@ public final class Program {
 
     private CommandLine commandLine(String... args) {
         CommandLine program = new CommandLine(new Root());
-        // Options are found by reflection, which takes a while for all commands: only where none is named are all
-        // needed.
+        // Finding options by reflection is slow, so it is done for all commands only if none is named.
         List<ProgramCommand> named = commands.stream().filter(command -> args.length > 0
                 && name(command).equals(args[0])).toList();
         for (ProgramCommand command : named.isEmpty() ? commands : named) {
             program.addSubcommand(name(command), new CommandLine(command));
         }
-        // No @file: a value is a value. All that is wrong is said in one go.
+        // No @file arguments; all errors are reported together.
         program.setExpandAtFiles(false);
         collectErrors(program.getCommandSpec());
         program.getSubcommands().values().forEach(line -> collectErrors(line.getCommandSpec()));

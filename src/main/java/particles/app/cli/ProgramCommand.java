@@ -3,16 +3,16 @@ package particles.app.cli;
 import java.io.PrintWriter;
 import picocli.CommandLine.Option;
 
-/** One thing the program can do: a class with {@code @Command} and its options as {@code @Option} fields. */
+/** Base class of a command: a class with {@code @Command} and {@code @Option} fields. */
 public abstract class ProgramCommand {
     @Option(names = "--help", usageHelp = true, description = "Shows these options.")
     private boolean help;
 
     /**
-     * Does it.
+     * Runs the command.
      *
      * @param out where results are printed
-     * @throws Exception what went wrong; {@link Failures} says what becomes of it
+     * @throws Exception any failure; {@link Failures} prints it
      */
     public abstract void run(PrintWriter out) throws Exception;
 }

@@ -13,7 +13,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** The lines about a command or an option that is not valid: what was found, what is allowed, and what may be meant. */
+/** Makes the messages for invalid commands and options: what was found, what is allowed, what may be meant. */
 final class UsageFailures {
     private final OptionStyle style;
 
@@ -22,7 +22,7 @@ final class UsageFailures {
     }
 
     /**
-     * @param errors what the command line parser found, all of it
+     * @param errors all errors of the command line parser
      * @return the lines
      */
     Failure of(List<Exception> errors) {

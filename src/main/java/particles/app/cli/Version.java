@@ -1,8 +1,8 @@
 package particles.app.cli;
 
-/** Which version of the program this is. */
+/** The version of the program. */
 public final class Version {
-    /** The version, as run.json has it; the same as in build.gradle. */
+    /** The version, written to run.json; equal to that in build.gradle. */
     public static final String CURRENT = "0.1.0";
 
     private Version() {

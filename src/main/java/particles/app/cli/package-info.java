@@ -1,4 +1,2 @@
-/**
- * What every command shares: options, exit codes, and failures as lines without stack traces.
- */
+/** Shared by all commands: options, exit codes, and failures as lines without stack traces. */
 package particles.app.cli;

@@ -7,7 +7,7 @@ import particles.experiments.work.EffectCost;
 import particles.experiments.work.EffectCost.Cost;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Picture;
+import particles.output.report.Picture;
 import particles.view.ChartData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;

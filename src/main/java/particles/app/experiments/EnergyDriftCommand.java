@@ -9,7 +9,7 @@ import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Picture;
+import particles.output.report.Picture;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

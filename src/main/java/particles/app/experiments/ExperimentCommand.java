@@ -2,16 +2,22 @@ package particles.app.experiments;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import particles.app.cli.ChartOptions;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
 import particles.experiments.runs.ProgressListener;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
 import particles.output.report.ResultPageWriter;
 import particles.output.text.TableText;
+import picocli.CommandLine.Mixin;
 
 /** A command that measures something: its page goes to build/out/NAME, its main table to the screen. */
 public abstract class ExperimentCommand extends ResultsCommand {
+    @Mixin
+    private final ChartOptions charts = new ChartOptions();
+
     /** @param style how options are typed, for messages */
     public ExperimentCommand(OptionStyle style) {
         super(style);
@@ -47,10 +53,13 @@ public abstract class ExperimentCommand extends ResultsCommand {
      */
     final ResultPage writeInto(Path path, ProgressListener progress) {
         try (OutputFolder folder = OutputFolder.open(path, name() + ".md")) {
-            ResultPage page = measure(folder, progress);
-            ResultPageWriter.write(folder, page);
-            return page;
+            return ResultPageWriter.write(folder, measure(folder, progress), charts.format());
         }
+    }
+
+    /** @return what its charts are for */
+    protected final ChartFormat format() {
+        return charts.format();
     }
 
     /** Looks at the options before anything is written or removed. */

@@ -14,8 +14,8 @@ import particles.experiments.lecture.LectureFigures;
 import particles.experiments.runs.ProgressListener;
 import particles.messages.Digits;
 import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage.Panel;
-import particles.output.report.ResultPage.Picture;
+import particles.output.charts.Panel;
+import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -27,7 +27,6 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     static final String NAME = "lectureFigures";
 
     private static final int MOST_STEPS = 200_000;
-    private static final int COLUMNS = 3;
     private static final double DELTA_T = 0.4;
     private static final int STEPS = 100;
 
@@ -87,22 +86,22 @@ public final class LectureFiguresCommand extends ExperimentCommand {
         List<Panel> panels = new ArrayList<>();
         pictures.add(Picture.phase("vector-field", "The vector field of x'' = -x, and the one solution through (1, 0).",
                 LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))));
-        panels.add(new Panel(LectureFigures.exactChart(), true, Optional.of(LectureFigures.field(1.5))));
+        panels.add(Panel.phase(LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))));
         for (Figure figure : figures) {
             progress.reached((double) results.size() / figures.size(), figure.solver());
             Result result = LectureFigures.run(figure);
             results.add(result);
-            Panel panel = new Panel(LectureFigures.chart(result, title(result)), true,
+            Panel panel = Panel.phase(LectureFigures.chart(result, title(result)),
                     Optional.of(LectureFigures.field(LectureFigures.reach(result))));
             panels.add(panel);
-            pictures.add(Picture.phase(fileName(figure), caption(result), panel.data(), panel.field()));
+            pictures.add(Picture.of(fileName(figure), caption(result), panel));
         }
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
-                "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", COLUMNS, panels));
+                "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels));
         return new ResultPage(NAME,
                 LectureFigures.finding(results.subList(0, LectureFigures.onSlides().size())),
                 List.of("The oscillator x'' = -x from (1, 0), in state space. The exact solution is the dashed"
-                        + " ellipse, a circle if both axes had one scale; it takes 2 pi seconds to go round,"
+                        + " circle; it takes 2 pi seconds to go round,"
                         + " clockwise. The arrows are the vector field that a solver sees.",
                         "One step multiplies x - iv by the method's stability function R(ih), with h the time step: N"
                                 + " steps multiply the amplitude by |R|^N and run ahead of the exact phase by N (arg R"

@@ -15,8 +15,8 @@ import particles.experiments.runs.ProgressListener;
 import particles.law.Particles;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Panel;
-import particles.output.report.ResultPage.Picture;
+import particles.output.charts.Panel;
+import particles.output.report.Picture;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.Overrides;
@@ -98,7 +98,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
             return scene.phase().map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
-            throw wrong("axes", "'" + axes + "' has to be made made made of the letters x, y and z");
+            throw wrong("axes", "'" + axes + "' has to be made of the letters x, y and z");
         }
         return Arrays.stream(axes.split("")).distinct().map(letter ->
                 Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
@@ -116,20 +116,15 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         String finding = PhasePortraits.finding(description.title(), all);
         String caption = "Velocity over position. The pale band is the reference, dormand-prince with a tolerance of"
                 + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
-        int columns = columns((int) all.stream().map(Portrait::solver).distinct().count());
-        Picture picture = all.size() == 1 ? Picture.chart("phase-plots", caption, all.get(0).chart())
-                : Picture.panels("phase-plots", caption, finding, columns,
-                        all.stream().map(portrait -> new Panel(portrait.chart(), false, Optional.empty())).toList());
+        Picture picture = all.size() == 1
+                ? Picture.phase("phase-plots", caption, all.get(0).chart(), Optional.empty())
+                : Picture.panels("phase-plots", caption, finding,
+                        all.stream().map(portrait -> Panel.phase(portrait.chart(), Optional.empty())).toList());
         return new ResultPage(NAME, finding, List.of(
                 "A path in state space shows what a plot over time hides: a closed curve keeps its energy, a spiral"
                         + " outwards gains and a spiral inwards loses it. How far a path is off the curve is measured"
                         + " in halves of the curve's width and height. A path that stays on the curve and yet ends"
                         + " elsewhere, away from the hollow mark, has a wrong phase only."),
                 List.of(picture), List.of(portraits.table()));
-    }
-
-    /** Rows of equal length where that is possible: all solvers in one, or in two or three of up to four. */
-    private static int columns(int solvers) {
-        return solvers <= 4 ? solvers : solvers % 4 == 0 || solvers > 9 ? 4 : 3;
     }
 }

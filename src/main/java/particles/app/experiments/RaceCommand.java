@@ -11,8 +11,9 @@ import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.messages.Digits;
 import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage.Picture;
+import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
@@ -85,7 +86,8 @@ public final class RaceCommand extends ExperimentCommand {
         try (RacePictures pictures = new RacePictures(solvers.size(), count / scene.duration(), PLAYBACK)) {
             Result race = new Race(scene, solvers, count).run(pictures, (part, what) -> progress.reached(RUNS * part,
                     what));
-            pictures.write(folder, SHEET, race, part -> progress.reached(RUNS + (1 - RUNS) * part, "the animation"));
+            pictures.write(new ChartWriter(folder, format()), folder, SHEET, race,
+                    part -> progress.reached(RUNS + (1 - RUNS) * part, "the animation"));
             return page(race, count);
         }
     }
@@ -108,7 +110,7 @@ public final class RaceCommand extends ExperimentCommand {
                 String.format(Locale.ROOT, "The animation runs %s.", Math.abs(speed - 1) < 0.01 ? "in real time"
                         : String.format(Locale.ROOT, "at %.3g times the speed of the scene", speed))),
                 List.of(Picture.made(GifAnimation.FILE, "The race."),
-                        Picture.made(SHEET, "The race at some moments, and the energy error over time."),
+                        Picture.made(SHEET, "The end of the race, and the energy error over time."),
                         Picture.stacked("race-charts", "Above: distance of each solver from the reference, root"
                                 + " mean square over the particles. Below: energy error. A cross marks where a"
                                 + " solver left the race.",

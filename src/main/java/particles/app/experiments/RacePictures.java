@@ -17,6 +17,7 @@ import particles.experiments.runs.Extent;
 import particles.experiments.runs.SolverChoice;
 import particles.law.Vector3;
 import particles.messages.Digits;
+import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;
 import particles.output.race.RaceFilm;
@@ -76,19 +77,20 @@ final class RacePictures implements Race.Audience, AutoCloseable {
     /**
      * Writes the film and the sheet.
      *
+     * @param writer   writes the sheet
      * @param folder   where they go
      * @param sheet    the sheet's name
      * @param race     what was watched
      * @param progress hears which part is done
      */
-    void write(OutputFolder folder, String sheet, Result race, DoubleConsumer progress) {
+    void write(ChartWriter writer, OutputFolder folder, String sheet, Result race, DoubleConsumer progress) {
         List<RaceFilm.Words> words = new ArrayList<>();
         for (Lane lane : race.lanes()) {
             words.add(new RaceFilm.Words(lane.match().setting().solver().label(), step(lane),
                     cost(lane, race.equalTime()),
                     lane.left()));
         }
-        film.orElseThrow().write(folder, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
+        film.orElseThrow().write(writer, folder, sheet, new RaceFilm.Head(race.scene() + ": " + RaceCharts.work(race),
                 RaceCharts.finding(race),
                 "Grey ghost: the reference, " + Race.REFERENCE + "."), words, RaceCharts.energy(race), progress);
     }

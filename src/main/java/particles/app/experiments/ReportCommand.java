@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import particles.app.cli.ChartOptions;
 import particles.app.cli.Failures;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
@@ -25,6 +26,7 @@ import particles.output.report.ResultPage;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 
@@ -41,6 +43,9 @@ public final class ReportCommand extends ResultsCommand {
     private static final double NANO = 1e-9;
 
     private final List<ExperimentCommand> experiments;
+
+    @Mixin
+    private final ChartOptions charts = new ChartOptions();
 
     @Option(names = SCENE_OPTION, paramLabel = "NAME", description = "The scene that energyDrift, phasePlots and race"
             + " look at: a file, or the name or number of one in scenes (default: each its own).")
@@ -149,7 +154,7 @@ public final class ReportCommand extends ResultsCommand {
 
     /** Those who look at a scene get this one. */
     private String[] options(CommandSpec spec) {
-        List<String> options = new ArrayList<>();
+        List<String> options = new ArrayList<>(charts.arguments());
         if (spec.findOption(SCENE_OPTION) != null) {
             if (scene != null) {
                 options.add(SCENE_OPTION + "=" + scene);

@@ -11,7 +11,8 @@ import particles.experiments.stability.SceneStability;
 import particles.experiments.stability.SceneStability.Limit;
 import particles.experiments.stability.SceneStabilityCharts;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Picture;
+import particles.output.charts.Panel;
+import particles.output.report.Picture;
 import particles.scene.format.SceneDescription;
 import particles.view.ChartData;
 import particles.view.DataTable;
@@ -36,11 +37,11 @@ final class SceneStabilityPage {
                 ? solvers.stream().filter(solver -> solver.info().isPresent()).map(SolverChoice::name)
                 .toList() : OUTLINES;
         List<Picture> pictures = new ArrayList<>();
-        pictures.add(Picture.map("eigenvalues",
+        pictures.add(Picture.of("eigenvalues",
                 "Each point is deltaT times an eigenvalue of the scene's linearised start: the fastest, and"
                 + " what else the iteration found. A step is safe where all points to the left of the imaginary axis,"
                 + " or on it, lie inside the solver's outline.",
-                SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(), outlined)));
+                Panel.map(SceneStabilityCharts.plane(planeTitle(scene, fastest), spectrum, scene.deltaT(), outlined))));
         ChartData growth = SceneStabilityCharts.growth("Steps are safe until the factor of some mode exceeds"
                 + " 1", spectrum,
                 limits);

@@ -11,7 +11,8 @@ import particles.experiments.stability.StabilityRegion;
 import particles.experiments.stability.StabilityRegion.Window;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Picture;
+import particles.output.charts.Panel;
+import particles.output.report.Picture;
 import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
@@ -94,23 +95,26 @@ public final class StabilityCommand extends ExperimentCommand {
                         + " eigenvalues lambda and its conjugate, on the real axis the critically damped one. verlet"
                         + " and yoshida4 refuse a step whose last kick they cannot solve; that counts as unstable, and"
                         + " with strong damping it is their limit."),
-                List.of(region("slides", "Explicit methods: stable inside the outline",
+                List.of(region("slides",
+                                "Explicit methods are stable in the shaded region: deltaT times each eigenvalue"
+                                + " has to lie there",
                                 "The slides' solvers and adams. Of the imaginary axis, only 0 belongs to the regions"
                                 + " of euler, midpoint and adams; the outline of adams runs so close beside the axis,"
                                 + " up to 0.9, that the picture cannot show it: at 0.8 a step still grows by 0.7 %.",
                                 List.of("euler", "midpoint", "rk4", "adams"), new Window(-3.5, 1, 3.5, 0.05), progress,
                                 0.5),
-                        region("adaptive", "One sub-step of the explicit adaptive solvers: stable inside the outline",
+                        region("adaptive",
+                                "One sub-step of the explicit adaptive solvers is stable in the shaded region",
                                 "Longer steps are divided, so these outlines show the cost of a stiff system.",
                                 List.of("step-doubling", "dormand-prince", "bulirsch-stoer"),
                                 new Window(-14, 4, 12, 0.15),
                                 progress, 0.6),
-                        region("symplectic", "Symplectic methods on a damped spring: stable inside the outline",
+                        region("symplectic", "Symplectic methods on a damped spring are stable in the shaded region",
                                 "Without damping, on the imaginary axis, the limit is 2, of yoshida4 1.57; damping"
                                 + " takes from it.",
                                 List.of("symplectic-euler", "verlet", "yoshida4"), new Window(-2.5, 1, 2.5, 0.04),
                                 progress, 0.7),
-                        region("implicit", "Implicit methods: stable outside the outline",
+                        region("implicit", "Implicit methods are stable for all that decays, and for fast growth too",
                                 "All that decays is stable. implicit-midpoint has the imaginary axis itself for an"
                                         + " outline: what grows grows, and what decays decays. The others damp what"
                                         + " grows too, if it is fast.",
@@ -121,7 +125,8 @@ public final class StabilityCommand extends ExperimentCommand {
 
     private static Picture region(String name, String title, String caption, List<String> solvers, Window window,
                                   ProgressListener progress, double done) {
-        progress.reached(done, "outlines of " + String.join(", ", solvers));
-        return Picture.map("region-" + name, caption, StabilityRegion.outlines(title, solvers, window));
+        progress.reached(done, "regions of " + String.join(", ", solvers));
+        return Picture.compared("region-" + name, caption, title,
+                solvers.stream().map(solver -> Panel.map(StabilityRegion.filled(solver, window))).toList());
     }
 }

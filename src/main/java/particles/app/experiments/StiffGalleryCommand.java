@@ -10,7 +10,7 @@ import particles.experiments.work.StiffGallery;
 import particles.experiments.work.StiffGallery.Sweep;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Picture;
+import particles.output.report.Picture;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 

@@ -20,7 +20,7 @@ import particles.experiments.work.WorkProblems;
 import particles.experiments.work.WorkTables;
 import particles.messages.Digits;
 import particles.output.files.OutputFolder;
-import particles.output.report.ResultPage.Picture;
+import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;

@@ -8,7 +8,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** The SHA-256 hash of a file, by which results can be matched to the file they were made from. */
+/** The SHA-256 hash of a file, written to results to show which file they were made from. */
 final class FileHash {
     private FileHash() {
     }

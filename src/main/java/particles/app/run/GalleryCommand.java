@@ -28,9 +28,9 @@ import picocli.CommandLine.Command;
 public final class GalleryCommand extends ProgramCommand {
     public static final int WIDTH = 320;
     public static final int HEIGHT = 180;
-    /** A picture shows the motion after this part of the run, when most scenes are in full swing. */
+    /** The time of each picture, as a fraction of the run, when most scenes are in full motion. */
     private static final double MOMENT = 0.4;
-    /** More trails than this would hide what they show. */
+    /** The largest number of trails; more would hide the motion. */
     private static final int MOST_TRAILS = 6;
 
     private final Path folder;
@@ -42,7 +42,7 @@ public final class GalleryCommand extends ProgramCommand {
 
     @Override
     public void run(PrintWriter out) throws IOException {
-        // a scene that cannot be read stops this before anything is drawn
+        // read all scenes before drawing any
         String page = GalleryPage.of(folder);
         Path pictures = Files.createDirectories(folder.resolve(GalleryPage.PICTURES));
         for (Path file : SceneFiles.list(folder)) {
@@ -72,7 +72,7 @@ public final class GalleryCommand extends ProgramCommand {
         }
     }
 
-    /** A still picture of few particles shows no motion without the way they came. */
+    /** Adds trails if there are few particles, so that a still picture shows motion. */
     private static RenderOptions withTrails(Scene scene, double duration) {
         RenderOptions look = scene.look();
         ParticleStyle style = look.style();

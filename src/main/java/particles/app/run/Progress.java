@@ -7,17 +7,14 @@ import particles.Observer;
 import particles.messages.Digits;
 import particles.messages.Digits;
 
-/**
- * Says how far a long run has come: never more than a line a second, fewer when little happens, and none where the run
- * is short.
- */
+/** Prints the progress of a long run: at most one line a second, none for short runs. */
 final class Progress implements Observer {
     private static final double NANO = 1e-9;
-    /** A run that is over by then is short (s). */
+    /** Runs shorter than this print nothing (s). */
     private static final double SILENCE = 2;
-    /** Between two lines at least (s). */
+    /** The least time between two lines (s). */
     private static final double PAUSE = 1;
-    /** A line where so much has been done since the last one (parts of the run), or so much time has gone (s). */
+    /** A line is printed after this fraction of the run, or after a longer time (s). */
     private static final double NEWS = 0.1;
     private static final double LONG_PAUSE = 10;
 
@@ -29,8 +26,8 @@ final class Progress implements Observer {
     private double lastPart;
 
     /**
-     * @param out      where lines go
-     * @param duration of the run (s)
+     * @param out      the output
+     * @param duration the duration of the run (s)
      * @param nanoTime a clock, such as {@link System#nanoTime}
      */
     Progress(PrintWriter out, double duration, LongSupplier nanoTime) {

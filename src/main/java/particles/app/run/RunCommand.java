@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
+import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
@@ -12,9 +13,10 @@ import particles.scene.SceneFiles;
 import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.Overrides;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code gradle run}: a scene becomes frames, an animation, plots and numbers. */
+/** {@code gradle run}: runs a scene and writes frames, an animation, plots and numbers. */
 @Command(name = "run",
         description = "Runs a scene: pictures, an animation, energy and phase-space plots, the trajectory.")
 public final class RunCommand extends ProgramCommand {
@@ -49,12 +51,15 @@ public final class RunCommand extends ProgramCommand {
             description = "Whether to make film.mp4 from the pictures (default: as the scene says, or none).")
     private Video video;
 
+    @Mixin
+    private final ChartOptions charts = new ChartOptions();
+
     private final Path scenes;
     private final OptionStyle style;
     private final StopRequest stop;
 
     /**
-     * @param scenes the folder in which scenes are looked for
+     * @param scenes the folder of scenes
      * @param style  how options are typed, for messages
      * @param stop   tells the run when it has to end early
      */
@@ -77,7 +82,8 @@ public final class RunCommand extends ProgramCommand {
                     style.option("video") + "=mp4 needs pictures; remove " + style.option("frames")
                     + "=false");
         }
-        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), style, stop).run(lines);
+        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), charts.format(), style,
+                stop).run(lines);
     }
 
     private void override(Overrides overrides, String name, String value) {

@@ -4,13 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.output.files.TrajectoryWriter;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Video;
 
-/** Which files a run writes, known before it begins. */
+/** The files that a run will write. */
 final class RunFiles {
     static final String ENERGY = "energy.png";
     static final String PHASE = "phase.png";
@@ -19,17 +21,20 @@ final class RunFiles {
     private final boolean frames;
 
     /**
-     * @param output what the scene wants
-     * @param frames whether pictures are wanted at all
-     * @param video  which film is made of them
+     * @param output the scene's output settings
+     * @param frames whether to draw pictures
+     * @param video  the film to make of them
+     * @param charts what charts are for
      */
-    RunFiles(OutputDescription output, boolean frames, Video video) {
+    RunFiles(OutputDescription output, boolean frames, Video video, ChartFormat charts) {
         this.frames = frames;
         addIf(frames, OutputFolder.FRAMES);
         addIf(frames && output.animation(), GifAnimation.FILE);
         addIf(frames && video == Video.MP4, Film.FILE);
-        addIf(output.energy(), ENERGY);
-        addIf(output.phase().isPresent(), PHASE);
+        for (String end : charts.svg() ? List.of(ChartWriter.PNG, ChartWriter.SVG) : List.of(ChartWriter.PNG)) {
+            addIf(output.energy(), ENERGY.replace(ChartWriter.PNG, end));
+            addIf(output.phase().isPresent(), PHASE.replace(ChartWriter.PNG, end));
+        }
         names.add(TrajectoryWriter.FILE);
         names.add(RunSummaryWriter.FILE);
     }
@@ -44,7 +49,7 @@ final class RunFiles {
         return frames;
     }
 
-    /** @return the names, those to look at first */
+    /** @return the names, those to look at first at the front */
     String[] names() {
         return names.toArray(String[]::new);
     }

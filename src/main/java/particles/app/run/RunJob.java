@@ -13,6 +13,7 @@ import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
 import particles.messages.Digits;
 import particles.messages.FrictionMessage;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.files.RunSummaryWriter;
 import particles.scene.Scene;
@@ -23,32 +24,35 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.threads.ParallelForces;
 
-/** One run of a scene, from its file to a folder of results, whole also where the run ends early. */
+/** Runs one scene and writes a folder of results, which is complete even if the run ends early. */
 final class RunJob {
     private final Path file;
     private final Overrides overrides;
     private final Path results;
     private final boolean frames;
     private final Optional<Video> wanted;
+    private final ChartFormat charts;
     private final OptionStyle style;
     private final StopRequest stop;
 
     /**
      * @param file      the scene
-     * @param overrides what goes before what it says
-     * @param results   the folder for what comes out
+     * @param overrides options that override it
+     * @param results   the folder for results
      * @param frames    whether pictures are drawn
-     * @param wanted    another film than the scene's, if one was asked for
+     * @param wanted    the film requested by an option, if any
+     * @param charts    what the charts are for
      * @param style     how options are typed, for messages
-     * @param stop      tells when the run has to end early
+     * @param stop      tells the run to end early
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
-           OptionStyle style, StopRequest stop) {
+           ChartFormat charts, OptionStyle style, StopRequest stop) {
         this.file = file;
         this.overrides = overrides;
         this.results = results;
         this.frames = frames;
         this.wanted = wanted;
+        this.charts = charts;
         this.style = style;
         this.stop = stop;
     }
@@ -57,7 +61,7 @@ final class RunJob {
      * Runs the scene.
      *
      * @param out where progress and the summary are printed
-     * @throws Failure if the run ended early; what it made until then is complete
+     * @throws Failure if the run ended early; the results until then are complete
      */
     void run(PrintWriter out) {
         SceneDescription described = SceneReader.read(file, new StudentClasses());
@@ -71,7 +75,7 @@ final class RunJob {
             out.flush();
         });
         Video video = frames ? wanted.orElse(scene.output().video()) : Video.NONE;
-        RunFiles files = new RunFiles(scene.output(), frames, video);
+        RunFiles files = new RunFiles(scene.output(), frames, video, charts);
         try (OutputFolder folder = OutputFolder.open(results, files.names())) {
             stop.addLastResort(folder::close);
             Progress progress = new Progress(out, scene.simulation().getDuration(), System::nanoTime);
@@ -90,7 +94,7 @@ final class RunJob {
                     observers.books(),
                     progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
-            observers.drawCharts();
+            observers.drawCharts(charts);
             summary.lines().forEach(out::println);
             out.println("in " + results + ": " + String.join(", ", files.names()));
             early.ifPresent(why -> {
@@ -99,7 +103,7 @@ final class RunJob {
         }
     }
 
-    /** Where a run breaks off, as on a full disk, files that are not complete are thrown away and get no name. */
+    /** If a run fails, for example on a full disk, incomplete files are deleted. */
     private Optional<String> simulateOrDiscard(Scene scene, OutputFolder folder, RunObservers observers) {
         try {
             return simulate(scene, observers);
@@ -109,7 +113,7 @@ final class RunJob {
         }
     }
 
-    /** @return why it ended early, if it did */
+    /** @return the reason why the run ended early, if it did */
     private Optional<String> simulate(Scene scene, RunObservers observers) {
         ParallelForces.use(scene.system(),
                 scene.description().threads().orElseGet(Runtime.getRuntime()::availableProcessors));

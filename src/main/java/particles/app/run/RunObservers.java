@@ -13,6 +13,7 @@ import particles.experiments.phase.VectorFields;
 import particles.messages.Digits;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.files.TrajectoryWriter;
@@ -29,11 +30,11 @@ import particles.view.Camera;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/** What looks on while a scene runs, and makes files of what it sees. */
+/** The observers of a run that write its files. */
 final class RunObservers implements AutoCloseable {
-    /** A trajectory of no more lines than this can be opened by anything. */
+    /** The largest number of lines of a trajectory, which any program can open. */
     private static final long MOST_LINES = 200_000;
-    /** So many samples of the energies are taken at most; they cost about what half an evaluation does. */
+    /** The largest number of energy samples; each costs about half an evaluation. */
     private static final long MOST_ENERGIES = 100_000;
 
     private static final int ANIMATION_WIDTH = 640;
@@ -70,16 +71,16 @@ final class RunObservers implements AutoCloseable {
         phase.ifPresent(this::add);
     }
 
-    /** @param observer one more, told after those that are there */
+    /** @param observer an observer, called after the earlier ones */
     void add(Observer observer) {
         scene.simulation().addObserver(observer);
     }
 
     /**
-     * Has frames drawn, an animation made of them if the scene wants one, and a film if one is wanted.
+     * Adds observers that draw frames and make the animation and film, if wanted.
      *
-     * @param camera from where
-     * @param video  which film
+     * @param camera the camera
+     * @param video  the kind of film
      */
     void addFrames(Camera camera, Video video) {
         OutputDescription output = scene.output();
@@ -105,7 +106,7 @@ final class RunObservers implements AutoCloseable {
     /**
      * Shows the last steps in slow motion, if there are pictures.
      *
-     * @param headline that a run has ended early, and when
+     * @param headline the text that says when the run ended early
      */
     void showEnd(String headline) {
         frames.ifPresent(observer -> observer.replay(scene.system(), lastSteps.orElseThrow(), headline));
@@ -119,7 +120,7 @@ final class RunObservers implements AutoCloseable {
         return books;
     }
 
-    /** Completes the files that were written during the run, also where it ended early. */
+    /** Completes the files written during the run, even if it ended early. */
     @Override
     public void close() {
         try {
@@ -129,26 +130,32 @@ final class RunObservers implements AutoCloseable {
         }
     }
 
-    /** Draws what was recorded. */
-    void drawCharts() {
+    /**
+     * Draws the charts of the recorded data.
+     *
+     * @param format what the charts are for
+     */
+    void drawCharts(ChartFormat format) {
+        ChartWriter writer = new ChartWriter(folder, format);
         String title = scene.description().title() + " (" + caption() + ")";
         if (scene.output().energy()) {
             List<ChartData> charts = new ArrayList<>(List.of(energy.chart(title)));
             charts.addAll(books.charts(energy.getScale(), energy.hasGrown()));
-            ChartWriter.writeStacked(folder, RunFiles.ENERGY, charts);
+            writer.write(RunFiles.ENERGY, charts);
         }
-        phase.ifPresent(history -> drawPhase(history, Axis.values()[scene.phase().orElseThrow().axis()], title));
+        phase.ifPresent(history -> drawPhase(writer, history,
+                Axis.values()[scene.phase().orElseThrow().axis()], title));
     }
 
-    private void drawPhase(PhaseHistory history, Axis axis, String title) {
+    private void drawPhase(ChartWriter writer, PhaseHistory history, Axis axis, String title) {
         ParticleSystem system = scene.system();
         ChartData path = history.chart(axis, title);
         ChartData.Series states = path.series().get(0);
         Optional<VectorField> field = VectorFields.around(system, axis, states.x(), states.y());
-        ChartWriter.writePhase(folder, RunFiles.PHASE, path, field);
+        writer.writePhase(RunFiles.PHASE, path, field);
     }
 
-    /** What tells this run from others of the scene. */
+    /** The caption: solver and settings of this run. */
     private String caption() {
         return scene.description().solver() + ", deltaT = " + Digits.exact(scene.simulation().getDeltaT()) + " s";
     }

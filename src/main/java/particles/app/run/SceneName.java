@@ -3,10 +3,10 @@ package particles.app.run;
 import java.nio.file.Path;
 
 /**
- * The name of a scene's file, in its parts: {@code 02-one-spring.yaml} is {@code one-spring}, number {@code 02}.
+ * The parts of a scene file's name: {@code 02-one-spring.yaml} has number {@code 02} and bare name {@code one-spring}.
  *
- * @param whole  without its ending; what results are called by
- * @param number the digits before the first dash, or nothing
+ * @param whole  the name without extension, used for results
+ * @param number the digits before the first dash, or empty
  * @param bare   the whole name without the number
  */
 public record SceneName(String whole, String number, String bare) {

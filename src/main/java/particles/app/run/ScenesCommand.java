@@ -14,7 +14,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 
-/** {@code gradle scenes}: the ladder of scenes, with what each teaches. */
+/** {@code gradle scenes}: lists the scenes and what each teaches. */
 @Command(name = "scenes", description = "Lists the scenes and what each teaches.")
 public final class ScenesCommand extends ProgramCommand {
     private static final int WIDTH = 110;
@@ -38,7 +38,7 @@ public final class ScenesCommand extends ProgramCommand {
             try {
                 print(file, SceneReader.read(file, new StudentClasses()), out);
             } catch (SceneException e) {
-                problems.addAll(e.getLines());          // the others are listed all the same
+                problems.addAll(e.getLines());          // go on with the other scenes
             }
         }
         if (!problems.isEmpty()) {

@@ -7,7 +7,7 @@ import java.util.List;
 import particles.app.cli.ProgramCommand;
 import picocli.CommandLine.Command;
 
-/** {@code gradle solvers}: the catalogue, a line each. */
+/** {@code gradle solvers}: lists the solvers, one line each. */
 @Command(name = "solvers", description = "Lists the solvers with their orders.")
 public final class SolversCommand extends ProgramCommand {
 

@@ -3,7 +3,9 @@ package particles.app.run;
 import particles.Motion;
 import particles.Observer;
 
-/** Ends a run after the step in which the end was asked for. It is the last observer: the others have seen the step. */
+/**
+ * Ends a run after the step in which a stop was requested. It is the last observer, so the others have seen the step.
+ */
 final class StopObserver implements Observer {
     private final StopRequest request;
 

@@ -8,8 +8,8 @@ import java.util.function.IntConsumer;
 import particles.app.cli.ExitCode;
 
 /**
- * The wish that the program ends early, by Ctrl-C or a signal. A run that hears of it completes its files and ends; one
- * that does not hear of it in time loses what is not complete, so that in any case whole files are left, and no others.
+ * A request to stop the program early, by Ctrl-C or a signal. The run completes its files and ends; if it takes too
+ * long, incomplete files are deleted, so only whole files are left.
  */
 public final class StopRequest {
     private static final long PATIENCE_SECONDS = 10;
@@ -18,31 +18,31 @@ public final class StopRequest {
     private final List<Runnable> lastResorts = new ArrayList<>();
     private volatile boolean wanted;
 
-    /** From now on this process hears of signals that end it. Once a process. */
+    /** Installs the signal handler, once a process. */
     public void listen() {
         Runtime.getRuntime().addShutdownHook(new Thread(this::stopAndWait, "stop"));
     }
 
-    /** Asks for the end. */
+    /** Requests the stop. */
     void request() {
         wanted = true;
     }
 
-    /** @return whether the end was asked for */
+    /** @return whether a stop was requested */
     boolean isWanted() {
         return wanted;
     }
 
-    /** @param action what to do if the program has not ended in time; called by another thread */
+    /** @param action called by another thread if the program has not ended in time */
     synchronized void addLastResort(Runnable action) {
         lastResorts.add(action);
     }
 
     /**
-     * The program has done all that it wanted to do. Where a signal is ending the process, that goes on, with the
-     * signal's exit code, such as 143 of SIGTERM: Java would take another code that came at the last moment.
+     * Ends the process. If a signal is already ending it, that continues, so that the exit code is the signal's, such
+     * as 143 for SIGTERM.
      *
-     * @param code how it ended
+     * @param code the exit code
      * @param exit ends the process with a number, as {@link System#exit} does
      */
     public void end(ExitCode code, IntConsumer exit) {

@@ -1,6 +1,6 @@
 package particles.app.run;
 
-/** A run that is ended before its time because somebody asked for it. */
+/** Thrown when a run is stopped early on request. */
 final class StoppedException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

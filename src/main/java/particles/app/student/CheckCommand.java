@@ -15,6 +15,7 @@ import java.util.Optional;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.ProgramCommand;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 import particles.output.report.ResultPage;
@@ -43,10 +44,10 @@ abstract class CheckCommand extends ProgramCommand {
     private boolean numbered;
 
     /**
-     * What a check makes known.
+     * The result of a check.
      *
      * @param subject  what was checked, by its short name
-     * @param identity what it is, in a sentence
+     * @param identity what it was identified as, in a sentence
      * @param findings mistakes and notes
      * @param page     the report
      */
@@ -59,7 +60,17 @@ abstract class CheckCommand extends ProgramCommand {
     /** @return the option that says what is checked, and its value */
     abstract String subject();
 
-    /** @throws Failure if there is nothing of that name; runs the class's own code */
+    /** @return options that are handed on to the check's process; none where no charts are drawn */
+    List<String> chartArguments() {
+        return List.of();
+    }
+
+    /** @return what its charts are for */
+    ChartFormat format() {
+        return ChartFormat.PAGE;
+    }
+
+    /** @throws Failure if no such class exists; runs the class's own code */
     abstract Checked check();
 
     @Override
@@ -69,6 +80,7 @@ abstract class CheckCommand extends ProgramCommand {
             return;
         }
         List<String> args = new ArrayList<>(List.of(name(), subject()));
+        args.addAll(chartArguments());
         if (out != null) {                              // picocli leaves an option null that was not given
             args.add("--out=" + out);
         }
@@ -85,12 +97,12 @@ abstract class CheckCommand extends ProgramCommand {
         }
     }
 
-    /** Before the class is loaded, so that it finds nothing to read. */
+    /** Reads the number before the class is loaded, so that the class cannot. */
     private static String readNumber() throws IOException {
         return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)).readLine();
     }
 
-    /** Where the check's own lines go, each with the run's number before it; the last one is the verdict. */
+    /** The output for the check's own lines, each prefixed with the run's number; the last one is the verdict. */
     private record Screen(PrintWriter lines, String number) {
         void print(List<String> report) {
             report.forEach(line -> lines.println(number + line));
@@ -132,7 +144,7 @@ abstract class CheckCommand extends ProgramCommand {
     }
 
     /**
-     * Writes the report of a check that did not come back, and ends the process: the class's thread may still be
+     * Writes the report of a check that did not finish, and ends the process, in which the class's thread may still be
      * running.
      */
     private void giveUp(Screen screen, Finding failure, String printed) {
@@ -140,7 +152,7 @@ abstract class CheckCommand extends ProgramCommand {
         try {
             Path report = writeReport(failed(failure.text()));
             screen.print(CheckReport.lines(new Checked(subject().replaceFirst(".*=", ""),
-                    "The check did not come to its end.", List.of(failure), failed(failure.text())), printed, report));
+                    "The check did not finish.", List.of(failure), failed(failure.text())), printed, report));
         } catch (OutputException e) {
             screen.print(List.of(failure.toString(), String.valueOf(e.getMessage())));
             code = ExitCode.TROUBLE;
@@ -150,16 +162,16 @@ abstract class CheckCommand extends ProgramCommand {
     }
 
     private ResultPage failed(String reason) {
-        String title = subject().replaceFirst(".*=", "") + ": the check did not come to its end.";
+        String title = subject().replaceFirst(".*=", "") + ": the check did not finish.";
         return new ResultPage(name(), title, paragraphs(List.of(new Finding(Kind.FAILURE, reason))), List.of(),
                 List.of());
     }
 
-    /** @return where the report is */
+    /** @return the report's file */
     private Path writeReport(ResultPage page) {
         Path folder = out == null ? Path.of("build", "out", name()) : Path.of(out);
         try (OutputFolder files = OutputFolder.open(folder, name() + ".md")) {
-            ResultPageWriter.write(files, page);
+            ResultPageWriter.write(files, page, format());
         }
         return folder.resolve(name() + ".md");
     }
@@ -177,7 +189,7 @@ abstract class CheckCommand extends ProgramCommand {
         return text;
     }
 
-    /** Keeps the beginning of what a class prints, and no more. */
+    /** Keeps only the beginning of what a class prints. */
     private static final class Printed extends OutputStream {
         private static final int MOST = 2000;
         private final ByteArrayOutputStream kept = new ByteArrayOutputStream();

@@ -13,7 +13,10 @@ import particles.teaching.effects.EffectSample;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle checkEffect -Peffect=exercises.MyGravity}: whether a force law keeps what it claims. */
+/**
+ * {@code gradle checkEffect -Peffect=exercises.MyGravity}: checks whether a force law has the properties that it
+ * claims.
+ */
 @Command(name = CheckEffectCommand.NAME,
         description = "Checks a force law: whether it keeps what it claims, or what is wrong.")
 public final class CheckEffectCommand extends CheckCommand {

@@ -8,7 +8,7 @@ import particles.output.text.TableText;
 import particles.teaching.Finding;
 import particles.view.DataTable;
 
-/** What a check says on the screen: the verdict first, then mistakes, notes and numbers, in at most twelve lines. */
+/** The output of a check on the screen: the verdict, then mistakes, notes and numbers, in at most twelve lines. */
 final class CheckReport {
     static final int MOST_LINES = 12;
     private static final int MOST_MISTAKES = 4;
@@ -21,7 +21,7 @@ final class CheckReport {
     /**
      * @param checked what the check found
      * @param printed what the class printed
-     * @param report  where the whole report is
+     * @param report  the file of the whole report
      * @return the lines
      */
     static List<String> lines(Checked checked, String printed, Path report) {

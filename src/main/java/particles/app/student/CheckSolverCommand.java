@@ -7,17 +7,21 @@ import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import particles.app.cli.ChartOptions;
 import particles.output.report.ResultPage;
-import particles.output.report.ResultPage.Picture;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.Panel;
+import particles.output.report.Picture;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverVerdict;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: what method a solver is, and what is wrong with it. */
+/** {@code gradle checkSolver -Psolver=exercises.HeunSolver}: identifies a solver's method and finds its mistakes. */
 @Command(name = CheckSolverCommand.NAME,
         description = "Checks a solver: which method it is, and what is wrong with it.")
 public final class CheckSolverCommand extends CheckCommand {
@@ -26,6 +30,19 @@ public final class CheckSolverCommand extends CheckCommand {
     @Option(names = "--solver", paramLabel = "NAME", required = true,
             description = "A solver's name, or the class of your own.")
     private String solver;
+
+    @Mixin
+    private final ChartOptions charts = new ChartOptions();
+
+    @Override
+    List<String> chartArguments() {
+        return charts.arguments();
+    }
+
+    @Override
+    ChartFormat format() {
+        return charts.format();
+    }
 
     @Override
     String name() {
@@ -59,9 +76,9 @@ public final class CheckSolverCommand extends CheckCommand {
         SolverFigures figures;
         try {
             figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
-        } catch (RuntimeException e) {                  // the class's own: what was found out is told all the same
+        } catch (RuntimeException e) {                  // thrown by the class itself; still report what was found
             List<Finding> all = new ArrayList<>(verdict.findings());
-            if (verdict.wrong().isEmpty()) {            // else it is a consequence of what is said already
+            if (verdict.wrong().isEmpty()) {            // otherwise it follows from a mistake already reported
                 all.add(SolverFigures.failure(e));
             }
             return new Checked(name, verdict.identity(), all, new ResultPage(NAME, title, paragraphs(all), List.of(),
@@ -71,10 +88,10 @@ public final class CheckSolverCommand extends CheckCommand {
         pictures.add(Picture.chart("order",
                 "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",
                 figures.order()));
-        figures.region().ifPresent(region -> pictures.add(Picture.map("region",
+        figures.region().ifPresent(region -> pictures.add(Picture.of("region",
                 "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
                         + " there: deltaT times its eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m."
-                        + " Pale: the built-in solver that is nearest.", region)));
+                        + " Pale: the built-in solver that is nearest.", Panel.map(region))));
         pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.",
                 figures.energy()));
         pictures.add(Picture.chart("work-precision",

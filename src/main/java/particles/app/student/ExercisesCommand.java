@@ -8,7 +8,7 @@ import particles.teaching.exercises.Exercises;
 import particles.teaching.marking.Exercise;
 import picocli.CommandLine.Command;
 
-/** {@code gradle exercises}: the exercises, a line each. */
+/** {@code gradle exercises}: lists the exercises, one line each. */
 @Command(name = "exercises", description = "Lists the exercises.")
 public final class ExercisesCommand extends ProgramCommand {
     private final OptionStyle style;

@@ -14,6 +14,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
+import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;
 import particles.output.report.JUnitXml;
 import particles.output.report.ResultPage;
@@ -63,7 +64,7 @@ public final class GradeCommand extends ProgramCommand {
         this.style = style;
     }
 
-    /** What was looked at, whether there was anything to look at, and its mark. */
+    /** One graded item: its name, whether it was handed in, and its mark. */
     private record Graded(String name, boolean answered, Mark mark) {
         void print(PrintWriter out) {
             out.println((!answered ? "no answer " : mark.right() ? "mark      " : "no mark   ") + name);
@@ -108,7 +109,7 @@ public final class GradeCommand extends ProgramCommand {
         return graded;
     }
 
-    /** A scene's path counts from the file of answers, so that both can be handed in together. */
+    /** A scene's path is relative to the file of answers, so that both can be handed in together. */
     private String beside(int number, String answer) {
         return number < Exercises.all().size() || answer.isBlank() ? answer : answers.resolveSibling(answer).toString();
     }
@@ -145,7 +146,7 @@ public final class GradeCommand extends ProgramCommand {
         return new Mark(outcome.code() == ExitCode.DONE, outcome.lines());
     }
 
-    /** In a table's cell: lines that are sentences, or announce what follows, stand by themselves. */
+    /** Joins lines for a table's cell; sentences and headings stay on lines of their own. */
     private static String paragraph(List<String> lines) {
         StringBuilder text = new StringBuilder();
         for (String line : lines) {
@@ -168,7 +169,8 @@ public final class GradeCommand extends ProgramCommand {
                 List.of(DataTable.column("exercise"), DataTable.column("mark"),
                 DataTable.column("what there is to say")),
                 rows);
-        ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)));
+        ResultPageWriter.write(files, new ResultPage(NAME, title, problems, List.of(), List.of(table)),
+                ChartFormat.PAGE);
         JUnitXml.write(files, NAME, cases);
     }
 }

@@ -17,7 +17,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: a class to begin with.
+ * {@code gradle newSolver -Pclass=HeunSolver} and {@code gradle newEffect -Pclass=MyGravity}: writes the skeleton of a
+ * class.
  */
 public abstract class NewClassCommand extends ProgramCommand {
     @Option(names = "--class", paramLabel = "NAME", required = true,
@@ -42,7 +43,7 @@ public abstract class NewClassCommand extends ProgramCommand {
     /** @return the command that checks such a class, without the class's name */
     abstract String check();
 
-    /** @return how a class with this full name is used, to follow a colon */
+    /** @return how to use a class with this full name; text that follows a colon */
     abstract String use(String fullName);
 
     @Override

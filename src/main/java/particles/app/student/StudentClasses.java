@@ -4,7 +4,7 @@ import java.lang.reflect.InvocationTargetException;
 import particles.spec.ClassNames;
 import particles.spec.Kind;
 
-/** Finds the classes that scenes name; students' own are compiled when they are named, by {@link StudentLoader}. */
+/** Finds the classes that scenes name; {@link StudentLoader} compiles students' own. */
 public final class StudentClasses implements ClassNames {
     private static final String KEYS = "$Keys";
 

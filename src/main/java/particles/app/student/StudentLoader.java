@@ -26,11 +26,11 @@ import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 
 /**
- * Finds students' classes by compiling them when they are asked for, each by itself: one that does not compile breaks
- * what uses it and nothing else. What is compiled stays in memory.
+ * Class loader that compiles students' classes in memory on demand, each by itself, so that a class that does not
+ * compile affects only its users.
  */
 public final class StudentLoader extends ClassLoader {
-    /** The system property by which a folder reaches a process of its own. */
+    /** The system property that passes the folder to a child process. */
     public static final String FOLDER = "desolver.exercises";
     private static final String PACKAGE = "exercises";
 
@@ -39,14 +39,14 @@ public final class StudentLoader extends ClassLoader {
 
     /**
      * @param folder where the classes of the package exercises are
-     * @param parent where all others are found
+     * @param parent the loader of all other classes
      */
     public StudentLoader(Path folder, ClassLoader parent) {
         super(parent);
         this.folder = folder;
     }
 
-    /** Lets this thread, and those that it starts, find students' classes. */
+    /** Makes this loader the context loader of this thread and the threads it starts. */
     public void install() {
         Thread.currentThread().setContextClassLoader(this);
     }
@@ -102,7 +102,7 @@ public final class StudentLoader extends ClassLoader {
                 : new File(message.getSource().getName()).getName() + ":" + message.getLineNumber() + ": " + text;
     }
 
-    /** Keeps what is compiled, and shows the compiler no other sources than students' own. */
+    /** Keeps compiled classes in memory and shows the compiler only students' sources. */
     private final class InMemory extends ForwardingJavaFileManager<StandardJavaFileManager> {
         InMemory(StandardJavaFileManager files) {
             super(files);

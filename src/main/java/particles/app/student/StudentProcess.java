@@ -15,36 +15,35 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 
-/** A process of its own for what calls a student's class: whatever the class does there, the program goes on. */
+/** Runs code that calls a student's class in a child process, so that the class cannot stop the program. */
 final class StudentProcess {
     private static final String PROGRAM = "particles.app.Main";      // by name: it imports the commands
     private static final int MEGABYTES = 256;
     private static final int SECONDS = 90;
     private static final int DIGITS = 128;
-    /** The option of a check that reads a number from its input, and begins every line with it. */
+    /** The option for a check to read a number from its input and begin every line with it. */
     static final String NUMBERED = "--numbered";
 
     private StudentProcess() {
     }
 
     /**
-     * How a process ended.
+     * The result of a process.
      *
-     * @param code  what its own code says of the class; BAD_INPUT where it did not come to say it
-     * @param lines what its own code printed, without what the class printed
+     * @param code  the check's verdict; BAD_INPUT if it did not finish
+     * @param lines the check's own lines, without those that the class printed
      */
     record Outcome(ExitCode code, List<String> lines) {
     }
 
     /**
-     * Runs a check in a process with little memory. Only lines that begin with a number drawn for this run count as the
-     * check's own, and only the last of them says whether the class is right: the process may be ended by the class
-     * at any time, with any exit code, after it printed whatever it likes. The number reaches the check by its input,
-     * which it reads before the class is loaded.
+     * Runs a check in a process with little memory. The class may print anything and end the process at any time with
+     * any exit code. So only lines that begin with a random number count as the check's own, and the last of them is
+     * the verdict. The check reads the number from its input before the class is loaded.
      *
      * @param args   the command and its options
-     * @param folder where the student's classes are; empty for where the program has them
-     * @return how it ended
+     * @param folder the folder of the student's classes; empty for the default
+     * @return the result
      * @throws IOException if no process can be made
      */
     static Outcome run(List<String> args, Optional<Path> folder) throws IOException {
@@ -63,7 +62,7 @@ final class StudentProcess {
         }
     }
 
-    /** Takes what begins with the number, and the verdict that has to be the last of it. */
+    /** Selects the lines that begin with the number; the last one has to be the verdict. */
     static Outcome outcome(List<String> printed, String number) {
         List<String> own = printed.stream().filter(line -> line.startsWith(number + " "))
                 .map(line -> line.substring(number.length() + 1)).toList();
@@ -72,7 +71,7 @@ final class StudentProcess {
                 return new Outcome(code, own.subList(0, own.size() - 1));
             }
         }
-        return new Outcome(ExitCode.BAD_INPUT, List.of("wrong: the check did not come to its end; the class ended the"
+        return new Outcome(ExitCode.BAD_INPUT, List.of("wrong: the check did not finish; the class ended the"
                 + " program"));
     }
 

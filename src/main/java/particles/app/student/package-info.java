@@ -1,5 +1,5 @@
 /**
- * The commands for students' classes: skeletons, checks, exercises and marks. What calls a student's class runs in a
- * process of its own.
+ * The commands for students' classes: skeletons, checks, exercises and marks. Code that calls a student's class runs in
+ * a child process.
  */
 package particles.app.student;

@@ -132,7 +132,7 @@ public final class LectureFigures {
      * @return the exact solution alone, which is what the vector field says, with the looks that it has in the others
      */
     public static ChartData exactChart() {
-        return new ChartData("Vectors show the vector field (v, \u2212x); each solution is an ellipse",
+        return new ChartData("Vectors show the vector field (v, \u2212x); each solution is a circle",
                 "position x (m)",
                 "velocity v (m/s)", false, false, List.of(new Series("no path", Mark.LINE, new double[0],
                         new double[0]),

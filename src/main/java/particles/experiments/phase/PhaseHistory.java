@@ -107,7 +107,7 @@ public final class PhaseHistory implements Observer {
     /**
      * @param axis  which component of the motion
      * @param title of the chart, such as the scene and its solver
-     * @return the path, and its first state once more as a mark of its own
+     * @return the path, and its first and last state once more as marks of their own
      * @throws IllegalStateException if no run with this particle was observed
      */
     public ChartData chart(Axis axis, String title) {
@@ -120,6 +120,7 @@ public final class PhaseHistory implements Observer {
         return new ChartData(title, "position " + axis.symbol() + " of '" + id + "' (m)",
                 "velocity v" + axis.symbol() + " of '" + id + "' (m/s)", false, false,
                 List.of(new Series("path", mark, x, v),
-                        new Series("start", Mark.POINTS, new double[] {x[0]}, new double[] {v[0]})));
+                        new Series("start", Mark.POINTS, new double[] {x[0]}, new double[] {v[0]}),
+                        new Series("end", Mark.POINTS, new double[] {x[count - 1]}, new double[] {v[count - 1]})));
     }
 }

@@ -54,11 +54,12 @@ final class PortraitChart {
                 exact.y()));
         series.add(new Series(solver, path.mark(), Arrays.copyOf(path.x(), shown), Arrays.copyOf(path.y(), shown)));
         int last = exact.x().length - 1;
-        series.add(new Series("ends: of the reference hollow, of the path filled", Mark.OPEN_POINTS,
+        series.add(new Series("start", Mark.POINTS, new double[] {exact.x()[0]}, new double[] {exact.y()[0]}));
+        series.add(new Series("end of the reference", Mark.OPEN_POINTS,
                 new double[] {exact.x()[last]}, new double[] {exact.y()[last]}));
         int end = shown - 1;
         if (end >= 0 && whole && shown == path.x().length) {
-            series.add(new Series(solver, Mark.POINTS, new double[] {path.x()[end]}, new double[] {path.y()[end]}));
+            series.add(new Series("end", Mark.POINTS, new double[] {path.x()[end]}, new double[] {path.y()[end]}));
         } else if (end >= 0) {
             series.add(new Series("stopped, or out of the picture", Mark.FAILURES, new double[] {path.x()[end]},
                     new double[] {path.y()[end]}));

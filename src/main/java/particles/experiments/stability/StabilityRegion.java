@@ -1,6 +1,9 @@
 package particles.experiments.stability;
 
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.catalog.SolverInfo;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import particles.view.ChartData;
@@ -38,10 +41,43 @@ public final class StabilityRegion {
             series.add(new StabilityMap(Amplification.of(SolverCatalog.info(solver))::at, window,
                     true).outline(solver));
         }
+        return chart(title, series, window);
+    }
+
+    /**
+     * @param solver whose region it shows
+     * @param window the part of the plane
+     * @return the region, filled, with its limits in the title
+     */
+    public static ChartData filled(String solver, Window window) {
+        SolverInfo info = SolverCatalog.info(solver);
+        StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
+        return chart(solver + ": " + limits(info),
+                new ArrayList<>(List.of(map.stripes("stable", 1), map.outline(solver))), window);
+    }
+
+    private static ChartData chart(String title, List<Series> series, Window window) {
         series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0},
                 new double[] {-window.top, window.top}));
-        return new ChartData(title, "Re(deltaT lambda): decay to the left, growth to the right",
-                "Im(deltaT lambda): oscillation",
+        return new ChartData(title, "Re(deltaT lambda): decay to the left", "Im(deltaT lambda): oscillation",
                 false, false, series);
+    }
+
+    private static String digits(double limit) {
+        return new BigDecimal(limit).round(new MathContext(4)).stripTrailingZeros().toPlainString();
+    }
+
+    /** How far a step may go, in a sentence. */
+    private static String limits(SolverInfo info) {
+        double damping = info.secondOrder() ? info.dampedLimit() : info.realLimit();
+        double springs = info.imaginaryLimit();
+        if (damping == Double.POSITIVE_INFINITY && springs == Double.POSITIVE_INFINITY) {
+            return "stable at any step, whatever decays or swings";
+        }
+        if (Double.isNaN(damping)) {
+            return "the first step of its table";
+        }
+        return (info.secondOrder() ? "critical damping to " : "damping to ") + digits(damping)
+                + (springs > 0 ? ", undamped springs to " + digits(springs) : "; undamped springs always grow");
     }
 }

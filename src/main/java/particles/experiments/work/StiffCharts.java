@@ -16,7 +16,7 @@ import particles.view.DataTable;
 
 /** The stiff gallery as charts and as a table. */
 public final class StiffCharts {
-    private static final String STIFFNESS = "stiffness of the spring between the masses (N/m)";
+    private static final String STIFFNESS = "stiffness k (N/m)";
     /** Less than this is drawn as this: it is gone. */
     private static final double GONE = 1e-16;
 
@@ -25,11 +25,8 @@ public final class StiffCharts {
 
     /**
      * @param sweeps one a solver
-     * @return over the stiffness: evaluations for 1 %, with exponents in the legend; evaluations to be stable; what is
-     *         left
-     * of
-     *         the vibration, for those that are stable; and, if there are any, who is never stable and where nobody has
-     *         1 %
+     * @return over the stiffness: evaluations for 1 %; if there are any, solvers that are never stable, and where there
+     *         is no run to 1 %; evaluations to be stable; what is left of the vibration, for those that are stable
      */
     public static List<ChartData> charts(List<Sweep> sweeps) {
         List<Series> precise = new ArrayList<>();
@@ -46,17 +43,19 @@ public final class StiffCharts {
         }
         List<ChartData> charts = new ArrayList<>();
         charts.add(new ChartData(finding(sweeps), STIFFNESS, "evaluations for 1 %", true, true, precise));
-        if (!stable.isEmpty()) {
-            charts.add(new ChartData("", STIFFNESS, "... to be stable", true, true, stable));
-        }
-        if (!left.isEmpty()) {
-            charts.add(new ChartData("", STIFFNESS, "energy left / start", true, true, left));
-        }
         List<String> rows = sweeps.stream().filter(sweep -> sweep.neverStable()
                 || sweep.costs().stream().anyMatch(cost ->
                         Double.isNaN(cost.toOnePercent()))).map(StiffCharts::name).toList();
         if (!rows.isEmpty()) {
             charts.add(new ChartData("", STIFFNESS, "never", true, false, rows, failures(sweeps, rows)));
+        }
+        if (!stable.isEmpty()) {
+            charts.add(new ChartData("What a run costs that only has to be stable", STIFFNESS,
+                    "evaluations to be stable", true, true, stable));
+        }
+        if (!left.isEmpty()) {
+            charts.add(new ChartData("What is left of the fast vibration in the cheapest run that finds the swing to"
+                    + " 1 %", STIFFNESS, "fast-mode energy, end / start", true, true, left));
         }
         return charts;
     }

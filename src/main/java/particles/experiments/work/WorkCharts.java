@@ -123,11 +123,8 @@ public final class WorkCharts {
 
     /** @return the fitted slope beside that of theory, as the legend says it */
     static String slope(Curve curve) {
-        double order = curve.solver().order();
-        boolean reduced = curve.expected() < order;
-        String theory = reduced ? String.format(Locale.ROOT, " (theory %.0f, order %.0f)", curve.expected(), order)
-                : Double.isNaN(curve.expected()) ? "" : String.format(Locale.ROOT, " (%.0f)", curve.expected());
-        return Double.isNaN(curve.fit().slope()) ? ", no slope" : String.format(Locale.ROOT, ", %.2f",
+        String theory = Double.isNaN(curve.expected()) ? "" : String.format(Locale.ROOT, " (%.0f)", curve.expected());
+        return Double.isNaN(curve.fit().slope()) ? "" : String.format(Locale.ROOT, ", %.2f",
                 curve.fit().slope())
                 + theory;
     }
@@ -141,7 +138,8 @@ public final class WorkCharts {
         double[] y = fitted.stream().mapToDouble(p -> first * Math.pow(p.deltaT() / fitted.get(0).deltaT(),
                 curve.solver().order()))
                 .toArray();
-        return Optional.of(new Series(String.format(Locale.ROOT, "order %.0f, for comparison", curve.solver().order()),
+        return Optional.of(new Series(String.format(Locale.ROOT, "%s at order %.0f", curve.solver().label(),
+                curve.solver().order()),
                 Mark.LINE,
                 fitted.stream().mapToDouble(Point::evaluations).toArray(), y));
     }

@@ -69,6 +69,15 @@ final class ChartDataset extends AbstractXYDataset {
         return getYValue(series, item);
     }
 
+    /** @return the last point of a series that has a place in the chart; -1 if none has */
+    int last(int series) {
+        int item = getItemCount(series) - 1;
+        while (item >= 0 && !drawable(series, item)) {
+            item--;
+        }
+        return item;
+    }
+
     private boolean drawable(int series, int item) {
         double x = data.series().get(series).x()[item];
         double y = data.series().get(series).y()[item];

@@ -1,14 +1,11 @@
 package particles.output.charts;
 
 import java.awt.Shape;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItem;
 import org.jfree.chart.LegendItemCollection;
-import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.LegendTitle;
@@ -16,29 +13,27 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 
 /**
- * The legend below a chart: one item a series, with its line and its points; none for a series that is alone,
- * unless it is a solver's or of failures, which the axis does not name.
+ * The legend below a chart: one item a series, with its line and its points; none for a series whose name stands in the
+ * chart, and none for one that is alone, unless it is a solver's or of failures, which the axis does not name.
  */
-public final class ChartLegend {
+final class ChartLegend {
     private ChartLegend() {
     }
 
-    static void addTo(JFreeChart chart, XYPlot plot) {
-        List<XYPlot> plots = new ArrayList<>();
-        if (plot instanceof CombinedDomainXYPlot combined) {
-            plots.addAll(combined.getSubplots());
-        } else {
-            plots.add(plot);
+    static void addTo(FittedChart chart, XYPlot plot) {
+        LegendTitle legend = of(FittedChart.subplots(plot), chart.labelledNames(), false);
+        if (legend.getSources()[0].getLegendItems().getItemCount() > 0) {
+            chart.addLegend(legend);
         }
-        chart.addLegend(of(plots, false));
     }
 
     /**
-     * @param plots    the charts that it explains
-     * @param oneLook  whether a name looks the same wherever it stands; else that is so of solvers and failures alone
+     * @param plots   the charts that it explains
+     * @param inChart names that stand in the charts
+     * @param oneLook whether a name looks the same wherever it stands; else that is so of solvers and failures alone
      * @return the legend; a name that looks the same is in it once
      */
-    public static LegendTitle of(List<XYPlot> plots, boolean oneLook) {
+    static LegendTitle of(List<XYPlot> plots, List<String> inChart, boolean oneLook) {
         LegendItemCollection items = new LegendItemCollection();
         Set<String> named = new HashSet<>();
         for (XYPlot part : plots) {
@@ -51,7 +46,7 @@ public final class ChartLegend {
                 boolean alone = dataset.getSeriesCount() == 1 && !known;
                 boolean nothing = dataset.getItemCount(k) == 0 && !renderer.getItemShapeVisible(k, 0);
                 boolean same = oneLook || known;
-                if (!alone && !nothing && (!same || named.add(dataset.name(k)))) {
+                if (!alone && !nothing && !inChart.contains(dataset.name(k)) && (!same || named.add(dataset.name(k)))) {
                     items.add(item(renderer, dataset.name(k), k));
                 }
             }

@@ -3,6 +3,7 @@ package particles.output.charts;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
@@ -11,6 +12,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
 import particles.output.text.FontCheck;
 
@@ -26,6 +28,8 @@ public final class ChartStyle {
     static final Color FIELD = new Color(0x9aa7b8);
 
     public static final Font TITLE = FontCheck.font(Font.BOLD, 15);
+    /** Above a panel of several. */
+    static final Font PANEL = FontCheck.font(Font.BOLD, 13);
     public static final Font LABEL = FontCheck.font(Font.PLAIN, 13);
     static final Font TICKS = FontCheck.font(Font.PLAIN, 12);
 
@@ -45,7 +49,9 @@ public final class ChartStyle {
             new Color(0x009e73), new Color(0xcc79a7), new Color(0xe69f00), new Color(0x56b4e9));
     private static final List<float[]> DASHES = List.of(new float[0], new float[] {7, 3}, new float[] {2, 2.5f},
             new float[] {9, 3, 2, 3}, new float[] {14, 4}, new float[] {5, 2, 2, 2, 2, 2});
-    private static final List<Shape> SHAPES = List.of(disc(3.5), square(3.2), polygon(4.3, -1, 3), polygon(4.3, -1, 4),
+    /** How many kinds of dashes there are. */
+    static final int STROKES = DASHES.size();
+    private static final List<Shape> SHAPES = List.of(disc(4.4), square(3.3), polygon(3.7, -1, 3), polygon(3.7, -1, 4),
             polygon(4.3, 1, 3), plus(4.2));
 
     /** What did not work: a cross that lies, larger than any mark of a result. */
@@ -55,6 +61,20 @@ public final class ChartStyle {
     static final Shape GIVEN_UP = ring(4.2, 2.2);
 
     private ChartStyle() {
+    }
+
+    /** @return the text in lines that are no wider, if its words are not */
+    static List<String> wrapped(String text, FontMetrics metrics, double width) {
+        List<String> lines = new ArrayList<>();
+        for (String word : text.split(" ")) {
+            int last = lines.size() - 1;
+            if (last >= 0 && metrics.stringWidth(lines.get(last) + " " + word) <= width) {
+                lines.set(last, lines.get(last) + " " + word);
+            } else {
+                lines.add(word);
+            }
+        }
+        return lines;
     }
 
     /** @return the colour of a chart's k-th series */

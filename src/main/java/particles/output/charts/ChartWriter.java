@@ -9,7 +9,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.jfree.chart.JFreeChart;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
@@ -18,83 +17,91 @@ import particles.output.text.FontCheck;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/** Writes chart data as PNG pictures, all in one style. */
+/** Writes charts as PNG pictures, and as SVG where that is asked for, all in one style. */
 public final class ChartWriter {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 560;
     private static final int STACKED_HEIGHT = 760;
-    /** Device pixels for each pixel of the layout, so that print and large screens get sharp lines. */
-    private static final int SCALE = 2;
-    /** How wide the picture of a chart is. */
-    public static final int PIXELS_WIDE = SCALE * WIDTH;
+    private static final int SQUARE_WIDTH = 720;
+    private static final int SQUARE_HEIGHT = 700;
+    /** How the name of a picture ends. */
+    public static final String PNG = ".png";
+    /** How the name of a vector graphic ends. */
+    public static final String SVG = ".svg";
 
-    private ChartWriter() {
-    }
+    private final OutputFolder folder;
+    private final ChartFormat format;
 
     /**
-     * @param folder where the picture goes
-     * @param name   the file's name, such as {@code work-precision.png}
-     * @param data   what it shows
-     * @throws OutputException if it cannot be written, or this machine has no font
+     * @param folder where the pictures go
+     * @param format what they are for
      */
-    public static void write(OutputFolder folder, String name, ChartData data) {
-        FontCheck.require(folder.getPath().resolve(name));
-        write(folder, name, Charts.of(data), HEIGHT);
+    public ChartWriter(OutputFolder folder, ChartFormat format) {
+        this.folder = folder;
+        this.format = format;
+    }
+
+    /** @return what the pictures are for */
+    public ChartFormat format() {
+        return format;
     }
 
     /**
-     * Charts above each other over the same x axis; the title is the first one's.
+     * Charts above each other over the same x axis, or on slides each by itself.
      *
-     * @param folder where the picture goes
-     * @param name   the file's name, such as {@code energy.png}
-     * @param data   at least one chart, the uppermost first
-     * @throws OutputException if it cannot be written, or this machine has no font
+     * @param name   the file's name, such as {@code energy.png}; further slides are {@code energy-2.png} and so on
+     * @param charts at least one, the uppermost first
+     * @throws OutputException if a file cannot be written, or this machine has no font
      */
-    public static void writeStacked(OutputFolder folder, String name, List<ChartData> data) {
-        FontCheck.require(folder.getPath().resolve(name));
-        int rows = data.stream().mapToInt(chart -> chart.rows().size()).max().orElse(0);
-        long ofQuantities = data.stream().filter(chart -> chart.rows().isEmpty()).count();
-        write(folder, name, Charts.stacked(data), (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT)
-                + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));
+    public void write(String name, List<ChartData> charts) {
+        Panel whole = new Panel(charts, Panel.Kind.CHART, Optional.empty());
+        List<Panel> pages = format.slide() ? whole.apart() : List.of(whole);
+        for (int k = 0; k < pages.size(); k++) {
+            write(k == 0 ? name : name.replace(PNG, "-" + (k + 1) + PNG), pages.get(k));
+        }
     }
 
     /**
      * A path in state space.
      *
-     * @param folder where the picture goes
-     * @param name   the file's name, such as {@code phase.png}
-     * @param data   position against velocity: the path, then points to be marked, such as its start
-     * @param field  the arrows behind it, if there are any
-     * @throws OutputException if it cannot be written, or this machine has no font
+     * @param name  the file's name, such as {@code phase.png}
+     * @param data  position against velocity: the path, then points to be marked, such as its start
+     * @param field the arrows behind it, if there are any
+     * @throws OutputException if a file cannot be written, or this machine has no font
      */
-    public static void writePhase(OutputFolder folder, String name, ChartData data, Optional<VectorField> field) {
-        FontCheck.require(folder.getPath().resolve(name));
-        write(folder, name, PhasePlot.of(data, field), HEIGHT + 100);
+    public void writePhase(String name, ChartData data, Optional<VectorField> field) {
+        write(name, Panel.phase(data, field));
     }
 
     /**
-     * A map of a plane: a unit along x is as long as one along y, so that circles are round.
-     *
-     * @param folder where the picture goes
-     * @param name   the file's name, such as {@code region.png}
-     * @param data   what it shows
-     * @throws OutputException if it cannot be written, or this machine has no font
+     * @param name  the file's name, such as {@code work-precision.png}
+     * @param panel what it shows
+     * @throws OutputException if a file cannot be written, or this machine has no font
      */
-    public static void writeMap(OutputFolder folder, String name, ChartData data) {
+    public void write(String name, Panel panel) {
         FontCheck.require(folder.getPath().resolve(name));
-        write(folder, name, Charts.map(data, WIDTH, STACKED_HEIGHT), STACKED_HEIGHT);
+        FittedChart chart = Charts.of(panel);
+        List<ChartData> charts = panel.charts();
+        int rows = charts.stream().mapToInt(data -> data.rows().size()).max().orElse(0);
+        long ofQuantities = charts.stream().filter(data -> data.rows().isEmpty()).count();
+        int width = format.width(chart.hasEqualUnits() ? SQUARE_WIDTH : WIDTH);
+        int height = format.height(chart.hasEqualUnits() ? SQUARE_HEIGHT
+                : (ofQuantities > 1 ? STACKED_HEIGHT : HEIGHT) + (rows == 0 ? 0 : Charts.ROW * (rows + 2)));
+        write(name, width, height, g -> chart.draw(g, new Rectangle2D.Double(0, 0, width, height)));
     }
 
-    private static void write(OutputFolder folder, String name, JFreeChart chart, int height) {
-        chart.setTextAntiAlias(true);
-        write(folder, name, WIDTH, height, g -> chart.draw(g, new Rectangle2D.Double(0, 0, WIDTH, height)));
-    }
-
-    /** @param drawing draws on a page of this size */
-    public static void write(OutputFolder folder, String name, int width, int height, Consumer<Graphics2D> drawing) {
-        BufferedImage image = new BufferedImage(SCALE * width, SCALE * height, BufferedImage.TYPE_INT_RGB);
+    /**
+     * @param name    the file's name
+     * @param width   of the page that is drawn on, in pixels of the layout
+     * @param height  of this page
+     * @param drawing draws
+     * @throws OutputException if a file cannot be written
+     */
+    public void write(String name, int width, int height, Consumer<Graphics2D> drawing) {
+        int scale = format.scale();
+        BufferedImage image = new BufferedImage(scale * width, scale * height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
-        g.scale(SCALE, SCALE);
+        g.scale(scale, scale);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         drawing.accept(g);
@@ -107,6 +114,9 @@ public final class ChartWriter {
             throw new OutputException(folder.getPath().resolve(name), "write", e);
         } finally {
             encoder.close();
+        }
+        if (format.svg()) {
+            SvgDrawing.write(folder, name.replace(PNG, SVG), width, height, drawing);
         }
     }
 }

@@ -2,12 +2,10 @@ package particles.output.charts;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics2D;
-import java.awt.geom.Rectangle2D;
-import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
-import org.jfree.chart.ChartRenderingInfo;
-import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.NumberTickUnitSource;
@@ -16,36 +14,46 @@ import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.SeriesRenderingOrder;
 import org.jfree.chart.plot.XYPlot;
-import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.title.TextTitle;
 import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.data.Range;
 import org.jfree.data.general.DatasetUtils;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
 
 /** Chart data as JFreeChart's charts, in the common style. */
-public final class Charts {
+final class Charts {
     /** Values that differ by less than this part of their size differ by rounding, which needs no axis of its own. */
     private static final double ROUNDING = 1e-13;
-
-    /**
-     * Lines that go up and down by their range more often than this fill an area; they then let others shine through.
-     */
-    private static final int DENSE = 120;
 
     /** The height of a row, in pixels as the other charts' heights, roughly. */
     static final int ROW = 17;
 
+    private static final int MAIN = 400;
+
     private Charts() {
     }
 
-    public static JFreeChart of(ChartData data) {
-        return finished(data.title(), plot(data));
+    /** @return a chart by itself */
+    static FittedChart of(ChartData data) {
+        return of(Panel.chart(data));
+    }
+
+    /** @return the chart of a panel, or its charts above each other */
+    static FittedChart of(Panel panel) {
+        return of(panel, MAIN);
+    }
+
+    /** @param main the height of a chart above rows, in the same pixels as theirs */
+    static FittedChart of(Panel panel, int main) {
+        return panel.kind() == Panel.Kind.PHASE ? PhasePlot.of(panel.charts().get(0), panel.field())
+                : finished(panel.title(), panel.charts().size() == 1 ? plot(panel.charts().get(0))
+                : stacked(panel.charts(), main), panel.kind());
     }
 
     /** Charts above each other, over the x axis of the first; the upper one has more room, rows have what they need. */
-    static JFreeChart stacked(List<ChartData> data) {
+    private static XYPlot stacked(List<ChartData> data, int main) {
         Range x = data.stream().map(chart -> range(new ChartDataset(chart), true)).reduce(null, Range::combine);
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(), x,
                 onlyLines(data.get(0))));
@@ -56,37 +64,17 @@ public final class Charts {
             int rows = data.get(k).rows().size();
             int series = data.get(k).series().size();
             all.add(plot(data.get(k), series > 1 ? looks : 0), rows > 0 ? ROW * (rows + 1) : k > 0 ? 153
-                    : ofQuantities > 1 ? 255 : 400);
+                    : ofQuantities > 1 ? 255 : main);
             looks += series;
         }
-        return finished(data.get(0).title(), all);
+        return all;
     }
 
-    /** With the same unit along both axes: the one that would have the longer unit shows more. */
-    static JFreeChart map(ChartData data, int width, int height) {
-        JFreeChart chart = of(data);
-        ChartRenderingInfo info = new ChartRenderingInfo();
-        Graphics2D trial = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB).createGraphics();
-        chart.draw(trial, new Rectangle2D.Double(0, 0, width, height), info);
-        trial.dispose();
-        Rectangle2D area = info.getPlotInfo().getDataArea();
-        Range x = chart.getXYPlot().getDomainAxis().getRange();
-        Range y = chart.getXYPlot().getRangeAxis().getRange();
-        double unit = Math.min(area.getWidth() / x.getLength(), area.getHeight() / y.getLength());
-        chart.getXYPlot().getDomainAxis().setRange(widened(x, area.getWidth() / unit));
-        chart.getXYPlot().getRangeAxis().setRange(widened(y, area.getHeight() / unit));
-        return chart;
-    }
-
-    private static Range widened(Range range, double length) {
-        double middle = range.getCentralValue();
-        return new Range(middle - length / 2, middle + length / 2);
-    }
-
-    private static JFreeChart finished(String title, XYPlot plot) {
-        JFreeChart chart = new JFreeChart(title, ChartStyle.TITLE, plot, false);
+    static FittedChart finished(String title, XYPlot plot, Panel.Kind kind) {
+        FittedChart chart = new FittedChart(title, plot, kind);
         chart.setBackgroundPaint(Color.WHITE);
         chart.setPadding(new RectangleInsets(8, 8, 8, 14));
+        chart.setTextAntiAlias(true);
         TextTitle heading = chart.getTitle();
         heading.setPaint(ChartStyle.TEXT);
         heading.setMargin(2, 0, 6, 0);
@@ -98,11 +86,12 @@ public final class Charts {
         return plot(data, 0);
     }
 
-    private static XYPlot plot(ChartData data, int firstLook) {
+    private static XYPlot plot(ChartData given, int firstLook) {
+        ChartData data = solidFirst(given);
         ChartDataset dataset = new ChartDataset(data);
         XYPlot plot = new XYPlot(dataset, axis(data.xLabel(), data.xLog(), range(dataset, true), onlyLines(data)),
                 data.rows().isEmpty() ? axis(data.yLabel(), data.yLog(), range(dataset, false), false)
-                        : inStyle(rowAxis(data.rows()), data.yLabel()), renderer(data, firstLook));
+                        : inStyle(rowAxis(data.rows()), data.yLabel()), SeriesRenderer.of(data, firstLook));
         plot.setSeriesRenderingOrder(SeriesRenderingOrder.FORWARD);     // through dashes the line below is seen
         plot.setBackgroundPaint(Color.WHITE);
         plot.setDomainGridlinePaint(ChartStyle.GRID);
@@ -112,6 +101,20 @@ public final class Charts {
         plot.setOutlinePaint(ChartStyle.AXIS);
         plot.setAxisOffset(RectangleInsets.ZERO_INSETS);
         return plot;
+    }
+
+    /** Solvers whose lines have dashes come after those without: through dashes the line below is seen. */
+    private static ChartData solidFirst(ChartData data) {
+        List<Series> solvers = new ArrayList<>(data.series().stream().filter(Charts::isSolverLine).toList());
+        solvers.sort(Comparator.comparing(series -> SolverStyle.orGrey(series.name()).hasDashes()));
+        Iterator<Series> next = solvers.iterator();
+        return new ChartData(data.title(), data.xLabel(), data.yLabel(), data.xLog(), data.yLog(), data.rows(),
+                data.series().stream().map(series -> isSolverLine(series) ? next.next() : series).toList());
+    }
+
+    private static boolean isSolverLine(Series series) {
+        return (series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS)
+                && SolverStyle.of(series.name()).isPresent();
     }
 
     /** Null where there is no point at all, as JFreeChart says it. */
@@ -178,47 +181,5 @@ public final class Charts {
             axis.setAutoRangeMinimumSize(size == 0 ? 1 : Math.max(ROUNDING * size, Double.MIN_NORMAL));
         }
         return axis;
-    }
-
-    private static XYLineAndShapeRenderer renderer(ChartData data, int firstLook) {
-        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
-        renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
-        renderer.setUseOutlinePaint(true);
-        renderer.setUseFillPaint(true);
-        boolean ofSolvers = data.series().stream().anyMatch(series -> SolverStyle.of(series.name()).isPresent());
-        for (int k = 0; k < data.series().size(); k++) {
-            Mark mark = data.series().get(k).mark();
-            boolean dense = mark == Mark.LINE && k > 0 && isDense(data.series().get(k).y());
-            SolverStyle look = SolverStyle.of(data.series().get(k).name()).orElse(new SolverStyle(
-                    ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(firstLook + k), ChartStyle.stroke(firstLook + k),
-                    ChartStyle.shape(firstLook + k)));
-            boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
-            boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS;
-            Color colour = failed ? Color.RED.darker() : look.colour();
-            renderer.setSeriesLinesVisible(k, !failed && mark != Mark.POINTS && mark != Mark.OPEN_POINTS);
-            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && mark != Mark.BAND);
-            renderer.setSeriesPaint(k, dense || mark == Mark.BAND ? ChartStyle.pale(colour) : colour);
-            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR
-                    : mark == Mark.BAND ? ChartStyle.BAND : look.stroke());
-            renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE
-                    : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : look.shape());
-            renderer.setSeriesFillPaint(k, open ? Color.WHITE : colour);
-            renderer.setSeriesOutlinePaint(k, open ? colour : Color.WHITE);
-            renderer.setSeriesOutlineStroke(k, open ? ChartStyle.BAR : new BasicStroke(0.6f));
-        }
-        return renderer;
-    }
-
-    /** Whether a line goes to and fro so often that it covers what lies below, unless it lets that shine through. */
-    static boolean isDense(double[] y) {
-        double low = Double.POSITIVE_INFINITY;
-        double high = Double.NEGATIVE_INFINITY;
-        double way = 0;
-        for (int k = 0; k < y.length; k++) {
-            low = Math.min(low, y[k]);
-            high = Math.max(high, y[k]);
-            way += Math.abs(y[k] - y[Math.max(0, k - 1)]);
-        }
-        return way > DENSE * (high - low);
     }
 }

@@ -2,11 +2,11 @@ package particles.output.charts;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Shape;
 import java.awt.Stroke;
 import java.awt.geom.AffineTransform;
 import java.util.Arrays;
 import java.util.Optional;
-import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
@@ -18,11 +18,11 @@ import particles.view.ChartData.Series;
 import particles.view.VectorField;
 
 /**
- * A path in state space: the first series of the chart data, in the colour of the solver that it is named after, with
- * heads along it that show its direction, its start marked, and, where it is known, the vector field behind it. The
- * arrows of the field are as long as the field is strong.
+ * A path in state space: the first line of a solver, in its colour, with heads along it that show its direction, its
+ * start and end marked, and, where it is known, the vector field behind it. The arrows of the field are as long as the
+ * field is strong.
  */
-public final class PhasePlot {
+final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
     private static final double PATH_HEAD = 11;
     private static final Stroke PATH = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
@@ -33,30 +33,47 @@ public final class PhasePlot {
     private PhasePlot() {
     }
 
-    public static JFreeChart of(ChartData data, Optional<VectorField> field) {
-        JFreeChart chart = Charts.of(data);
-        XYPlot plot = chart.getXYPlot();
+    static FittedChart of(ChartData data, Optional<VectorField> field) {
+        XYPlot plot = Charts.plot(data);
         XYLineAndShapeRenderer renderer = (XYLineAndShapeRenderer) plot.getRenderer();
-        boolean dense = Charts.isDense(data.series().get(0).x()) || Charts.isDense(data.series().get(0).y());
-        Color colour = SolverStyle.of(data.series().get(0).name()).map(SolverStyle::colour)
-                .orElse(ChartStyle.colour(1));
-        renderer.setSeriesPaint(0, dense ? ChartStyle.pale(colour) : colour);
-        renderer.setSeriesFillPaint(0, colour);
-        renderer.setSeriesStroke(0, dense ? ChartStyle.THIN : PATH);
-        renderer.setSeriesShape(0, ChartStyle.disc(2.2));
-        for (int k = 1; k < data.series().size(); k++) {
-            boolean open = data.series().get(k).mark() == Mark.OPEN_POINTS;
-            renderer.setSeriesPaint(k, ChartStyle.AXIS);            // colours are the solvers'
-            renderer.setSeriesFillPaint(k, open ? Color.WHITE : ChartStyle.AXIS);
-            renderer.setSeriesOutlinePaint(k, open ? ChartStyle.AXIS : Color.WHITE);
-            renderer.setSeriesShape(k, LARGE.createTransformedShape(ChartStyle.shape(k - 1)));
+        int path = path(data);
+        Series states = data.series().get(path);
+        boolean dense = SeriesRenderer.isDense(states.x()) || SeriesRenderer.isDense(states.y());
+        Color colour = SolverStyle.of(states.name()).map(SolverStyle::colour).orElse(ChartStyle.colour(1));
+        for (int k = 0; k < data.series().size(); k++) {
+            Mark mark = data.series().get(k).mark();
+            boolean open = mark == Mark.OPEN_POINTS;
+            if (k != path && mark != Mark.BAND && mark != Mark.FAILURES) {
+                renderer.setSeriesPaint(k, ChartStyle.AXIS);        // colours are the solvers'
+                renderer.setSeriesFillPaint(k, open ? Color.WHITE : ChartStyle.AXIS);
+                renderer.setSeriesOutlinePaint(k, open ? ChartStyle.AXIS : Color.WHITE);
+                renderer.setSeriesShape(k, LARGE.createTransformedShape(mark(data.series().get(k).name(), k)));
+            }
         }
-        chart.removeLegend();
-        ChartLegend.addTo(chart, plot);
+        renderer.setSeriesPaint(path, dense ? ChartStyle.pale(colour) : colour);
+        renderer.setSeriesFillPaint(path, colour);
+        renderer.setSeriesStroke(path, dense ? ChartStyle.THIN : PATH);
+        renderer.setSeriesShape(path, ChartStyle.disc(2.2));
         field.ifPresent(f -> addField(plot, renderer, f));
-        data.series().stream().filter(series -> series.x().length > 1).findFirst()
-                .ifPresent(path -> addHeads(renderer, path, path == data.series().get(0) ? colour : ChartStyle.AXIS));
-        return chart;
+        addHeads(renderer, states, colour);
+        return Charts.finished(data.title(), plot, Panel.Kind.PHASE);
+    }
+
+    /** The first line of a solver, or else the first one at all. */
+    private static int path(ChartData data) {
+        int first = 0;
+        for (int k = data.series().size() - 1; k >= 0; k--) {
+            Series series = data.series().get(k);
+            boolean line = series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS;
+            boolean known = SolverStyle.of(data.series().get(first).name()).isPresent();
+            first = line && series.x().length > 1 && (!known || SolverStyle.of(series.name()).isPresent()) ? k : first;
+        }
+        return first;
+    }
+
+    /** Starts and ends look the same in all plots. */
+    private static Shape mark(String name, int k) {
+        return ChartStyle.shape(name.startsWith("start") ? 1 : name.startsWith("end") ? 2 : 2 + k % 2);
     }
 
     /** All arrows are ds/dt times one time, so chosen that none is longer than its cell of the grid. */

@@ -1,5 +1,6 @@
 package particles.output.charts;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Shape;
 import java.awt.Stroke;
@@ -7,28 +8,30 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * How a solver looks in every chart: the colour says its family, dashes and shape which one it is. A series is a
- * solver's if its name begins with the solver's, as "rk4" or "rk4, deltaT = 0.1 s".
+ * How a solver looks in every chart: the hue says its family; lightness, dashes and shape say which one it is, so that
+ * a family is told apart in grey print, too. A series is a solver's if its name begins with the solver's, as "rk4" or
+ * "rk4, deltaT = 0.1 s".
  */
-public record SolverStyle(Color colour, Stroke stroke, Shape shape) {
+public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shape shape) {
     private static final Map<String, SolverStyle> LOOKS = Map.ofEntries(
-            look("euler", 2, 0, 0),                     // the slides' three differ most: they are compared most
-            look("midpoint", 5, 0, 1),
-            look("rk4", 0, 0, 2),
-            look("step-doubling", 1, 1, 3),
-            look("dormand-prince", 1, 0, 0),
-            look("bulirsch-stoer", 1, 2, 1),
-            look("adams", 6, 0, 4),
-            look("symplectic-euler", 3, 1, 1),
-            look("verlet", 3, 0, 0),
-            look("yoshida4", 3, 2, 2),
-            look("backward-euler", 4, 0, 0),
-            look("implicit-midpoint", 4, 1, 3),
-            look("radau", 4, 2, 5));
+            look("euler", SolverFamily.EXPLICIT, 0xd55e00, 0),
+            look("midpoint", SolverFamily.EXPLICIT, 0xe69f00, 1),
+            look("rk4", SolverFamily.EXPLICIT, 0x6b2500, 4),
+            look("adams", SolverFamily.EXPLICIT, 0x000000, 3),
+            look("step-doubling", SolverFamily.ADAPTIVE, 0x56b4e9, 1),
+            look("dormand-prince", SolverFamily.ADAPTIVE, 0x0072b2, 0),
+            look("bulirsch-stoer", SolverFamily.ADAPTIVE, 0x0b2f5c, 2),
+            look("symplectic-euler", SolverFamily.SYMPLECTIC, 0x5fcfa4, 1),
+            look("verlet", SolverFamily.SYMPLECTIC, 0x009e73, 0),
+            look("yoshida4", SolverFamily.SYMPLECTIC, 0x00513b, 2),
+            look("backward-euler", SolverFamily.IMPLICIT, 0xcc79a7, 1),
+            look("linearised-euler", SolverFamily.IMPLICIT, 0xe0a8ca, 2),
+            look("implicit-midpoint", SolverFamily.IMPLICIT, 0x9b3f86, 0),
+            look("radau", SolverFamily.IMPLICIT, 0x4b1250, 3));
 
-    private static Map.Entry<String, SolverStyle> look(String name, int colour, int dashes, int shape) {
-        return Map.entry(name, new SolverStyle(ChartStyle.colour(colour), ChartStyle.stroke(dashes),
-                ChartStyle.shape(shape)));
+    private static Map.Entry<String, SolverStyle> look(String name, SolverFamily family, int rgb, int member) {
+        return Map.entry(name, new SolverStyle(family, new Color(rgb), ChartStyle.stroke(member),
+                ChartStyle.shape(member)));
     }
 
     /**
@@ -48,7 +51,13 @@ public record SolverStyle(Color colour, Stroke stroke, Shape shape) {
      * @return the look of the solver with whose name it begins; grey for a solver of one's own
      */
     public static SolverStyle orGrey(String series) {
-        return of(series).orElse(new SolverStyle(ChartStyle.AXIS, ChartStyle.stroke(0), ChartStyle.shape(0)));
+        return of(series).orElse(new SolverStyle(SolverFamily.OWN, ChartStyle.AXIS, ChartStyle.stroke(0),
+                ChartStyle.shape(0)));
+    }
+
+    /** @return whether its line is broken */
+    boolean hasDashes() {
+        return ((BasicStroke) stroke).getDashArray() != null;
     }
 
     /** @return the colour as 0xRRGGBB */

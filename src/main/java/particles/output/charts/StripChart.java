@@ -8,7 +8,6 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import org.jfree.chart.ChartRenderingInfo;
-import org.jfree.chart.JFreeChart;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
@@ -21,12 +20,13 @@ public final class StripChart {
     private static final BasicStroke NOW = new BasicStroke(1.2f);
 
     private final ChartData data;
-    private final JFreeChart chart;
+    private final FittedChart chart;
 
     public StripChart(ChartData data) {
         this.data = data;
         chart = Charts.of(data);
         chart.removeLegend();
+        chart.removeLabels();
         chart.setTitle((String) null);
         chart.setPadding(new RectangleInsets(4, 4, 4, 10));
     }

@@ -20,9 +20,9 @@ public class OutputException extends RuntimeException {
 
     /**
      * @param file  the file or folder
-     * @param what  what was to be done with it, such as {@code write}
-     * @param why   why that failed
-     * @param cause the exception that says so, or null where there is none
+     * @param what  the attempted action, such as {@code write}
+     * @param why   the reason
+     * @param cause the cause, or null if there is none
      */
     public OutputException(Path file, String what, String why, Throwable cause) {
         super("cannot " + what + " " + file + ": " + why, cause);
@@ -43,7 +43,7 @@ public class OutputException extends RuntimeException {
         return file;
     }
 
-    /** The class of a file system's exception often says more than its message, which is just the file's name. */
+    /** The message of a file system's exception is often only the file's name, so its class is used too. */
     private static String reason(IOException e) {
         if (e instanceof AccessDeniedException) {
             return "permission denied";

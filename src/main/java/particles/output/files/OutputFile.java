@@ -12,9 +12,9 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 
 /**
- * A file that comes to be as a whole or not at all: it is written under a temporary name in the same folder and moved
- * to its own name by {@link #commit}. Closed without commit, it leaves nothing behind, and a file that was there before
- * stays. May be closed by another thread than the one that writes, as a program does that is being stopped.
+ * A file that is written atomically: it has a temporary name in the same folder until {@link #commit} renames it.
+ * Closed without commit, it is deleted, and an earlier file of its name stays. A stopping program may close it from
+ * another thread.
  */
 public final class OutputFile extends OutputStream {
     private static final int BUFFER = 1 << 16;
@@ -25,7 +25,7 @@ public final class OutputFile extends OutputStream {
         OutputStream open(Path file) throws IOException;
     }
 
-    /** Never through a link: a file of that name that was there is removed, not written to. */
+    /** Removes an existing file of that name instead of writing to it, which could follow a link. */
     public static final Opener ON_DISK = file -> {
         Files.deleteIfExists(file);
         return Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
@@ -49,12 +49,12 @@ public final class OutputFile extends OutputStream {
         }
     }
 
-    /** The temporary name: hidden, and told from the user's own files by both ends. */
+    /** The temporary name: hidden, with a prefix and suffix that the user's own files do not have. */
     static Path partOf(Path file) {
         return file.resolveSibling("." + file.getFileName() + ".part");
     }
 
-    /** @return where the file will be */
+    /** @return the final path */
     public Path getPath() {
         return file;
     }
@@ -70,10 +70,10 @@ public final class OutputFile extends OutputStream {
     }
 
     /**
-     * Writes over bytes that were written before, as formats want it whose beginning tells the length.
+     * Overwrites bytes written before, for formats whose header contains the length.
      *
      * @param position of the first of them
-     * @param bytes    what is to be there; it ends where what was written ends, or before
+     * @param bytes    the new bytes, within what was written
      */
     public synchronized void overwrite(long position, byte[] bytes) {
         attempt(() -> {
@@ -93,9 +93,9 @@ public final class OutputFile extends OutputStream {
     }
 
     /**
-     * The file is complete: gives it its name, in one move that replaces what was there.
+     * Completes the file: renames it to its final name atomically.
      *
-     * @throws OutputException if that fails; nothing is left then
+     * @throws OutputException if that fails; no file is left then
      */
     public synchronized void commit() {
         attempt(() -> {
@@ -109,7 +109,7 @@ public final class OutputFile extends OutputStream {
         whenDone.run();
     }
 
-    /** Ends the writing; without {@link #commit} before, what was written is thrown away. */
+    /** Closes the file; without {@link #commit} before, it is deleted. */
     @Override
     public synchronized void close() {
         if (!open) {
@@ -133,7 +133,7 @@ public final class OutputFile extends OutputStream {
         void run() throws IOException;
     }
 
-    /** On failure nothing is left behind; the first exception tells the reason, a second one rides along. */
+    /** On failure the file is deleted; a second exception is added to the first as suppressed. */
     private void attempt(Action action) {
         if (!open) {
             throw new OutputException(file, "write", "it was closed before it was complete", null);

@@ -10,9 +10,9 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * The folder of a run's results. It remembers in a small hidden file which names it wrote, so that a new run removes
- * what the old one made and nothing else; a file of the same name that no run made is never overwritten. Every file is
- * written whole or not at all. Nothing outside the folder is touched.
+ * The folder of a run's results. A small hidden file lists the names it wrote, so that a new run removes only what an
+ * old one made; a file of the same name that no run made is never overwritten. Every file is written whole or not at
+ * all. Nothing outside the folder is touched.
  */
 public final class OutputFolder implements AutoCloseable {
     /** The folder of the frames, in the output folder. */
@@ -35,12 +35,12 @@ public final class OutputFolder implements AutoCloseable {
     /**
      * Creates the folder, or removes from it what a previous run made.
      *
-     * @param path  where
-     * @param names the files that are going to be written, to learn before a long run that they cannot be;
-     *              {@link #FRAMES} for frames. Others may follow.
+     * @param path the folder
+     * @param names the files that will be written, checked before a long run begins; {@link #FRAMES} for frames; others
+     *              may follow
      * @return the folder, ready to be written to
-     * @throws OutputException if it cannot be created or written, another run is writing there, or it holds a file
-     *                         of these names that no run made
+     * @throws OutputException if it cannot be created or written, another run is writing there, or it holds a file of
+     *                         these names that no run made
      */
     public static OutputFolder open(Path path, String... names) {
         return open(path, OutputFile.ON_DISK, names);
@@ -73,13 +73,13 @@ public final class OutputFolder implements AutoCloseable {
         }
     }
 
-    /** @return where the folder is */
+    /** @return the folder's path */
     public Path getPath() {
         return path;
     }
 
     /**
-     * Begins a file of the folder.
+     * Opens a file of the folder for writing.
      *
      * @param name its name: letters, digits, dots, dashes, underscores
      * @return the file, to be written and committed
@@ -91,7 +91,7 @@ public final class OutputFolder implements AutoCloseable {
     }
 
     /**
-     * Begins the file of a frame, {@code frames/frame-00000.png} for the first.
+     * Opens the file of a frame, {@code frames/frame-00000.png} for the first.
      *
      * @param index the number of the frame, from 0
      * @return the file, to be written and committed
@@ -105,8 +105,8 @@ public final class OutputFolder implements AutoCloseable {
     }
 
     /**
-     * Throws away what is unfinished and begins nothing any more; what is complete stays. For the end of a program,
-     * also from another thread when it is being stopped.
+     * Deletes unfinished files and opens no more; complete files stay. A stopping program may call it from another
+     * thread.
      */
     @Override
     public void close() {
@@ -117,7 +117,7 @@ public final class OutputFolder implements AutoCloseable {
         }
     }
 
-    /** As {@link #close}, but other runs are still kept out. */
+    /** As {@link #close}, but keeps the folder locked. */
     public void discard() {
         List<OutputFile> parts;
         synchronized (this) {
@@ -127,7 +127,7 @@ public final class OutputFolder implements AutoCloseable {
         parts.forEach(OutputFile::close);
     }
 
-    /** The name is in the list before the file is in the folder. */
+    /** The name is listed before the file exists. */
     private synchronized boolean claim(String name) {
         if (made.contains(name)) {
             return false;

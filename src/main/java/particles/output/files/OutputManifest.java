@@ -11,8 +11,8 @@ import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
- * Which names of a folder are ours, kept in a small hidden file of the folder. A name is written there before the file
- * of that name is, so that what a killed run left behind is known as ours too.
+ * The list of files that runs made in a folder, kept there in a small hidden file. A name is added before its file is
+ * written, so that files of a killed run are known too.
  */
 final class OutputManifest {
     /** The list's own name. */
@@ -35,7 +35,7 @@ final class OutputManifest {
         return names.contains(name);
     }
 
-    /** From now on the name is ours, if nobody else's file has it. */
+    /** Adds a name, unless a file exists that no run made. */
     void claim(String name) {
         if (!PLAIN_NAME.matcher(name).matches()) {
             throw new IllegalArgumentException("'" + name + "' is no plain file name");
@@ -55,7 +55,7 @@ final class OutputManifest {
         list.commit();
     }
 
-    /** Removes what the list names. The list itself stays until the new one replaces it. */
+    /** Removes the listed files. The list itself stays until the new one replaces it. */
     void removeOldRun() {
         Path list = folder.resolve(NAME);
         try {
@@ -76,14 +76,14 @@ final class OutputManifest {
         }
     }
 
-    /** Our files are plain files; what is a link or a folder now, somebody else put there. */
+    /** Only plain files are ours; a link or a folder was put there by somebody else. */
     private static void remove(Path file) throws IOException {
         if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
             Files.delete(file);
         }
     }
 
-    /** Only frames; a folder that holds something else besides stays, and is still ours to put frames into. */
+    /** Removes frames only; a folder with other files stays and can still be used for frames. */
     private void removeFrames() throws IOException {
         Path frames = folder.resolve(OutputFolder.FRAMES);
         if (!Files.isDirectory(frames, LinkOption.NOFOLLOW_LINKS)) {

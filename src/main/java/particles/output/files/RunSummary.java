@@ -3,14 +3,14 @@ package particles.output.files;
 import java.util.Map;
 
 /**
- * What a run was and how it went, for {@code run.json}.
+ * The summary of a run, written to {@code run.json}.
  *
  * @param scene              the scene's name
  * @param sceneHash          SHA-256 of the scene file's bytes, in hexadecimal
  * @param solver             the solver's name
  * @param deltaT             the time step (s)
  * @param duration           the simulated time asked for (s)
- * @param endTime            the simulated time reached (s): less than the duration where the run was ended early
+ * @param endTime            the simulated time reached (s): less than the duration if the run ended early
  * @param version            the program's version
  * @param steps              steps made
  * @param evaluations        evaluations of the derivative
@@ -20,9 +20,9 @@ import java.util.Map;
  * @param energyScale        what energy errors are divided by (J): the largest kinetic plus spring energy of the run,
  *                           or for a scene at rest its weight times its height
  * @param largestEnergyDrift the total energy's largest distance from its start during the run (J)
- * @param work               what each kind of physics put in, by name (J); negative where it took energy out
+ * @param work               the work of each kind of physics, by name (J); negative if it took energy out
  * @param numericalError     the change of energy that no work explains, at the end (J)
- * @param largestNumericalError the largest of it during the run, without its sign (J)
+ * @param largestNumericalError its largest absolute value during the run (J)
  */
 public record RunSummary(String scene, String sceneHash, String solver, double deltaT, double duration, double endTime,
                          String version, long steps, long evaluations, double secondsTaken, double startEnergy,

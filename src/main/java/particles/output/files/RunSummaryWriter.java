@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Map;
 
-/** Writes {@code run.json}. Numbers that are not finite are written as {@code null}, since JSON has no others. */
+/** Writes {@code run.json}. NaN and infinity are written as {@code null}, since JSON cannot express them. */
 public final class RunSummaryWriter {
     /** The file's name. */
     public static final String FILE = "run.json";
@@ -19,7 +19,7 @@ public final class RunSummaryWriter {
     }
 
     /**
-     * @param folder where the file goes
+     * @param folder the output folder
      * @param run    what it says
      * @throws OutputException if it cannot be written
      */
@@ -34,7 +34,7 @@ public final class RunSummaryWriter {
             json.flush();
             file.commit();
         } catch (IOException e) {
-            throw new UncheckedIOException(e);      // of the generator; the file's own are OutputExceptions
+            throw new UncheckedIOException(e);      // from the generator; the file itself throws OutputExceptions
         }
     }
 

@@ -17,9 +17,9 @@ import particles.law.Particles;
  * time,particle,x,y,z,vx,vy,vz
  * 0.0,bob,1.0,0.0,0.0,0.0,0.0,0.0
  * </pre>
- * in s, m and m/s, ids quoted as RFC 4180 says where they need it, lines ended by {@code \n}, UTF-8. Recorded are the
- * solver's own states, after rules have acted, never interpolated ones: the first, every stride-th after it, and the
- * last. The bytes depend on the trajectory alone, whatever else observes the run.
+ * in s, m and m/s, ids quoted by RFC 4180 where needed, lines ended by {@code \n}, UTF-8. It records the solver's own
+ * states after rules have acted, never interpolated ones: the first, every stride-th after it, and the last. Other
+ * observers do not change the file.
  */
 public final class TrajectoryWriter implements Observer, AutoCloseable {
     /** The file's name. */
@@ -36,7 +36,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
 
     /**
      * @param folder where the file goes
-     * @param stride every how many steps a state is written, 1 or more
+     * @param stride write every stride-th step, 1 or more
      * @throws OutputException if the file cannot be written
      */
     public TrajectoryWriter(OutputFolder folder, long stride) {
@@ -51,10 +51,10 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     }
 
     /**
-     * For runs in which particles come and go: the stride follows how many there are.
+     * For runs with births and deaths: the stride adapts to the number of particles.
      *
      * @param folder where the file goes
-     * @param stride every how many steps this many particles are written, 1 or more
+     * @param stride the stride for this number of particles, 1 or more
      * @throws OutputException if the file cannot be written
      */
     public TrajectoryWriter(OutputFolder folder, IntToLongFunction stride) {
@@ -65,13 +65,12 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     }
 
     /**
-     * Keeps every stride fine enough and every file small enough: the stride with which about this many lines come out.
-     * It also holds where the number of particles changes, as each record of n lines comes at least n steps / lines
-     * steps after the one before it.
+     * Returns the stride that gives about this many lines. The limit also holds if the number of particles changes, as
+     * each record of n lines comes at least n steps / lines steps after the previous one.
      *
      * @param steps     the steps of the run
-     * @param particles how many there are now
-     * @param lines     how many lines are wanted at most
+     * @param particles their number now
+     * @param lines     the largest number of lines
      * @return 1 or more; depends on nothing but the arguments
      */
     public static long strideFor(double steps, int particles, long lines) {
@@ -83,7 +82,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         unwritten = system;
     }
 
-    /** The beginning of a step is the end of the one before it, with all that rules did there. */
+    /** The beginning of a step is the end of the previous one after its rules. */
     @Override
     public void moved(Motion motion) {
         if (written < 0 || step - written >= stride.applyAsLong(motion.getSystem().getParticles().count())) {
@@ -98,7 +97,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         close();
     }
 
-    /** Ends the file with the state that was reached: that is a whole file, too, when a run has to end early. */
+    /** Ends the file with the last state, also if the run ends early. */
     @Override
     public void close() {
         if (!open) {
@@ -129,7 +128,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         });
     }
 
-    /** RFC 4180: a field with a comma, a quote or a line break stands in quotes, and its own quotes are doubled. */
+    /** RFC 4180: a field with a comma, quote or line break is quoted, and its quotes are doubled. */
     static String quoted(String field) {
         for (int i = 0; i < field.length(); i++) {
             char c = field.charAt(i);
@@ -145,9 +144,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         void run() throws IOException;
     }
 
-    /**
-     * The file tells its own troubles, so that none is left for the writer around it. A broken file is not committed.
-     */
+    /** The file reports its own errors; a broken file is not committed. */
     private void attempt(Action action) {
         try {
             action.run();

@@ -3,9 +3,8 @@
  * run's summary as JSON, pictures as PNG.
  *
  * <p>An {@link particles.output.files.OutputFolder} is opened first. It remembers in a hidden file which names it
- * wrote, so that a new run removes what the last one left. What cannot be written ends in an {@link
- * particles.output.files.OutputException}, whose message is one line for people. A program that is being stopped calls
- * {@link particles.output.files.OutputFolder#close} from its shutdown hook: unfinished files then disappear, complete
- * ones stay.
+ * wrote, so that a new run removes what the last one left. Failures throw an {@link
+ * particles.output.files.OutputException}, whose message is one line for people. A stopping program calls {@link
+ * particles.output.files.OutputFolder#close} from its shutdown hook: unfinished files are deleted, complete ones stay.
  */
 package particles.output.files;

@@ -4,20 +4,20 @@ import java.util.Arrays;
 import particles.output.raster.LongIndex;
 
 /**
- * The field around soft balls, on the nodes of a cubic grid near them: the sum of (1 - d&sup2;/R&sup2;)&sup3; over all
- * whose middle is nearer than R. Where the sum is {@link #LEVEL} is the surface: a lonely ball's is a sphere of radius
- * R/2, and the surfaces of two flow together when they are less than 2.54 radii apart. (G. Wyvill, C. McPheeters, B.
- * Wyvill, "Data structure for soft objects", 1986, with an exponent of 3 in place of their sextic.)
+ * The scalar field of metaballs on the nodes of a cubic grid: the sum of (1 - d&sup2;/R&sup2;)&sup3; over all balls
+ * nearer than R. The surface is where it equals {@link #LEVEL}: a single ball is a sphere of radius R/2, and two merge
+ * when they are less than 2.54 radii apart. (G. Wyvill, C. McPheeters, B. Wyvill, "Data structure for soft objects",
+ * 1986, with an exponent of 3 in place of their sextic.)
  */
 public final class BlobField {
-    /** R over the radius of a lonely ball. */
+    /** R relative to the radius of a single ball. */
     private static final double REACH = 2;
     /** The field on the surface. */
     public static final double LEVEL = Math.pow(1 - 1 / (REACH * REACH), 3);
     private static final int FARTHEST = 1 << 20;
-    /** Cells to the radius of a lonely ball, where that many can be afforded. */
+    /** Cells per radius of a single ball, if that is not too many. */
     private static final double FINEST = 3.5;
-    /** So many times a ball may be added to a node for one picture. */
+    /** The largest number of ball-node contributions for one picture. */
     private static final double MOST_VISITS = 1.2e7;
 
     final LongIndex nodes = new LongIndex();
@@ -28,11 +28,11 @@ public final class BlobField {
     float[] slopeZ = {};
     private double reach;
     private double cell;
-    /** How many nodes have values of this picture. */
+    /** The number of nodes with values in this picture. */
     private int begun;
 
     /**
-     * Begins anew.
+     * Starts a new picture.
      *
      * @param radius of a lonely ball (m)
      * @param balls  how many there are going to be
@@ -44,7 +44,7 @@ public final class BlobField {
         reach = REACH * radius;
         double across = Math.cbrt(MOST_VISITS / Math.max(1, balls));
         cell = Math.max(radius / FINEST, Math.max(finest, 2 * reach / across));
-        cell = Math.min(cell, 0.7 * radius);            // coarser, and a ball could fall between the nodes
+        cell = Math.min(cell, 0.7 * radius);            // in a coarser grid a ball could fall between the nodes
     }
 
     /** @return the distance from node to node (m) */

@@ -5,10 +5,10 @@ import particles.output.raster.Colours;
 import particles.output.raster.Lighting;
 import particles.output.raster.Raster;
 
-/** Draws the smooth surface around particles, wet: with a sharp highlight and, at its rim, the sky in it. */
+/** Draws particles as a smooth wet surface, with a sharp highlight and a reflection of the sky at its rim. */
 public final class BlobPainter {
     private static final int SKY_IN_IT = 0xf3f7fb;
-    /** No cell need be smaller than this (pixels): edges are smooth anyway. */
+    /** The smallest useful cell (pixels). */
     private static final double FINEST = 2.5;
 
     private final Raster raster;

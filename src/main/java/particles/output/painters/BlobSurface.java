@@ -4,13 +4,13 @@ import java.util.Arrays;
 import particles.output.raster.LongIndex;
 
 /**
- * The surface of a field as triangles: each cell of the grid that it passes has one vertex, the mean of the places
- * where it crosses the cell's edges, moved onto the surface, and each edge that it crosses joins the four cells around
- * it. (S. Gibson, "Constrained elastic surface nets", 1998.) Closed, but where it is cut off for being too far away.
+ * Triangulates an isosurface by surface nets (S. Gibson, "Constrained elastic surface nets", 1998): each grid cell
+ * crossed by the surface has one vertex, the mean of the edge crossings moved onto the surface, and each crossed edge
+ * joins the four cells around it. The surface is closed except where it is cut off far away.
  */
 public final class BlobSurface {
     private final LongIndex cells = new LongIndex();
-    /** The sum of crossings, and how many there are. */
+    /** The sum of edge crossings and their number. */
     private final double[] crossing = new double[4];
     private final double[] offset = new double[3];
     private BlobField field;
@@ -100,10 +100,9 @@ public final class BlobSurface {
     }
 
     /**
-     * From the mean of the crossings, which lies inside of a round surface, one step of Newton's method along the
-     * gradient. The field there is the mean of two estimates from the cell's corners k with their weights w of linear
-     * interpolation, sum w f and sum w (f + grad f . d), d from the corner to the place: their errors of second order
-     * are opposite.
+     * Moves the mean of the crossings, which lies inside a round surface, by one Newton step along the gradient. The
+     * field there is the mean of two estimates from the cell's corners with weights w of linear interpolation, sum w f
+     * and sum w (f + grad f . d), d from the corner to the point, whose second-order errors are opposite.
      */
     private void place(long cell, int vertex) {
         double share = 1 / crossing[3];
@@ -139,11 +138,11 @@ public final class BlobSurface {
         offset[2] = gz * scale;
         for (int k = 0; k < 3; k++) {
             places[3 * vertex + k] = crossing[k] * share + way * offset[k];
-            normals[3 * vertex + k] = (float) -offset[k];           // the field falls outwards
+            normals[3 * vertex + k] = (float) -offset[k];           // the field decreases outwards
         }
     }
 
-    /** Adds the place where the surface crosses an edge, and 1, if it does. */
+    /** Adds the point where the surface crosses an edge, if it does, and counts it. */
     private void cross(long key, int axis) {
         long next = key + BlobField.step(axis);
         int one = field.nodes.find(key);

@@ -3,8 +3,7 @@ package particles.output.painters;
 import particles.view.RenderOptions;
 
 /**
- * How large balls and springs are drawn, decided once, when the first frame is: a scene that says nothing gets balls
- * that can be told apart.
+ * The drawn sizes of balls and springs, decided at the first frame; by default balls are small enough to be told apart.
  *
  * @param ball      the radius of a ball (m)
  * @param coilBelow springs of less than this stiffness (N/m) are drawn as coils: all where they are few, else those
@@ -16,7 +15,7 @@ public record DrawnSizes(double ball, double coilBelow) {
     private static final double SOFT = 0.01;
     private static final double PART_OF_PICTURE = 0.028;
     private static final double PART_OF_SPRING = 0.26;
-    /** Of the distance between neighbours, were the particles spread evenly over a cube as high as the picture. */
+    /** Fraction of the spacing of particles spread evenly over a cube as high as the picture. */
     private static final double PART_OF_DISTANCE = 0.3;
 
     public static DrawnSizes of(FrameState state, RenderOptions look, double viewHeight) {
@@ -52,10 +51,7 @@ public record DrawnSizes(double ball, double coilBelow) {
         return coilBelow == Double.POSITIVE_INFINITY || state.stiffness[s] < coilBelow;
     }
 
-    /**
-     * @return the radius of a thing that stays where it is while others glow, whose spots of light are larger than it
-     *         (m)
-     */
+    /** @return the radius of a fixed particle among glowing ones, whose spots of light are larger (m) */
     double core() {
         return ball / 3;
     }

@@ -9,9 +9,9 @@ import particles.law.Particles;
 import particles.view.ParticleMark;
 import particles.view.SpringView;
 
-/** What a frame needs to know, copied from a running simulation so that it can be drawn beside it. */
+/** A snapshot of a running simulation, so that a frame can be drawn in another thread. */
 public final class FrameState {
-    /** Which state of the springs it has; the observer counts. */
+    /** The version of the springs. */
     public int structure;
     public double time;
     public int particles;
@@ -26,11 +26,12 @@ public final class FrameState {
     public double[] stiffness = {};
     /** Which of them are rods. */
     public boolean[] rigid = {};
-    /** When particles came into being and are to die of age (s); only where they are asked for. */
+    /** Times of birth and death of particles (s), if requested. */
     public double[] birth = {};
     public double[] death = {};
     /**
-     * Where particles were, the oldest sample first, and the index of each in the newest; none where all are the same.
+     * Earlier positions, the oldest sample first, and the index of each particle in the newest; empty if all are the
+     * same.
      */
     public TrailSample[] trail = {};
     public int[] trailIndex = {};
@@ -38,11 +39,11 @@ public final class FrameState {
     public double[] velocities = {};
     /** How each particle is drawn otherwise than all others, or null; empty where all are alike. */
     ParticleMark[] marks = {};
-    /** What is written below the title, line by line; the first line is a warning. */
+    /** The lines below the title; the first one is a warning. */
     public List<String> notes = List.of();
 
     /**
-     * Copies the places.
+     * Copies the positions.
      *
      * @param state in the layout of the system's state
      */
@@ -75,7 +76,7 @@ public final class FrameState {
     /**
      * Copies what changes only when rules change it: springs and rods, and which particles are fixed.
      *
-     * @param withLives whether it is asked for when particles were born and when they die
+     * @param withLives whether times of birth and death are needed
      */
     public void takeStructure(ParticleSystem system, boolean withLives) {
         takeStructure(system, withLives, List.of());

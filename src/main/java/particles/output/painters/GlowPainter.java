@@ -6,7 +6,7 @@ import particles.output.raster.Colours;
 import particles.output.raster.LightLayer;
 import particles.output.raster.Raster;
 
-/** Draws particles as spots of light, whose colour and brightness fall with the part of their life that is over. */
+/** Draws particles as spots of light, whose colour and brightness depend on their age relative to their lifetime. */
 public final class GlowPainter {
     private static final double BRIGHTNESS = 0.45;
 
@@ -19,10 +19,10 @@ public final class GlowPainter {
         layer = new LightLayer(width, height);
     }
 
-    /** @return the part of a life that is over: 0 for who does not die of age */
+    /** @return the age relative to the lifetime; 0 for particles without one */
     static double age(double time, double birth, double death) {
         double age = (time - birth) / (death - birth);
-        return age >= 0 ? Math.min(1, age) : 0;             // also where it is no number
+        return age >= 0 ? Math.min(1, age) : 0;             // 0 for NaN
     }
 
     static int colour(List<Integer> colours, double age) {

@@ -3,10 +3,7 @@ package particles.output.painters;
 import particles.output.raster.LongIndex;
 import particles.view.Surface;
 
-/**
- * Which triangles of a surface are whole: those of cloth that tears are gone when fewer than two of their edges are
- * springs.
- */
+/** Finds the intact triangles of a surface: in a tearing cloth, one with fewer than two spring edges left is torn. */
 public final class IntactTriangles {
     private final Surface surface;
     private final LongIndex springs = new LongIndex();
@@ -39,7 +36,7 @@ public final class IntactTriangles {
             int a = corners[3 * t];
             int b = corners[3 * t + 1];
             int c = corners[3 * t + 2];
-            boolean there = Math.max(a, Math.max(b, c)) < state.particles;      // particles may have gone
+            boolean there = Math.max(a, Math.max(b, c)) < state.particles;      // particles may have been removed
             whole[t] = there && (!surface.ofSprings() || edge(a, b) + edge(b, c) + edge(c, a) >= 2);
         }
     }

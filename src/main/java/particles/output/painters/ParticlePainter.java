@@ -8,10 +8,11 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 
 /**
- * Draws particles as what the look says, but for their glow and trails, which lie over all else; fixed ones as balls.
+ * Draws particles as balls, points or blobs, fixed ones always as balls; glow and trails are drawn later, over
+ * everything else.
  */
 public final class ParticlePainter {
-    /** The radius of a point, in parts of the picture's height. */
+    /** The radius of a point, relative to the picture's height. */
     private static final double POINT = 0.0026;
 
     private final RoundShapes shapes;
@@ -34,7 +35,7 @@ public final class ParticlePainter {
         this.blobs = blobs;
     }
 
-    /** @return how far what rests on a plane reaches below its middle (m) */
+    /** @return how far a particle at rest on a plane extends below its centre (m) */
     public double reach(FrameState state) {
         boolean large = false;
         for (int i = 0; i < state.particles && !large; i++) {

@@ -3,7 +3,7 @@ package particles.output.painters;
 import particles.output.raster.CameraProjection;
 import particles.output.raster.Raster;
 
-/** The particles of a frame as the camera sees them, in samples of the raster. */
+/** The particles of a frame projected by the camera, in samples of the raster. */
 public final class ProjectedParticles {
     double[] x = {};
     double[] y = {};
@@ -11,7 +11,7 @@ public final class ProjectedParticles {
     double[] depth = {};
     /** Samples per metre there. */
     double[] scale = {};
-    /** Whether the particle can be drawn: not behind the camera, and at a place that is a number. */
+    /** Whether the particle can be drawn: in front of the camera and with finite coordinates. */
     boolean[] visible = {};
     private final CameraProjection view;
 

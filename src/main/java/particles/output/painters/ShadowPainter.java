@@ -7,7 +7,7 @@ import particles.output.raster.ShadowMap;
 import particles.view.Scenery;
 import particles.view.Surface;
 
-/** Casts what a frame shows onto a plane's shadow map. */
+/** Draws the shadows of a frame's shapes onto a plane's shadow map. */
 public final class ShadowPainter {
     private final VisibilityFilter shown;
     private final DrawnSizes sizes;
@@ -90,7 +90,7 @@ public final class ShadowPainter {
         for (int i = 0; i < n; i++) {
             columns[i] = map.column(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
             rows[i] = map.row(p[3 * i], p[3 * i + 1], p[3 * i + 2]);
-            above[i] = map.isAbove(p[3 * i], p[3 * i + 1], p[3 * i + 2]);       // false where it is no number
+            above[i] = map.isAbove(p[3 * i], p[3 * i + 1], p[3 * i + 2]);       // false for NaN
         }
     }
 

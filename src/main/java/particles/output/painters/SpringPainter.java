@@ -32,7 +32,7 @@ public final class SpringPainter {
         this.coil = new ProjectedParticles(view);
     }
 
-    /** @return whether any spring is seen, so far, and its strain */
+    /** @return whether any spring with strain is visible so far */
     public boolean paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown) {
         boolean seen = false;
         for (int s = 0; s < state.springs; s++) {
@@ -77,7 +77,7 @@ public final class SpringPainter {
         return view.nearness(projected.depth[i] - LIFT * view.viewHeight);
     }
 
-    /** A helix around the line from particle to particle; its number of turns is that of the spring, at any stretch. */
+    /** Draws a helix from particle to particle; the number of turns does not change with length. */
     private boolean paintCoil(double[] p, int at, double ex, double ey, double ez, double length, double rest,
             int rgb) {
         // two directions across, the first of them as far as possible towards the viewer

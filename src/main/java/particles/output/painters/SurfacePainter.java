@@ -11,9 +11,9 @@ import particles.view.RenderOptions;
 import particles.view.Surface;
 
 /**
- * Surfaces, shaded smoothly on both sides (H. Gouraud, 1971): light is computed at the particles, with the mean normal
- * of the triangles around, and mixed in between. Where a triangle is bent away from that mean, at an edge, it keeps its
- * own.
+ * Draws surfaces with Gouraud shading (1971) on both sides: light is computed at the particles with the mean normal of
+ * the triangles around, and interpolated. A triangle that is bent far from that mean, as at an edge, uses its own
+ * normal.
  */
 public final class SurfacePainter {
     /** The cosine between a triangle's normal and a particle's from which the surface counts as smooth. */
@@ -55,7 +55,7 @@ public final class SurfacePainter {
                 computeNormal(state.positions, corners[t], corners[t + 1], corners[t + 2]);
                 for (int c = t; c < t + 3; c++) {
                     for (int k = 0; k < 3; k++) {
-                        normals[3 * corners[c] + k] += normal[k];     // as long as twice the area, which is its weight
+                        normals[3 * corners[c] + k] += normal[k];     // weighted by area
                     }
                 }
             }

@@ -6,11 +6,11 @@ import particles.output.raster.CameraProjection;
 import particles.output.raster.Colours;
 import particles.output.raster.Raster;
 
-/** Draws where particles were as lines that fade, over the picture and behind what is nearer. */
+/** Draws the past paths of particles as fading lines, hidden by anything nearer. */
 public final class TrailPainter {
-    /** How opaque a line is where the particle is now. */
+    /** The opacity of a line at the particle. */
     private static final double STRONGEST = 0.85;
-    /** Half the line's width, in parts of the picture's height. */
+    /** Half the line's width, relative to the picture's height. */
     private static final double HALF_WIDTH = 0.0018;
 
     private final CameraProjection view;
@@ -48,7 +48,7 @@ public final class TrailPainter {
         }
     }
 
-    /** Back in time from where a particle is. */
+    /** Draws one path backwards in time from the particle. */
     private void follow(FrameState state, int i, int rgb, Raster raster, Backdrop backdrop) {
         double[] from = point(state.positions[3 * i], state.positions[3 * i + 1], state.positions[3 * i + 2]);
         double fromShare = 1;
@@ -65,7 +65,7 @@ public final class TrailPainter {
         }
     }
 
-    /** @return the place in the picture (pixels) and the nearness there, or not a number where it cannot be drawn */
+    /** @return the picture coordinates (pixels) and nearness, or NaN if it cannot be drawn */
     private double[] point(double x, double y, double z) {
         double depth = view.depth(x, y, z);
         double scale = view.scale(depth);
@@ -97,7 +97,7 @@ public final class TrailPainter {
                 if (offSquare >= reach * reach) {
                     continue;
                 }
-                // of pixels: hypot guards against what cannot be, at ten times the cost
+                // sqrt is enough for pixels and ten times faster than hypot
                 double off = Math.sqrt(offSquare);
                 float covered = (float) (Math.min(1, reach - off) * (opacityA + along * (opacityB - opacityA)));
                 int p = y * view.width + x;

@@ -1,7 +1,7 @@
 package particles.output.painters;
 
 /**
- * Where the particles were at a time; never changed once it is made, so that threads may share it.
+ * The positions of all particles at a time; immutable, so that threads can share it.
  *
  * @param time   when (s)
  * @param places three entries a particle (m)

@@ -6,8 +6,8 @@ import particles.view.RenderOptions;
 import particles.view.Surface;
 
 /**
- * Which particles and springs a look shows: those that belong to a surface may be left to it. A closed surface, such as
- * a jelly's, hides what is inside; springs that begin on it are left to it too.
+ * Decides which particles and springs are drawn: those of a surface can be left out, and with a closed surface such as
+ * a jelly's also the springs that begin on it.
  */
 public final class VisibilityFilter {
     private final RenderOptions look;
@@ -33,7 +33,9 @@ public final class VisibilityFilter {
         }
     }
 
-    /** Without a border: each edge that one triangle goes along, another one goes along the other way. */
+    /**
+     * Whether a surface is closed: each edge of a triangle is also an edge of another one, in the opposite direction.
+     */
     private static boolean isClosed(Surface surface) {
         int[] t = surface.triangles();
         long[] edges = new long[t.length];

@@ -6,21 +6,21 @@ import particles.output.raster.CameraProjection;
 import particles.output.raster.RoundShapes;
 import particles.view.CurveView;
 
-/** Draws curves in space as wires; those that go on for ever as far as the picture does. */
+/** Draws curves in space as wires; infinite ones are cut off outside the picture. */
 public final class WirePainter {
     static final int COLOUR = 0x75808d;
-    /** Pieces to the height of the picture. */
+    /** Pieces per height of the picture. */
     private static final int PIECES = 120;
     private static final int FEWEST = 96;
     private static final int MOST = 20_000;
     /**
-     * How far along an endless curve the part is looked for that is nearest to the middle of the picture, in heights.
+     * How far (in picture heights) an infinite curve is searched for its point nearest to the centre of the picture.
      */
     private static final int SEARCH = 60;
 
     private final RoundShapes shapes;
     private final double radius;
-    /** Each wire's points as the camera sees them. */
+    /** Each wire's points, projected by the camera. */
     private final ProjectedParticles[] wires;
     private final double[][] places;
 

@@ -10,6 +10,7 @@ import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import particles.Observer;
 import particles.output.animation.GifAnimation;
+import particles.output.charts.ChartWriter;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
@@ -45,7 +46,7 @@ public final class RaceFilm implements AutoCloseable {
      *
      * @param name    the solver's, with which {@link #watch} was called
      * @param step    its step or tolerance
-     * @param cost    what its run cost; left out where there is no room
+     * @param cost    what its run cost
      * @param left    when the run ended early (s)
      */
     public record Words(String name, String step, String cost, OptionalDouble left) {
@@ -89,8 +90,9 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * Writes {@code animation.gif} and a sheet of moments for print.
+     * Writes {@code animation.gif} and a still of 16:9 of the end.
      *
+     * @param writer   writes the sheet
      * @param folder   where they go
      * @param sheet    the name of the sheet, such as {@code race.png}
      * @param head     at the top
@@ -98,8 +100,8 @@ public final class RaceFilm implements AutoCloseable {
      * @param strip    what the chart shows, with a line of each run's name
      * @param progress hears which part is done
      */
-    public void write(OutputFolder folder, String sheet, Head head, List<Words> words, ChartData strip,
-                      DoubleConsumer progress) {
+    public void write(ChartWriter writer, OutputFolder folder, String sheet, Head head, List<Words> words,
+                      ChartData strip, DoubleConsumer progress) {
         close();
         StripChart chart = new StripChart(strip);
         BufferedImage image = new BufferedImage(page.width(), page.height(), BufferedImage.TYPE_INT_RGB);
@@ -112,8 +114,8 @@ public final class RaceFilm implements AutoCloseable {
                 progress.accept((index + 1.0) / ghost.count());
             }
         }
-        RaceSheet.write(folder, sheet, head, RaceSheet.moments(films.size(), ghost.count() - 1),
-                words, this::panels, chart, rate);
+        int last = ghost.count() - 1;
+        RaceSheet.write(writer, sheet, head, words, panels(last), chart, last / rate);
     }
 
     /** @return each run's picture, over the ghost */

@@ -17,13 +17,16 @@ import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.text.FontCheck;
 
-/** A picture of a race: a title and the time, panels in a grid, a chart below. */
+/** A picture of a race: a title and the time, panels in a grid, a chart in the cells that are left over, or below. */
 final class RacePage {
     private static final int WIDTH = 1000;
     private static final int GAP = 8;
     private static final int HEAD = 72;
     private static final int CLOCK_WIDTH = 130;
-    private static final int LABEL = 24;
+    /** The height of the two lines above a panel. */
+    static final int LABEL = 38;
+    private static final float LEAST_TYPE = 8;
+    private static final int SMALL_PANEL = 220;
     private static final int STRIP = 230;
     private static final Color GONE = new Color(255, 255, 255, 120);
     private static final Font TITLE = FontCheck.font(Font.BOLD, 17);
@@ -32,12 +35,14 @@ final class RacePage {
     private static final Font SMALL = FontCheck.font(Font.PLAIN, 12);
     private static final Font NAME = FontCheck.font(Font.BOLD, 13);
 
+    private final int panels;
     private final int columns;
     private final int rows;
     private final int panelWidth;
     private final int panelHeight;
 
     RacePage(int panels, double aspect) {
+        this.panels = panels;
         columns = panels <= 3 ? panels : (int) Math.ceil(Math.sqrt(panels));
         rows = (panels + columns - 1) / columns;
         panelWidth = Math.min(640, (WIDTH - (columns + 1) * GAP) / columns);
@@ -58,7 +63,12 @@ final class RacePage {
 
     /** Even, as films need it. */
     int height() {
-        return (HEAD + rows * (LABEL + panelHeight + GAP) + STRIP + 1) / 2 * 2;
+        return (HEAD + rows * (LABEL + panelHeight + GAP) + (free() > 0 ? 0 : STRIP) + 1) / 2 * 2;
+    }
+
+    /** Cells of the grid without a panel. */
+    private int free() {
+        return rows * columns - panels;
     }
 
     /**
@@ -81,16 +91,19 @@ final class RacePage {
         String clock = String.format(Locale.ROOT, "t = %.2f s", time);
         g.setColor(ChartStyle.TEXT);
         g.drawString(clock, WIDTH - GAP - g.getFontMetrics().stringWidth("t = 0000.00 s"), 24);
-        int free = WIDTH - columns * panelWidth - (columns - 1) * GAP;
+        int beside = (WIDTH - columns * panelWidth - (columns - 1) * GAP) / 2;
         for (int k = 0; k < panels.size(); k++) {
-            int x = free / 2 + k % columns * (panelWidth + GAP);
+            int x = beside + k % columns * (panelWidth + GAP);
             int y = HEAD + k / columns * (LABEL + panelHeight + GAP);
             drawLabel(g, words.get(k), x, y, panelWidth);
             drawPanel(g, panels.get(k), new Rectangle2D.Double(x, y + LABEL, panelWidth, panelHeight),
                     words.get(k).left(),
                     time);
         }
-        chart.draw(g, new Rectangle2D.Double(0, height() - STRIP, WIDTH, STRIP), time);
+        int left = beside + (columns - free()) * (panelWidth + GAP);
+        chart.draw(g, free() == 0 ? new Rectangle2D.Double(0, height() - STRIP, WIDTH, STRIP)
+                : new Rectangle2D.Double(left, height() - GAP - panelHeight - LABEL, WIDTH - left,
+                panelHeight + LABEL), time);
         g.dispose();
     }
 
@@ -112,16 +125,20 @@ final class RacePage {
 
     /** As large as it fits. */
     private static void drawFitting(Graphics2D g, Font largest, String text, int y, int width) {
+        drawFitting(g, largest, text, GAP, y, width - 2 * GAP);
+    }
+
+    private static void drawFitting(Graphics2D g, Font largest, String text, int x, int y, int width) {
         Font font = largest;
         g.setFont(font);
-        while (g.getFontMetrics().stringWidth(text) > width - 2 * GAP && font.getSize2D() > 9) {
+        while (g.getFontMetrics().stringWidth(text) > width && font.getSize2D() > LEAST_TYPE) {
             font = font.deriveFont(font.getSize2D() - 1);
             g.setFont(font);
         }
-        g.drawString(text, GAP, y);
+        g.drawString(text, x, y);
     }
 
-    /** The solver's line, as in the chart, its name, and as much of its step and cost as there is room for. */
+    /** The solver's line, as in the chart, and its name; below, its step and its work. */
     static void drawLabel(Graphics2D g, RaceFilm.Words words, int x, int y, int width) {
         SolverStyle look = SolverStyle.orGrey(words.name());
         g.setColor(look.colour());
@@ -131,18 +148,9 @@ final class RacePage {
         g.fill(look.shape());
         g.translate(-x - 18, -y - 12);
         g.setColor(ChartStyle.TEXT);
-        g.setFont(NAME);
-        g.drawString(words.name(), x + 42, y + 17);
-        int used = 42 + g.getFontMetrics().stringWidth(words.name());
-        g.setFont(SMALL);
+        drawFitting(g, NAME, words.name(), x + 40, y + 17, width - 40);
         g.setColor(ChartStyle.AXIS);
-        for (String caption : List.of(words.step() + ", " + words.cost(), words.step())) {
-            int needed = g.getFontMetrics().stringWidth(caption);
-            if (used + 10 + needed <= width) {
-                g.drawString(caption, x + width - needed, y + 17);
-                return;
-            }
-        }
+        drawFitting(g, SMALL, words.step() + ", " + words.cost(), x + 2, y + 32, width - 4);
     }
 
     /** A run that has left the race stays visible, faint, with the time at which it left. */
@@ -152,7 +160,7 @@ final class RacePage {
             g.setColor(GONE);
             g.fill(area);
             String text = String.format(Locale.ROOT, "left at t = %.3g s", left.getAsDouble());
-            g.setFont(NAME);
+            g.setFont(area.getWidth() > SMALL_PANEL ? NAME : SMALL);
             double width = g.getFontMetrics().stringWidth(text) + 36.0;
             RoundRectangle2D box = new RoundRectangle2D.Double(area.getCenterX() - width / 2, area.getMaxY() - 40,
                     width,

@@ -7,19 +7,19 @@ import particles.output.text.DecimalTicks;
 import particles.view.Scenery;
 
 /**
- * What lies behind the moving things: a sky, the planes of the scene with a grid and shadows, and its spheres. Computed
- * once for a camera, but for the shadows. A plane is drawn where the camera is on its outer side, moved inwards by the
- * size of what rests on it, so that a ball at rest, whose middle is on the plane, touches what is drawn.
+ * The background of a frame: sky, the scene's planes with grid and shadows, and its spheres. All but the shadows is
+ * computed once for a camera. A plane is drawn if the camera is on its outer side. It is moved inwards by the radius of
+ * a ball, since the centre of a resting ball is on the plane, so that the drawn ball touches it.
  */
 public final class Backdrop {
     private static final float DARKEST_SHADOW = 0.56f;
-    /** Grid lines about this many to the height of the picture. */
+    /** About this many grid lines in the height of the picture. */
     private static final double LINES = 7;
     /** Planes fade into the haze within this many heights of the picture. */
     private static final double HAZE = 5;
     private static final double SHADOWED = 4.5;
 
-    /** The planes that can be seen, each with the shadows on it. */
+    /** The visible planes, each with its shadow map. */
     public final List<ShadowMap> shadows;
     private final Sky sky;
     private final int width;
@@ -97,7 +97,7 @@ public final class Backdrop {
         Vector3 from = hit.minus(plane.point());
         double u = from.dot(map.axisU) / spacing;
         double v = from.dot(map.axisV) / spacing;
-        // how far apart two pixels are on the plane, from their rays
+        // the distance of two neighbouring pixels on the plane
         Vector3 beside = on(view, plane, x + 1.5, y + 0.5, hit);
         Vector3 below = on(view, plane, x + 0.5, y + 1.5, hit);
         double footU = (Math.abs(beside.minus(hit).dot(map.axisU)) + Math.abs(below.minus(hit).dot(map.axisU)))
@@ -123,7 +123,7 @@ public final class Backdrop {
         return fall > 1e-6 ? start.plus(ray.times(plane.distance(start.x(), start.y(), start.z()) / fall)) : otherwise;
     }
 
-    /** Over a ground the horizon is where it is in space; without one, the sky is a screen behind the scene. */
+    /** With a ground the sky has a horizon; without one, it is a screen behind the scene. */
     private int behind(CameraProjection view, Vector3 ray, Vector3 up, int y, boolean screen) {
         if (screen || !view.perspective) {
             double part = (y + 0.5) / view.height;
@@ -134,12 +134,12 @@ public final class Backdrop {
         return Colours.mix(sky.horizon, sky.top, rise / 0.45);
     }
 
-    /** @return how near the plane at pixel p is; negative infinity where the sky is */
+    /** @return the nearness of the plane at pixel p; negative infinity for the sky */
     public float near(int p) {
         return near[p];
     }
 
-    /** Paints it all, under the shadows of this frame. */
+    /** Paints the background with the shadows of this frame. */
     public void paint(int[] pixels) {
         System.arraycopy(colour, 0, pixels, 0, colour.length);
         for (int k = 0; k < shadows.size(); k++) {

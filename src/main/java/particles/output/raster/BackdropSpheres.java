@@ -5,19 +5,20 @@ import particles.law.Sphere;
 import particles.law.Vector3;
 
 /**
- * The balls of a scene and the far inner walls of its hollows, painted once onto the backdrop: four lines of sight a
- * pixel, so that edges are smooth. A ball is drawn smaller, and a hollow larger, by the size of what rests on it.
+ * Paints the scene's balls and the far inner walls of its hollows onto the background by ray casting, with four rays a
+ * pixel for smooth edges. A ball is drawn smaller, and a hollow larger, by the radius of a particle, so that resting
+ * particles touch it.
  */
 final class BackdropSpheres {
     private static final int BALL = 0xaebccb;
     private static final int WALL = 0xdfe4e8;
     private static final int LINE = 0xb9c1c9;
-    /** From line to line on the wall of a hollow (radians). */
+    /** The spacing of grid lines on the wall of a hollow (radians). */
     private static final double SPACING = Math.PI / 12;
 
     private final CameraProjection view;
     private final Lighting lighting;
-    // what the line of sight at hand has hit
+    // the hit of the current ray
     private double depth;
     private double nx;
     private double ny;
@@ -74,7 +75,7 @@ final class BackdropSpheres {
         }
     }
 
-    /** Finds where a line of sight meets the side that is drawn, with the normal there towards the viewer. */
+    /** Intersects a ray with the visible side; the normal points towards the viewer. */
     private boolean meets(Sphere sphere, double radius, double px, double py) {
         Vector3 start = view.rayStart(px, py);
         Vector3 ray = view.rayDirection(px, py);

@@ -7,14 +7,14 @@ import particles.law.Plane;
 import particles.law.Vector3;
 import particles.view.Camera;
 
-/** A camera for scenes that have none: a little from above and from the right, as near as shows everything. */
+/**
+ * Places a default camera: a little from above and from the right, as near as possible with everything in the picture.
+ */
 public final class CameraFraming {
     private static final double FIELD_OF_VIEW = 35;
-    /** The part of the picture that things may take up: the corners hold words. */
+    /** The fraction of the picture for the scene; the corners are for text. */
     private static final double FILLED = 0.74;
-    /**
-     * A scene of less extent than this part of the largest, seen along an axis, is flat and looked at from the front.
-     */
+    /** A scene thinner along an axis than this fraction of its largest extent is flat and seen from the front. */
     private static final double FLAT = 0.05;
     private static final Vector3 UP = new Vector3(0, 1, 0);
     private static final Vector3 FROM_THE_SIDE = new Vector3(0.55, 0.42, 1);
@@ -24,8 +24,8 @@ public final class CameraFraming {
     }
 
     /**
-     * Frames a system where it is and where it may soon be: what hangs on fixed particles can swing around them, and
-     * what is above a plane may come down to it.
+     * Frames a system at its start with room for its motion: hanging particles may swing around fixed ones, and others
+     * may fall to a plane.
      *
      * @param system at its start
      * @param planes the ground and other planes

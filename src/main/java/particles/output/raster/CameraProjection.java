@@ -4,12 +4,12 @@ import particles.law.Vector3;
 import particles.view.Camera;
 
 /**
- * From space to the samples of a picture and back. Nearness, which decides what hides what, is an affine function of
- * the place in the picture for the points of a plane: 1 / distance in a perspective view, -distance in an orthographic
- * one.
+ * Projects points of space to samples of the picture, and back to rays. Nearness decides visibility: 1 / distance in a
+ * perspective view, -distance in an orthographic one, so that on a plane it is an affine function of the picture
+ * coordinates.
  */
 public final class CameraProjection {
-    /** Nothing nearer than this part of the distance to the target is drawn in a perspective view. */
+    /** Near clipping distance of a perspective view, as a fraction of the distance to the target. */
     private static final double NEAREST = 0.02;
 
     public final int width;
@@ -54,7 +54,7 @@ public final class CameraProjection {
         nearest = NEAREST * distance;
     }
 
-    /** @return how far in front of the camera the point is, along its direction of sight (m) */
+    /** @return the depth of the point: its distance from the camera along the viewing direction (m) */
     public double depth(double x, double y, double z) {
         return -((x - eye.x()) * back.x() + (y - eye.y()) * back.y() + (z - eye.z()) * back.z());
     }
@@ -73,18 +73,18 @@ public final class CameraProjection {
         return perspective ? 1 / depth : -depth;
     }
 
-    /** @return pixels from the left; may be far outside */
+    /** @return the distance from the left edge (pixels); may be far outside */
     public double x(double x, double y, double z, double scale) {
         return width / 2.0
                 + scale * ((x - eye.x()) * right.x() + (y - eye.y()) * right.y() + (z - eye.z()) * right.z());
     }
 
-    /** @return pixels from the top */
+    /** @return the distance from the top edge (pixels) */
     public double y(double x, double y, double z, double scale) {
         return height / 2.0 - scale * ((x - eye.x()) * up.x() + (y - eye.y()) * up.y() + (z - eye.z()) * up.z());
     }
 
-    /** @return whether the point is seen, were there nothing in front of it */
+    /** @return whether the point is inside the picture */
     public boolean isInPicture(double x, double y, double z) {
         double depth = depth(x, y, z);
         double scale = scale(depth);
@@ -92,13 +92,13 @@ public final class CameraProjection {
                 && Math.abs(y(x, y, z, scale) - height / 2.0) <= height / 2.0;
     }
 
-    /** @return where the line of sight through a place in the picture begins */
+    /** @return the origin of the ray through a point of the picture */
     Vector3 rayStart(double px, double py) {
         return perspective ? eye
                 : eye.plus(right.times((px - width / 2.0) / focal)).plus(up.times((height / 2.0 - py) / focal));
     }
 
-    /** @return its direction; its part along the direction of sight is 1, so that multiples of it are depths */
+    /** @return the ray's direction, scaled so that its parameter is the depth */
     Vector3 rayDirection(double px, double py) {
         return perspective
                 ? right.times((px - width / 2.0) / focal).plus(up.times((height / 2.0 - py) / focal)).minus(back)

@@ -1,8 +1,6 @@
 package particles.output.raster;
 
-/**
- * The lines of a grid at whole numbers, every fifth of them thicker, as a pixel sees them: their mean over its width.
- */
+/** Antialiased grid lines at whole numbers, every fifth one thicker: the mean coverage over a pixel's width. */
 final class GridLines {
     private static final double THIN = 0.016;
     private static final double THICK = 0.034;
@@ -11,9 +9,9 @@ final class GridLines {
     }
 
     /**
-     * @param u    where the pixel is, in units of the grid
-     * @param foot how wide it is there
-     * @return the part of it that lines cover, from 0 to 1; thin lines count less
+     * @param u    the pixel's position in units of the grid
+     * @param foot the pixel's width in those units
+     * @return the covered fraction, 0 to 1; thin lines count less
      */
     static double coverage(double u, double foot) {
         double f = Math.max(foot, 1e-9);
@@ -26,7 +24,7 @@ final class GridLines {
         return (integral(u + foot / 2, line) - integral(u - foot / 2, line)) / foot;
     }
 
-    /** From 0 to u, of the function that is 1 on lines of this width around whole numbers, and 0 between them. */
+    /** The integral from 0 to u of the function that is 1 on lines of this width around whole numbers, else 0. */
     private static double integral(double u, double line) {
         double cell = Math.floor(u + 0.5);
         return cell * line + Math.max(-line / 2, Math.min(line / 2, u - cell));

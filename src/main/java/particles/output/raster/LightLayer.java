@@ -2,10 +2,7 @@ package particles.output.raster;
 
 import java.util.Arrays;
 
-/**
- * Light on top of a picture: what is behind stays visible, and light that is added many times comes near white and does
- * not pass it, as on a film: c becomes 255 - (255 - c) exp(-light).
- */
+/** A layer of added light over a picture that saturates towards white: c becomes 255 - (255 - c) exp(-light). */
 public final class LightLayer {
     private static final int STEPS_PER_UNIT = 256;
     private static final double MOST = 8;
@@ -28,7 +25,7 @@ public final class LightLayer {
         top = height;
     }
 
-    /** Makes it dark. */
+    /** Clears the layer. */
     public void clear() {
         if (top < bottom) {
             Arrays.fill(light, 3 * width * top, 3 * width * bottom, 0);
@@ -38,14 +35,14 @@ public final class LightLayer {
     }
 
     /**
-     * Adds a round spot, brightest in its middle: (1 - d&sup2;/r&sup2;)&sup2;, where nothing nearer hides it.
+     * Adds a round spot with brightness (1 - d&sup2;/r&sup2;)&sup2;, where nothing nearer hides it.
      *
      * @param x          the middle, in pixels from the left
      * @param y          the middle, from the top
      * @param radius     r, in pixels
      * @param near       the spot's nearness
      * @param rgb        its colour
-     * @param brightness of its middle; 1 for what makes black the most part of the colour
+     * @param brightness the brightness of its centre; 1 turns black into most of the colour
      */
     public void spot(double x, double y, double radius, double near, int rgb, double brightness, Raster raster,
             Backdrop backdrop) {

@@ -2,7 +2,9 @@ package particles.output.raster;
 
 import particles.law.Vector3;
 
-/** One lamp, far above and a little to the left in front, and light from all sides, stronger from above. */
+/**
+ * The light: one distant lamp, above and a little to the left in front, and ambient light that is stronger from above.
+ */
 public final class Lighting {
     private static final float AMBIENT = 0.54f;
     private static final float FROM_ABOVE = 0.09f;
@@ -11,7 +13,7 @@ public final class Lighting {
 
     /** Towards the lamp, in space. */
     final Vector3 lamp;
-    // the same, the half vector between it and the viewer, and up, all along the camera's right, up and back
+    // lamp, half vector and up in the camera's coordinates (right, up, back)
     private final float lampX;
     private final float lampY;
     private final float lampZ;

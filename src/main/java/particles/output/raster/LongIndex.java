@@ -2,7 +2,7 @@ package particles.output.raster;
 
 import java.util.Arrays;
 
-/** Numbers keys 0, 1, 2 ... in the order in which they are first seen: a hash table of longs by open addressing. */
+/** A hash table of longs with open addressing that numbers keys 0, 1, 2 ... in the order of insertion. */
 public final class LongIndex {
     private static final long EMPTY = -1;
     private static final int SMALLEST = 1 << 10;
@@ -53,7 +53,7 @@ public final class LongIndex {
         return size++;
     }
 
-    /** Where the key is, or where it would be: the table is half empty, so that there is an end. */
+    /** The slot of a key, or its free slot; the table is at most half full, so the search ends. */
     private int slot(long key) {
         int mask = table.length - 1;
         int at = (int) (key * 0x9E3779B97F4A7C15L >>> 40) & mask;

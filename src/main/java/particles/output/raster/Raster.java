@@ -3,27 +3,27 @@ package particles.output.raster;
 import java.util.Arrays;
 
 /**
- * Colour samples with nearness, twice as many as pixels in each direction: the nearest thing wins at each sample, and
- * the mean of four samples smooths the edges. Triangles are drawn here; balls and tubes in {@link RoundShapes}.
+ * A picture with a depth buffer and 2 x 2 supersampling: the nearest colour wins at each sample, and four samples are
+ * averaged to smooth edges. Draws triangles; {@link RoundShapes} draws balls and tubes.
  */
 public final class Raster {
     /** Samples a pixel in each direction. */
     public static final int SAMPLES = 2;
-    /** The largest value that, cut to a whole number, is 255. */
+    /** The largest value that truncates to 255. */
     private static final double BRIGHTEST = 255.99;
 
     public final int width;
     final int height;
     public final int[] colour;
     public final float[] near;
-    // the colours of the triangle at hand: blue, green, red, at its first corner and from there to the others
+    // colours of the current triangle: blue, green, red at its first corner, and differences to the others
     private final int[] base = new int[3];
     private final int[] toB = new int[3];
     private final int[] toC = new int[3];
-    // and along a row of samples, with their change from one to the next
+    // and along a row of samples, with their increments
     private final int[] value = new int[3];
     private final int[] change = new int[3];
-    // what was drawn on since it was cleared, in samples
+    // the rectangle drawn on since clearing, in samples
     private int left;
     private int top;
     private int right;
@@ -46,7 +46,7 @@ public final class Raster {
         forget();
     }
 
-    /** @return the nearness of what was drawn on a pixel; negative infinity where nothing was */
+    /** @return the nearness at a pixel; negative infinity if nothing was drawn */
     public float nearAt(int x, int y) {
         return near[SAMPLES * (y * width + x)];
     }
@@ -58,7 +58,7 @@ public final class Raster {
         bottom = 0;
     }
 
-    /** Notes that samples from (x0, y0) to before (x1, y1) may be drawn on. */
+    /** Extends the rectangle drawn on by the samples from (x0, y0) up to, not including, (x1, y1). */
     void touch(int x0, int y0, int x1, int y1) {
         left = Math.min(left, x0);
         top = Math.min(top, y0);
@@ -87,7 +87,7 @@ public final class Raster {
     }
 
     /**
-     * A triangle with colours that change evenly between its corners. Corners are given by their numbers.
+     * Draws a triangle with colours interpolated between its corners, which are given by index.
      *
      * @param xs   each corner's place from the left, in samples
      * @param ys   each corner's place from the top
@@ -147,9 +147,7 @@ public final class Raster {
         }
     }
 
-    /**
-     * A channel along a row, in 1/65536: rounding, which thin triangles magnify, must not carry it out of its range.
-     */
+    /** A colour channel along a row in units of 1/65536, clamped because thin triangles magnify round-off. */
     private void setOut(int channel, double first, double slope, int steps) {
         double from = Math.max(0, Math.min(BRIGHTEST, first));
         double to = Math.max(0, Math.min(BRIGHTEST, first + steps * slope));
@@ -177,7 +175,7 @@ public final class Raster {
         }
     }
 
-    /** Where w + x slope becomes 0 on its way up: neighbouring triangles leave no sample between them. */
+    /** The first sample where w + x slope is not negative, so that neighbouring triangles leave no gap. */
     private static double lower(double w, double slope) {
         return slope > 0 ? -w / slope - 1e-9 : slope == 0 && w < 0 ? Double.POSITIVE_INFINITY
                 : Double.NEGATIVE_INFINITY;

@@ -1,10 +1,10 @@
 package particles.output.raster;
 
-/** Balls and tubes, shaded at each sample as the round things that they are. Places and radii are in samples. */
+/** Draws balls and tubes, shaded at each sample. Positions and radii are in samples. */
 public final class RoundShapes {
-    /** Thinner things would fall between the samples. */
+    /** The smallest radius; thinner shapes would fall between samples. */
     private static final double THINNEST = 0.8;
-    /** Farther out, in samples, nothing is drawn: the numbers lose their digits. */
+    /** Shapes farther out (samples) are not drawn, since coordinates lose precision. */
     private static final double FARTHEST = 1e7;
 
     private final Raster raster;
@@ -42,7 +42,7 @@ public final class RoundShapes {
         }
         raster.touch(x0, y0, x1 + 1, y1 + 1);
         float middle = (float) view.nearness(depth);
-        float front = (float) view.nearness(depth - size);      // between the two, nearness is as good as linear
+        float front = (float) view.nearness(depth - size);      // between the two, nearness is almost linear
         for (int sy = y0; sy <= y1; sy++) {
             float ny = (float) ((y - sy - 0.5) / r);
             for (int sx = x0, at = sy * raster.width + x0; sx <= x1; sx++, at++) {
@@ -67,7 +67,7 @@ public final class RoundShapes {
      * @param radius in samples, in the middle of the tube
      * @param na     the nearness of the first end
      * @param nb     the nearness of the second end
-     * @return whether any of it is seen, so far
+     * @return whether any of it is visible so far
      */
     public boolean tube(double ax, double ay, double na, double bx, double by, double nb, double radius, int rgb) {
         double r = Math.max(radius, THINNEST);
@@ -89,7 +89,7 @@ public final class RoundShapes {
             double py = sy + 0.5 - ay;
             double from = least;
             double to = most;
-            if (Math.abs(acrossX) > 1e-6) {             // only samples no farther than r from the line
+            if (Math.abs(acrossX) > 1e-6) {             // only samples within r of the line
                 double at = ax - 0.5 - py * acrossY / acrossX;
                 double half = r / Math.abs(acrossX);
                 from = Math.max(from, at - half);

@@ -5,8 +5,8 @@ import particles.law.Plane;
 import particles.law.Vector3;
 
 /**
- * The shadow that a lamp casts on a plane: everything is projected along the light onto a square grid of the plane,
- * which is then blurred, since a large lamp's shadows have soft edges. Coverage is from 0 to 1.
+ * The shadow map of a plane: shapes are projected along the light onto a square grid of the plane, which is then
+ * blurred for soft edges. Coverage is from 0 to 1.
  */
 public final class ShadowMap {
     private static final int SIZE = 960;
@@ -30,9 +30,9 @@ public final class ShadowMap {
     private int bottom;
 
     /**
-     * @param plane  on which the shadow falls
+     * @param plane  the plane of the shadow
      * @param lamp   the direction towards the lamp, a unit vector
-     * @param middle what lies in the middle of the shadowed square, once it is projected onto the plane
+     * @param middle a point whose projection is the centre of the square
      * @param extent the side of the square (m)
      */
     ShadowMap(Plane plane, Vector3 lamp, Vector3 middle, double extent) {
@@ -64,7 +64,7 @@ public final class ShadowMap {
         bottom = 0;
     }
 
-    /** @return the column of the map over which a point of space lies, along the light; not whole */
+    /** @return the column of the map to which a point is projected; not a whole number */
     public double column(double x, double y, double z) {
         double h = plane.distance(x, y, z) / lampRise;
         double u = (x - h * lamp.x() - plane.point().x()) * axisU.x()
@@ -85,7 +85,7 @@ public final class ShadowMap {
         return plane.distance(x, y, z) >= 0;
     }
 
-    /** A round spot; smaller ones than a cell are paler. */
+    /** Adds a round spot; one smaller than a cell is paler. */
     public void disc(double column, double row, double radius) {
         double r = Math.max(radius * cells, 0.6);
         float strength = (float) Math.min(1, radius * cells / r);
@@ -105,7 +105,7 @@ public final class ShadowMap {
         touch(x0, y0, x1, y1);
     }
 
-    /** A strip between two points, as a row of discs. */
+    /** Adds a strip between two points, as a row of discs. */
     public void strip(double c0, double r0, double c1, double r1, double radius) {
         double length = Math.hypot(c1 - c0, r1 - r0);
         if (!(length < 4 * SIZE)) {
@@ -159,7 +159,7 @@ public final class ShadowMap {
         }
     }
 
-    /** A moving mean along one direction; outside of what was touched there is nothing. */
+    /** A moving mean along one direction, limited to the touched area. */
     private static void box(float[] in, float[] out, int line0, int line1, int lineStep, int from, int to, int step) {
         float share = 1f / (2 * BLUR + 1);
         for (int line = line0; line < line1; line++) {
@@ -181,12 +181,12 @@ public final class ShadowMap {
         }
     }
 
-    /** @return whether there may be any shadow at a place of the map */
+    /** @return whether there may be shadow at a point of the map */
     boolean isTouched(float column, float row) {
         return column >= left + 0.5f && column < right - 0.5f && row >= top + 0.5f && row < bottom - 0.5f;
     }
 
-    /** @return the coverage at a place of the map that is touched, between the cells' middles */
+    /** @return the interpolated coverage at a touched point of the map */
     float at(float column, float row) {
         float c = column - 0.5f;
         float r = row - 0.5f;

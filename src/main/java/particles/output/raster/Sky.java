@@ -2,7 +2,7 @@ package particles.output.raster;
 
 import java.awt.Color;
 
-/** The light in which a scene stands: what is behind it, and in which ink words are written. */
+/** Day or night: colours of the background, the grid and text. */
 public enum Sky {
     DAY(0xa9c3dc, 0xf1f2f0, 0xdde2e6, 0xe8e4dc, 0xc9c3b8, 0x2b3440, 0x5a6572, 0xb3261e, 0xf4f6f8),
     NIGHT(0x080b14, 0x1d2433, 0x0e1119, 0x23252b, 0x34373f, 0xe9e6df, 0xa9afb9, 0xff8a80, 0x10141f);
@@ -11,12 +11,12 @@ public enum Sky {
     public final int horizon;
     final int bottom;
     public final int ground;
-    /** Of the grid on the ground. */
+    /** The colour of the grid on the ground. */
     final int line;
     public final Color ink;
-    /** Of words that matter less. */
+    /** The colour of less important text. */
     public final Color soft;
-    /** Of words that must not be missed. */
+    /** The colour of warnings. */
     public final Color warning;
     /** Around words that stand beside things. */
     public final Color halo;

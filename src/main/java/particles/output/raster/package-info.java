@@ -1,4 +1,2 @@
-/**
- * The picture in memory: camera, light, colours, samples with depth, and the backdrop of sky, ground and spheres.
- */
+/** Software rendering: camera, light, colours, depth buffer, and the background of sky, ground and spheres. */
 package particles.output.raster;

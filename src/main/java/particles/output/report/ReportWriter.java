@@ -9,7 +9,6 @@ import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import particles.output.charts.ChartWriter;
 import particles.output.files.Numbers;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
@@ -27,6 +26,9 @@ public final class ReportWriter {
     private static final int MOST_ROWS = 60;
     /** Where in a PNG file its width stands, and behind it its height. */
     private static final int PNG_WIDTH = 16;
+
+    /** As wide as the picture of one chart. */
+    private static final int WIDE = 1920;
 
     private final OutputFile file;
     private final Html html = new Html();
@@ -85,7 +87,7 @@ public final class ReportWriter {
         if (section.page().isPresent()) {
             ResultPage page = section.page().get();
             paragraphs(page.text());
-            for (ResultPage.Picture picture : page.pictures()) {
+            for (Picture picture : page.pictures()) {
                 figure(section, picture);
             }
             for (DataTable table : page.tables()) {
@@ -95,7 +97,7 @@ public final class ReportWriter {
         put("</section>\n");
     }
 
-    private void figure(Section section, ResultPage.Picture picture) throws IOException {
+    private void figure(Section section, Picture picture) throws IOException {
         byte[] bytes = Files.readAllBytes(section.folder().resolve(picture.file()));
         boolean moves = picture.file().endsWith(".gif");
         String caption = Html.escaped(picture.caption());
@@ -112,7 +114,7 @@ public final class ReportWriter {
         ByteBuffer header = ByteBuffer.wrap(png);
         int width = header.getInt(PNG_WIDTH);
         int height = header.getInt(PNG_WIDTH + Integer.BYTES);
-        return width > ChartWriter.PIXELS_WIDE || height > width;
+        return width > WIDE || height > width;
     }
 
     private void table(Section section, DataTable table) {

@@ -5,6 +5,8 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartWriter;
 import particles.output.files.Numbers;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
@@ -29,11 +31,15 @@ public final class ResultPageWriter {
      *
      * @param folder where they go
      * @param page   what they show
+     * @param format what the pictures are for
+     * @return the page as it is written: what was too much for one picture is several
      * @throws OutputException if something cannot be written
      */
-    public static void write(OutputFolder folder, ResultPage page) {
-        for (ResultPage.Picture picture : page.pictures()) {
-            picture.write(folder);
+    public static ResultPage write(OutputFolder folder, ResultPage page, ChartFormat format) {
+        ResultPage laidOut = page.laidOut(format);
+        ChartWriter writer = new ChartWriter(folder, format);
+        for (Picture picture : laidOut.pictures()) {
+            picture.write(writer);
             if (!picture.data().isEmpty()) {
                 writeLines(folder, picture.name() + ".csv", points(picture.data()));
             }
@@ -41,7 +47,8 @@ public final class ResultPageWriter {
         for (DataTable table : page.tables()) {
             writeLines(folder, table.name() + ".csv", TableText.csv(table));
         }
-        writeLines(folder, page.name() + ".md", markdown(page));
+        writeLines(folder, page.name() + ".md", markdown(laidOut));
+        return laidOut;
     }
 
     private static List<String> markdown(ResultPage page) {
@@ -49,7 +56,7 @@ public final class ResultPageWriter {
         for (String paragraph : page.text()) {
             lines.addAll(List.of("", paragraph));
         }
-        for (ResultPage.Picture picture : page.pictures()) {
+        for (Picture picture : page.pictures()) {
             lines.addAll(List.of("", "![" + picture.caption() + "](" + picture.file() + ")", "", picture.caption()
                     + (picture.data().isEmpty() ? "" : " Its numbers: [" + picture.name() + ".csv](" + picture.name()
                     + ".csv).")));

@@ -7,11 +7,11 @@ import org.jfree.chart.axis.TickUnit;
 import org.jfree.chart.axis.TickUnitSource;
 
 /**
- * Ticks at multiples of 1, 2 or 5 times a power of ten, of any size, labelled with exactly the digits that they need:
- * {@code 0.25}, {@code 1000}, {@code 2e-14}. JFreeChart's own round to ten decimals, so that small drifts all read 0.
+ * Axis ticks at multiples of 1, 2 or 5 times any power of ten, labelled with exactly the digits that they need: {@code
+ * 0.25}, {@code 1000}, {@code 2e-14}. JFreeChart's own round to ten decimals, so that small drifts all read 0.
  */
 public final class DecimalTicks implements TickUnitSource {
-    /** Plain digits from 1e-4 up to below 1e6, as long as people read them at a glance. */
+    /** Plain digits from 1e-4 to below 1e6, exponents otherwise. */
     private static final int SMALLEST_PLAIN = -4;
     private static final int SMALLEST_EXPONENT = 6;
 
@@ -26,7 +26,7 @@ public final class DecimalTicks implements TickUnitSource {
             this.size = size;
         }
 
-        /** The tick's value comes with rounding errors; it is a whole number of units. */
+        /** The tick's value has round-off; it is a whole number of units. */
         @Override
         public String valueToString(double value) {
             double units = Math.rint(value / getSize());
@@ -57,7 +57,7 @@ public final class DecimalTicks implements TickUnitSource {
         return getCeilingTickUnit(unit.getSize());
     }
 
-    /** The smallest unit that is not smaller, but for rounding. */
+    /** The smallest unit that is at least this large, up to round-off. */
     @Override
     public TickUnit getCeilingTickUnit(double size) {
         double wanted = Math.max(size, Double.MIN_NORMAL) * (1 - 1e-9);

@@ -8,19 +8,18 @@ import java.nio.file.Path;
 import particles.output.files.OutputException;
 
 /**
- * Whether this machine can draw text, found out once and before anything depends on it. A Java without fonts, or
- * without the libraries that read them, fails in many ways and places: InternalError, NullPointerException,
- * UnsatisfiedLinkError at first, NoClassDefFoundError ever after.
+ * Checks once whether this machine can draw text. A Java without fonts, or without the libraries that read them, fails
+ * in many ways: InternalError, NullPointerException or UnsatisfiedLinkError at first, NoClassDefFoundError later.
  */
 public final class FontCheck {
-    /** One clear line for what cannot be drawn without text. */
+    /** The message if there is no font. */
     private static final String NO_FONT = "Java finds no font on this machine, and a chart needs text; "
             + "install one, such as the package fonts-dejavu-core (with fontconfig)";
 
     private FontCheck() {
     }
 
-    /** Loaded at the first question only. */
+    /** Loaded at the first call. */
     private static final class Probe {
         static final boolean WORKS = draws();
 
@@ -34,7 +33,7 @@ public final class FontCheck {
                 g.dispose();
                 return width > 0;
             } catch (LinkageError | InternalError | AWTError | RuntimeException e) {
-                // whatever it was, there is no text to be had; isAvailable() says so to those who ask
+                // any failure means no text; isAvailable() reports it
                 return false;
             }
         }
@@ -52,7 +51,7 @@ public final class FontCheck {
         }
     }
 
-    /** @return the project's font in all pictures; where there is no DejaVu, what Java takes instead */
+    /** @return the font of all pictures: DejaVu, or Java's substitute if it is missing */
     public static Font font(int style, float size) {
         return new Font("DejaVu Sans", style, 1).deriveFont(size);
     }

@@ -18,14 +18,14 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** What has to hold for a scene's rods and wires: ends that are known and free, and nothing that moves against them. */
+/** Checks a scene's rods and wires: known and free ends, and initial velocities that respect them. */
 final class ConstraintChecks {
-    /** How far off its wire a bead may begin: places are written with a few digits (m). */
+    /** The largest initial distance of a bead from its wire (m): positions in files have few digits. */
     private static final double ON_WIRE = 1e-3;
-    /** Speeds along a rod, or off a wire, that are rounding (m/s). */
+    /** Speeds along a rod or off a wire below this are round-off (m/s). */
     private static final double STILL = 1e-9;
     private static final double MOST_FEEDBACK = 0.5;
-    /** Newton's method doubles the right digits, after it has halved a large distance many times. */
+    /** The largest number of Newton steps; far from a wire each may only halve the distance. */
     private static final int MOST_STEPS = 100;
 
     private final Values scene;
@@ -114,7 +114,7 @@ final class ConstraintChecks {
         wires.add(wire);
     }
 
-    /** How far a place is from a wire, in words: found by walking there, across to the wire in every step. */
+    /** Describes the distance of a point from a wire, found by Newton's method. */
     private static String distance(Curve curve, Vector3 from) {
         double[] off = new double[Curve.ROWS];
         double[] g = new double[3 * Curve.ROWS];
@@ -131,7 +131,10 @@ final class ConstraintChecks {
         return Double.isFinite(distance) ? "about " + Wording.rounded(distance) + " m" : "far";
     }
 
-    /** Beyond, the feedback makes larger errors than it removes, and is not stable for some solvers. */
+    /**
+     * Checks that the feedback is not too strong: then it causes larger errors than it removes and is unstable with
+     * some solvers.
+     */
     private void checkFeedback() {
         Optional<Double> deltaT = scene.find(SceneFormat.DELTA_T);
         Values constraints = scene.find(SceneFormat.CONSTRAINTS).orElse(Values.none(scene.place()));

@@ -9,34 +9,29 @@ import particles.scene.parts.ShapeDescription;
 import particles.spec.messages.Problems;
 
 /**
- * How much memory a scene takes while it runs, told from its numbers before anything is built. The bytes are those that
- * were missing when cloths of 10,000 to 360,000 particles ran in the smallest heap in which they would, and a fifth
- * more.
+ * Estimates the memory of a run before anything is built. The constants were fitted to the smallest heaps in which
+ * cloths of 10,000 to 360,000 particles ran, plus a fifth.
  *
- * @param particles how many there are at a time, at most
- * @param springs   how many there are
- * @param bytes     what all takes
+ * @param particles the largest number of particles at a time
+ * @param springs   the number of springs
+ * @param bytes     the estimated memory (bytes)
  */
 public record MemoryEstimate(double particles, double springs, double bytes) {
-    /** Java itself, the program, and charts. */
+    /** Java, the program and charts. */
     private static final double BYTES_OF_PROGRAM = 36e6;
-    /** Id, state, masses, the work arrays of a simple solver, and what output needs. */
+    /** Id, state, masses, work arrays of a simple solver, and output. */
     private static final double BYTES_PER_PARTICLE = 800;
-    /**
-     * The constants, in arrays that are up to half as long again, and three copies of what pictures show of a spring.
-     */
+    /** Its constants in arrays with spare capacity, and three copies of its data for pictures. */
     private static final double BYTES_PER_SPRING = 100;
     /** A picture being drawn, with depth and shadows, and its copies for film and file. */
     private static final double BYTES_PER_PIXEL = 30;
-    /** Where each particle was, in single precision, and a fourth number where some come and go. */
+    /** A position in single precision, and a fourth number if particles are born or die. */
     private static final double BYTES_PER_TRAIL_SAMPLE = 15;
-    /**
-     * Of trails that pictures still show which are waiting to be drawn, three at most; and the newest and the oldest.
-     */
+    /** Extra trail samples of up to three pictures waiting to be drawn, plus the newest and oldest one. */
     private static final double SAMPLES_WAITING = 14;
-    /** From so many particles on the fill of an elimination is counted as growing, by the logarithm of their number. */
+    /** From this number of particles on, the fill-in of an elimination grows with the logarithm of their number. */
     private static final double FEW = 10_000;
-    /** As often as trails are sampled, and as long as they may be. */
+    /** Trail samples per frame. */
     private static final double SAMPLES_PER_FRAME = 4;
     private static final double MOST_SAMPLES = 240;
     private static final double MEGABYTE = 1 << 20;
@@ -47,7 +42,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
             springs += shape.springCount();
         }
         boolean removed = scene.rules().stream().anyMatch(rule -> rule.kind().removes());
-        // how many are left, where some are taken away, nobody knows before: those of one step at least
+        // if a rule removes particles, their number is unknown; at least those of one step exist
         double particles = scene.particlesAfter(removed ? scene.deltaT() : scene.duration());
         double trail = scene.look().style().trail();
         double samples = trail == 0 ? 0
@@ -61,8 +56,8 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     }
 
     /**
-     * What a solver takes for a particle beyond what rk4 does: matrices, stages, columns of an extrapolation. The
-     * factors of an elimination in nested dissection grow with n log n; radau has a real one and a complex one.
+     * Bytes per particle of a solver beyond those of rk4: matrices, stages, columns of an extrapolation. The factors of
+     * a nested-dissection elimination grow with n log n; radau has a real and a complex one.
      */
     private static double bytesOfSolver(String name, double particles) {
         if (!SolverCatalog.names().contains(name)) {
@@ -74,7 +69,7 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
                 : info.family().equals("extrapolation") ? 600 : 0;
     }
 
-    /** Says so if the scene does not fit. @param allowed how much memory Java may use (bytes) */
+    /** Adds a problem if the scene does not fit. @param allowed the memory that Java may use (bytes) */
     public static void check(SceneDescription scene, double allowed, Problems problems) {
         MemoryEstimate needed = of(scene);
         if (needed.bytes() > allowed) {

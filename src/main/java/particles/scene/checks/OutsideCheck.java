@@ -14,7 +14,7 @@ import particles.spec.Values;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** Whether everything begins outside of the ground and the other solids; what is fixed may stand in them. */
+/** Checks that all free particles begin outside the ground and other solids. */
 final class OutsideCheck {
     private static final int MOST_RULES = 50;
 
@@ -48,7 +48,7 @@ final class OutsideCheck {
         Lattice lattice = shape.lattice();
         if (problems.isFull() || plane.isFlat() && lattice.corners().stream().allMatch(n -> distance(plane,
                 lattice.position(n)) >= 0)) {
-            return;                                     // on a plane's right side all others lie between the corners
+            return;                                     // if all corners are outside a plane, so are all particles
         }
         int lowest = -1;
         double least = 0;
@@ -71,7 +71,7 @@ final class OutsideCheck {
                 + rule.place().line() + "; it has to begin " + (hollow ? "inside" : "outside");
     }
 
-    /** Places that are on the plane but for rounding are on it. */
+    /** Distance from a solid; round-off counts as 0. */
     private static double distance(Obstacle plane, Vector3 at) {
         double distance = plane.distance(at.x(), at.y(), at.z());
         return Math.abs(distance) <= 1e-9 * (1 + at.length()) ? 0 : distance;

@@ -18,14 +18,14 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** What has to hold between rules and the particles and springs that they name or act on. */
+/** Checks rules against the particles and springs that they name or act on. */
 final class RuleChecks {
     private final List<Chosen<RuleKind>> rules;
     private final Problems problems;
     private final BiPredicate<Values, Key<String>> isKnown;
     private final Map<String, Place> moved = new HashMap<>();
 
-    /** @param isKnown whether a key names a particle that there is; says so if there is none */
+    /** @param isKnown tests whether a key names an existing particle, and adds a problem if not */
     RuleChecks(Values scene, Problems problems, BiPredicate<Values, Key<String>> isKnown) {
         rules = rulesOf(scene);
         this.problems = problems;
@@ -36,7 +36,7 @@ final class RuleChecks {
         return scene.find(SceneFormat.RULES).orElse(List.of());
     }
 
-    /** Tells of the names with which ids of particles begin that rules make. */
+    /** Reports the id prefixes of particles that rules make. */
     static void newIds(Values scene, BiConsumer<String, Place> take) {
         for (Chosen<RuleKind> rule : rulesOf(scene)) {
             rule.kind().newIds().ifPresent(key -> rule.values().find(key)
@@ -45,7 +45,7 @@ final class RuleChecks {
         }
     }
 
-    /** @return whether particles come into being by a rule, where there may be none before */
+    /** @return whether a rule makes particles, so that a scene may begin without any */
     static boolean giveBirth(Values scene) {
         return rulesOf(scene).stream().anyMatch(rule -> rule.kind().alive(rule.values(), 1, 1) > 0);
     }

@@ -8,7 +8,7 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** How long a run may be, in steps and pictures, before it can only be a slip of the finger. */
+/** Limits of the number of steps and pictures; a longer run can only be a typing error. */
 public final class RunLimits {
     private static final double MOST_STEPS = 1e10;
     private static final double MOST_FRAMES = 1e6;
@@ -26,11 +26,11 @@ public final class RunLimits {
     }
 
     /**
-     * For runs that draw pictures.
+     * Checks the number of pictures of a run.
      *
-     * @param scene    the scene that is about to run
-     * @param option   how the option is typed that says whether pictures are drawn
-     * @param problems where it is said if there would be too many
+     * @param scene    the scene to run
+     * @param option   the option that turns pictures off, as typed
+     * @param problems receives a problem if there would be too many
      */
     public static void checkPictures(SceneDescription scene, String option, Problems problems) {
         double frameRate = scene.output().frameRate();

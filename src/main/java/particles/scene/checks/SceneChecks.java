@@ -29,7 +29,8 @@ import particles.spec.messages.Wording;
 import particles.view.Camera;
 
 /**
- * What has to hold between the parts of a scene; looks at whatever is right by itself, so that all is said in one go.
+ * Checks the conditions between parts of a scene. It checks all parts that are right by themselves, so that all
+ * problems are reported together.
  */
 public final class SceneChecks {
     private static final int MOST_CANDIDATES = 1000;
@@ -49,7 +50,7 @@ public final class SceneChecks {
         this.problems = problems;
     }
 
-    /** @return the description, if nothing at all is wrong */
+    /** @return the description, if there is no problem */
     public Optional<SceneDescription> describe(String source) {
         checkParticles();
         checkShapes();
@@ -159,7 +160,9 @@ public final class SceneChecks {
         }
     }
 
-    /** Whether a spring's end can be looked at. A right id of a particle that is wrong is no problem of the spring. */
+    /**
+     * Whether a spring's end can be checked further. A known id of a faulty particle is not a problem of the spring.
+     */
     private boolean isKnown(Values values, Key<String> key) {
         return values.find(key).isPresent() && isKnown(values.get(key), values.place(key));
     }
@@ -186,7 +189,7 @@ public final class SceneChecks {
         return false;
     }
 
-    /** Where a particle's id or a shape's name cannot be read, an id that nothing has may be theirs. */
+    /** If the id of a particle or shape could not be read, an unknown id may be theirs. */
     private boolean areAllIdsKnown() {
         Optional<List<Values>> alone = scene.find(SceneFormat.PARTICLES);
         return scene.isIntact(SceneFormat.SHAPES) && alone.isPresent()

@@ -7,7 +7,7 @@ import particles.scene.parts.ShapeDescription;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
 
-/** Whether a scene has no more than a scene may have, before anything is built. */
+/** Checks the numbers of particles and springs before anything is built. */
 final class SizeCheck {
     private static final long MOST_SPRINGS = 10_000_000;
 

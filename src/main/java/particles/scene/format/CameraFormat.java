@@ -12,7 +12,7 @@ import particles.spec.VectorType;
 import particles.spec.messages.Problems;
 import particles.view.Camera;
 
-/** What a scene says of its camera. */
+/** The keys of a scene's camera. */
 public final class CameraFormat {
     private static final String PERSPECTIVE = "perspective";
 

@@ -15,28 +15,28 @@ import particles.spec.WholeNumberType;
 import particles.spec.messages.Place;
 
 /**
- * What a run of a scene writes.
+ * The output of a run: pictures, films, plots and the trajectory.
  *
- * @param frameRate        pictures for a second of simulated time
+ * @param frameRate        pictures per second of simulated time
  * @param width            their width in pixels
  * @param height           their height in pixels
- * @param animation        whether they are also put together to an animation
- * @param video            which film they become beside it
+ * @param animation        whether to make an animated GIF of them
+ * @param video            the film to make of them
  * @param energy           whether energies are plotted
- * @param phase            what the phase-space plot shows, if there is one
- * @param trajectoryStride every how many steps the state is written to the trajectory, if the scene says so
+ * @param phase            the phase-space plot, if there is one
+ * @param trajectoryStride write every n-th step to the trajectory; empty for the default
  */
 public record OutputDescription(double frameRate, int width, int height, boolean animation, Video video,
                                 boolean energy, Optional<Phase> phase, Optional<Integer> trajectoryStride) {
 
-    /** Which film the pictures become beside the animation. */
+    /** The kind of film. */
     public enum Video {
         /** No film. */
         NONE,
         /** H.264 in an MP4 file. */
         MP4;
 
-        /** @return as they are written in scenes and options */
+        /** @return the names in scenes and options */
         public static List<String> names() {
             return Arrays.stream(values()).map(Video::label).toList();
         }
@@ -49,7 +49,7 @@ public record OutputDescription(double frameRate, int width, int height, boolean
             return Arrays.stream(values()).filter(video -> video.label().equals(name)).findFirst();
         }
 
-        /** @return its name, as it is written in scenes and options */
+        /** @return its name in scenes and options */
         public String label() {
             return name().toLowerCase(Locale.ROOT);
         }
@@ -60,7 +60,7 @@ public record OutputDescription(double frameRate, int width, int height, boolean
      *
      * @param particle the id of the particle
      * @param axis     0 for x, 1 for y, 2 for z
-     * @param place    where the scene says so
+     * @param place    its place in the file
      */
     public record Phase(String particle, int axis, Place place) {
         public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,

@@ -8,7 +8,7 @@ import particles.spec.Key;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 
-/** What was said beside a scene's file, in options, and goes before it; checked in the same way. */
+/** Options that override values of a scene file; they are checked in the same way. */
 public final class Overrides {
     /** The keys of a scene that an option can override. */
     public static final List<String> NAMES = List.of(SceneFormat.SOLVER.name(), SceneFormat.DELTA_T.name(),
@@ -33,7 +33,7 @@ public final class Overrides {
         return this;
     }
 
-    /** @return the description with what was given, as far as that is right */
+    /** @return the description with all valid options applied */
     public SceneDescription applyTo(SceneDescription scene, Problems problems) {
         Map<Key<?>, Place> places = new HashMap<>(scene.places());
         boolean sameSolver = !given.containsKey(SceneFormat.SOLVER.name());

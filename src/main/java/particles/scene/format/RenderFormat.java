@@ -14,7 +14,7 @@ import particles.spec.messages.Problems;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 
-/** What a scene says of how it is drawn. */
+/** The keys of how a scene is drawn. */
 public final class RenderFormat {
     static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
     private static final List<String> SHOWN = Arrays.stream(RenderOptions.Shown.values()).map(RenderFormat::nameOf)
@@ -84,7 +84,7 @@ public final class RenderFormat {
                 values.get(MARKS).stream().map(MarkFormat::of).toList());
     }
 
-    /** Says what does not go together. */
+    /** Reports keys that cannot be combined. */
     public static void check(Values values, Problems problems) {
         if (!values.isGiven(AGE_COLOURS) || !values.isIntact(AGE_COLOURS)) {
             return;

@@ -16,28 +16,28 @@ import particles.view.Camera;
 import particles.view.RenderOptions;
 
 /**
- * What a scene file says, checked as a whole.
+ * The checked contents of a scene file.
  *
  * @param source       the file, as it was named
  * @param title        what the scene shows
  * @param teaches      what one learns from it
  * @param solver       the name of the solver
- * @param tolerances   what it is allowed, if the scene says so
+ * @param tolerances   its tolerances, if the scene gives them
  * @param deltaT       the time step (s)
  * @param duration     how long the run lasts (s)
- * @param particles    the particles that stand alone, first in the state
+ * @param particles    the single particles, first in the state
  * @param shapes       the shapes, whose particles follow
- * @param springs      the springs that stand alone
+ * @param springs      the springs outside shapes
  * @param constraints  its rods and wires
  * @param effects      the effects it names
  * @param rules        the rules it names
- * @param exactImpacts whether steps are divided at impacts
+ * @param exactImpacts whether steps are split at impacts
  * @param camera       the camera, if it gives one
  * @param look         how things are drawn
- * @param output       what is written
- * @param blowUpFactor by which factor the kinetic energy may exceed the scene's own energy scale
- * @param threads      how many threads may evaluate forces, if it says so
- * @param places       where the solver, deltaT and duration stand
+ * @param output       the files to write
+ * @param blowUpFactor the factor by which the kinetic energy may exceed the scene's energy scale
+ * @param threads      the number of threads that evaluate forces, if given
+ * @param places       the places of solver, deltaT and duration
  */
 public record SceneDescription(String source, String title, String teaches, String solver,
                                Optional<Tolerances> tolerances, double deltaT, double duration,
@@ -51,10 +51,10 @@ public record SceneDescription(String source, String title, String teaches, Stri
                                Map<Key<?>, Place> places) {
 
     /**
-     * The same scene, solved otherwise.
+     * Returns the same scene with another solver, step and duration.
      *
      * @param otherSolver     a solver's name
-     * @param otherTolerances what it is allowed; only for those that are adaptive
+     * @param otherTolerances its tolerances; only for adaptive solvers
      * @param otherDeltaT     the time step (s)
      * @param otherDuration   how long the run lasts (s)
      * @return the description; the scene builder checks it
@@ -74,10 +74,10 @@ public record SceneDescription(String source, String title, String teaches, Stri
     }
 
     /**
-     * How many particles there are a while after the start, if no rule takes any away.
+     * The number of particles at a time, if no rule removes any.
      *
-     * @param time how long after the start (s)
-     * @return those that the scene names, and those that its emitters have made and that still live
+     * @param time the time since the start (s)
+     * @return the scene's own particles plus those that its emitters have made and that are still alive
      */
     public double particlesAfter(double time) {
         double count = particles.size();

@@ -23,7 +23,7 @@ import particles.spec.WholeNumberType;
 import particles.spec.documents.JsonSchema;
 import particles.spec.documents.Reference;
 
-/** What a scene file may say: the root of everything that reading, messages, schema and reference are made from. */
+/** The format of scene files. The reader, its messages, the schema and the reference are all made from it. */
 public final class SceneFormat {
     public static final Key<String> TITLE = Key.required("title", TextType.prose(),
             "What the scene shows, in a few words.");
@@ -96,7 +96,7 @@ public final class SceneFormat {
 
     /**
      * @param heading what the headings begin with, such as {@code ###}
-     * @return all that a scene file may say, as tables of Markdown
+     * @return the reference of scene files, as Markdown tables
      */
     public static String reference(String heading) {
         return Reference.of(SCENE, heading);

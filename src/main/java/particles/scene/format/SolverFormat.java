@@ -13,7 +13,7 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.messages.Problems;
 
-/** What a scene says of its solver: a name, or a name with tolerances. */
+/** The keys of a scene's solver: a name, or a name with tolerances. */
 public final class SolverFormat {
     public static final Key<String> NAME = Key.required("name", NameType.or("solver", SolverCatalog.names(),
             ClassNames.form("exercises.MySolver")),

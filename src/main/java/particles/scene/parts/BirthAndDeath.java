@@ -13,7 +13,7 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
-/** The rules by which springs end and particles begin and end; {@link RuleKind#ALL} lists them. */
+/** The rules for torn springs and for birth and death of particles; {@link RuleKind#ALL} lists them. */
 final class BirthAndDeath {
     private BirthAndDeath() {
     }
@@ -74,7 +74,7 @@ final class BirthAndDeath {
 
         @Override
         public double alive(Values values, double deltaT, double duration) {
-            // the dead are taken away at the end of a step, when those of the whole step are born already
+            // deaths come at the end of a step, after all births of that step
             return values.get(RATE) * Math.min(duration, values.find(LIFETIME).orElse(duration) + deltaT);
         }
 

@@ -16,12 +16,12 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 
 /**
- * The rods and wires of a scene and how they are kept.
+ * The rods and wires of a scene and how they are enforced.
  *
  * @param rods       the rods
  * @param wires      the wires, each with its bead
  * @param feedback   the rate at which errors decay (1/s)
- * @param projection whether particles are put back onto rods and wires after every step
+ * @param projection whether particles are projected onto rods and wires after every step
  */
 public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireKind>> wires, double feedback,
         boolean projection) {
@@ -37,7 +37,7 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
                 values.get(PROJECTION));
     }
 
-    /** Adds to a system what the scene names, if it names any. */
+    /** Adds the scene's rods and wires to a system, if there are any. */
     public void build(ParticleSystem system, ParticleIndex index, Simulation simulation, SceneAssembly assembly) {
         if (rods.isEmpty() && wires.isEmpty()) {
             return;
@@ -59,7 +59,7 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
             }
         }
         system.addReaction(constraints);
-        constraints.project(system.getOwnState(), system.getTime());        // places are written with a few digits
+        constraints.project(system.getOwnState(), system.getTime());        // positions in files have few digits
         if (projection) {
             simulation.addRule(new ConstraintProjection(constraints));
         }

@@ -10,13 +10,13 @@ import java.util.stream.IntStream;
 import particles.law.Vector3;
 
 /**
- * Particles at regular places along one, two or three directions, which a rope, a cloth and a block of jelly are. The
- * first index varies slowest.
+ * A regular grid of particles in one, two or three directions: a rope, a cloth or a block. The first index varies
+ * slowest.
  *
- * @param id      the shape's name; a particle is called {@code cloth[3,4]}
+ * @param id      the shape's name; its particles have names such as {@code cloth[3,4]}
  * @param counts  how many particles there are along each direction, at least 2
- * @param origin  where the particle [0,0,0] is (m)
- * @param edges   from the first to the last particle along each direction (m)
+ * @param origin  the position of the particle [0,0,0] (m)
+ * @param edges   the vectors from the first to the last particle along each direction (m)
  */
 public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vector3> edges) {
     private static final Pattern INDICES = Pattern.compile("\\[(\\d{1,9}(,\\d{1,9})*)\\]");
@@ -54,7 +54,7 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
                 .map(d -> (code >> d & 1) * (counts.get(d) - 1)).toArray())).toList();
     }
 
-    /** @return by how much the number grows with each index */
+    /** @return the step in particle number for each index */
     int[] strides() {
         int[] strides = new int[counts.size()];
         for (int d = strides.length - 1, stride = 1; d >= 0; stride *= counts.get(d--)) {
@@ -79,7 +79,7 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
         return n < 0 || !idOf(n).equals(particle) ? OptionalInt.empty() : OptionalInt.of(n);
     }
 
-    /** @return where particle n is (m) */
+    /** @return the position of particle n (m) */
     public Vector3 position(int n) {
         int[] indices = indices(n);
         Vector3 position = origin;
@@ -89,7 +89,7 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
         return position;
     }
 
-    /** @return how much room the edges span, relative to their lengths: 1 if at right angles, 0 if in line */
+    /** @return the area or volume of the edges, relative to their lengths: 1 if orthogonal, 0 if linearly dependent */
     double flatness() {
         if (edges.stream().anyMatch(edge -> edge.length() == 0)) {
             return 0;
@@ -102,7 +102,7 @@ public record Lattice(String id, List<Integer> counts, Vector3 origin, List<Vect
         };
     }
 
-    /** @return which ids there are, for messages */
+    /** @return the range of ids, for messages */
     public String range() {
         return idOf(0) + " to " + idOf((int) size() - 1);
     }

@@ -26,13 +26,13 @@ public final class LatticeSurface {
     /**
      * @param lattice of two or three directions
      * @param first   the index of its first particle in the system
-     * @param ofSprings whether neighbours along its directions are held by springs
+     * @param ofSprings whether springs connect neighbours along its directions
      * @return its surface
      */
     public static Surface of(Lattice lattice, int first, boolean ofSprings) {
         LatticeSurface surface = new LatticeSurface(lattice, first);
         if (surface.counts.length == 2) {
-            surface.addSheet(0, 1, 0);                  // down x across points to who sees [0,0] top left
+            surface.addSheet(0, 1, 0);                  // front: the viewer sees [0,0] top left
         } else {
             for (int d = 0; d < 3; d++) {
                 surface.addSheet(0, (d + 2) % 3, (d + 1) % 3);
@@ -42,7 +42,7 @@ public final class LatticeSurface {
         return new Surface(surface.triangles, ofSprings);
     }
 
-    /** The sheet through a corner along directions u and v, with its front where u x v points. */
+    /** Adds the sheet through a corner along directions u and v; its front is on the side of u x v. */
     private void addSheet(int corner, int u, int v) {
         for (int i = 0; i + 1 < counts[u]; i++) {
             for (int j = 0; j + 1 < counts[v]; j++) {

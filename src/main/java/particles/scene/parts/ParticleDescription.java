@@ -17,12 +17,12 @@ import particles.spec.messages.Place;
  * @param position x (m)
  * @param velocity v (m/s)
  * @param mass     m (kg)
- * @param fixed    whether it stays where it is
- * @param place    where the scene says so
+ * @param fixed    whether it is fixed
+ * @param place    its place in the file
  */
 public record ParticleDescription(String id, Vector3 position, Vector3 velocity, double mass, boolean fixed,
         Place place) {
-    /** Fit for CSV, and never the id of a shape's particle, which has brackets. */
+    /** Safe in CSV files, and never equal to the id of a shape's particle, which has brackets. */
     static final TextType NEW_ID = TextType.of(
             "a name of at most 60 characters without spaces, brackets, commas, quotes and invisible characters",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f-\\xa0\\xad\\u061c\\u200b-\\u200f\\u2028-\\u202e"

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import particles.law.Vector3;
 
-/** From the ids of a scene to its particles: first those that stand alone, then the shapes' in order. */
+/** Finds particles by id. Single particles come first in the state, then those of the shapes in order. */
 public final class ParticleIndex {
     private final List<ParticleDescription> particles;
     private final Map<String, Integer> numbers = new HashMap<>();
@@ -26,7 +26,7 @@ public final class ParticleIndex {
         }
     }
 
-    /** @return how many particles there are */
+    /** @return the number of particles */
     int count() {
         return count;
     }
@@ -46,7 +46,7 @@ public final class ParticleIndex {
         return id.contains("[") ? id.substring(0, id.indexOf('[')) : id;
     }
 
-    /** @return whether the particle with this known id stays where it is */
+    /** @return whether the particle with this known id is fixed */
     public boolean isFixed(String id) {
         if (numbers.containsKey(id)) {
             return particles.get(numbers.get(id)).fixed();
@@ -55,7 +55,7 @@ public final class ParticleIndex {
         return shape.fixed().get(shape.lattice().find(id).orElseThrow());
     }
 
-    /** @return how the particle with this known id moves at the start (m/s) */
+    /** @return the initial velocity of the particle with this known id (m/s) */
     public Vector3 velocity(String id) {
         if (numbers.containsKey(id)) {
             return particles.get(numbers.get(id)).velocity();
@@ -63,7 +63,7 @@ public final class ParticleIndex {
         return isFixed(id) ? Vector3.ZERO : shapes.get(shapeOf(id)).velocity();
     }
 
-    /** @return where the particle with this known id is at the start (m) */
+    /** @return the initial position of the particle with this known id (m) */
     public Vector3 position(String id) {
         if (numbers.containsKey(id)) {
             return particles.get(numbers.get(id)).position();

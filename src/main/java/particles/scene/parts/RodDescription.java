@@ -6,11 +6,11 @@ import particles.spec.Values;
 import particles.spec.messages.Place;
 
 /**
- * One rigid rod of a scene, as long as the initial distance.
+ * One rigid rod of a scene; its length is the initial distance of its ends.
  *
  * @param from  the id of the particle where it begins
  * @param to    the id of the particle where it ends
- * @param place where the scene says so
+ * @param place its place in the file
  */
 public record RodDescription(String from, String to, Place place) {
     public static final Key<String> FROM = Key.required("from", SpringDescription.ANY_ID,

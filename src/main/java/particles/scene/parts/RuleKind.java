@@ -17,7 +17,7 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
-/** The rules that a scene can name: each is one entry of {@link #ALL}, with its keys and what it builds. */
+/** A kind of rule that a scene can name, with its keys; {@link #ALL} lists them. */
 public abstract class RuleKind extends Kind {
     private static final Key<String> LAW = Key.required("law", NameType.of("friction law", List.of("slide", "coulomb")),
             "slide: the lecture's law, normal force times k_f times velocity; coulomb: normal force times mu.");
@@ -44,23 +44,23 @@ public abstract class RuleKind extends Kind {
     /** Builds what a scene names. */
     public abstract void build(Values values, SceneAssembly assembly);
 
-    /** @return the solid in which no particle may begin, if the rule has one */
+    /** @return the rule's solid, in which no particle may begin, if it has one */
     public Optional<Obstacle> obstacle(Values values) {
         return Optional.empty();
     }
 
-    /** @return the key that names a fixed particle which the rule moves, if there is one */
+    /** @return the key that names the fixed particle moved by the rule, if there is one */
     public Optional<Key<String>> anchor() {
         return Optional.empty();
     }
 
-    /** @return the key of a name with which the ids of new particles begin, if there is one */
+    /** @return the key with the prefix of new particles' ids, if the rule makes any */
     public Optional<Key<String>> newIds() {
         return Optional.empty();
     }
 
     /**
-     * How many particles it has brought into being that are there at a time, at most.
+     * The largest number of particles alive at a time that the rule has made.
      *
      * @param deltaT   how long a step is (s)
      * @param duration how long the run is (s)
@@ -69,7 +69,7 @@ public abstract class RuleKind extends Kind {
         return 0;
     }
 
-    /** @return whether it takes particles away wherever they come from */
+    /** @return whether it removes particles of any origin */
     public boolean removes() {
         return false;
     }

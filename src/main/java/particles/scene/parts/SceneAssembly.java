@@ -20,7 +20,7 @@ import particles.view.CurveView;
 import particles.view.Scenery;
 import particles.view.Surface;
 
-/** A scene's system while effects and rules are being added to it, and what they share. */
+/** A scene under construction: effects and rules are added to it and share its wind, surfaces and totals. */
 public final class SceneAssembly implements EffectContext {
     private final ParticleSystem system;
     private final SpringForce springs;
@@ -45,7 +45,7 @@ public final class SceneAssembly implements EffectContext {
         return springs;
     }
 
-    /** @return where the particle with this known id is at the start (m) */
+    /** @return the initial position of the particle with this known id (m) */
     Vector3 positionOf(String id) {
         return index.position(id);
     }
@@ -60,7 +60,7 @@ public final class SceneAssembly implements EffectContext {
         rules.add(rule);
     }
 
-    /** Lets particles die whose time has come; once, however many emitters ask for it. */
+    /** Adds the rule for lifetimes, once for any number of emitters. */
     void letDie() {
         mortal = true;
     }
@@ -108,7 +108,7 @@ public final class SceneAssembly implements EffectContext {
         wires.add(wire);
     }
 
-    /** @return all that was shown, beside surfaces */
+    /** @return everything to draw, with the given surfaces */
     public Scenery scenery(List<Surface> surfaces) {
         return new Scenery(surfaces, solids.stream().filter(Plane.class::isInstance).map(Plane.class::cast).toList(),
                 solids.stream().filter(Sphere.class::isInstance).map(Sphere.class::cast).toList(), wires);

@@ -20,18 +20,18 @@ import particles.spec.messages.Wording;
  *
  * @param lattice  its particles
  * @param mass     the mass of each (kg)
- * @param velocity how those that are not fixed move at the start (m/s)
- * @param fixed    the numbers of those that stay where they are
+ * @param velocity the initial velocity of the free ones (m/s)
+ * @param fixed    the numbers of the fixed ones
  * @param springs  its springs
  * @param surface  whether it is drawn as a surface
- * @param place    where the scene names it
+ * @param place    its place in the file
  */
 public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, BitSet fixed, List<SpringFamily> springs,
                         boolean surface, Place place) {
-    /** So many particles fit into half a GiB with everything that belongs to them. */
+    /** The largest number of particles; they take about half a GiB. */
     public static final int MOST_PARTICLES = 1_000_000;
 
-    /** @return the shape, if there is nothing wrong with it as a whole */
+    /** @return the shape, if it has no problem */
     public static Optional<ShapeDescription> of(Chosen<ShapeKind> chosen, Problems problems) {
         ShapeKind kind = chosen.kind();
         Values values = chosen.values();

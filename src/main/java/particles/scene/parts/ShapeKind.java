@@ -18,9 +18,7 @@ import particles.spec.Values;
 import particles.spec.VectorType;
 import particles.spec.WholeNumberType;
 
-/**
- * The shapes that a scene can name: each is one entry of {@link #ALL}, with its keys and where it puts its particles.
- */
+/** A kind of shape that a scene can name, with its keys and particle positions; {@link #ALL} lists them. */
 public abstract class ShapeKind extends Kind {
     private static final TextType OWN_ID = TextType.of("an id of a particle of the shape, such as cloth[3,4]",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");

@@ -246,7 +246,7 @@ class RunCommandTest {
     void wrongOptionsAreRefusedWithTheirPlaceBeforeAnythingIsWritten() {
         assertEnds(ExitCode.BAD_INPUT,
                 "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -Pscene, -Psolver, -PdeltaT,"
-                + " -Pduration, -Pthreads, -Pout, -Pframes, -Pvideo, -Phelp", "--deltat=1");
+                + " -Pduration, -Pthreads, -Pout, -Pframes, -Pvideo, -Pslide, -Psvg, -Phelp", "--deltat=1");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is the text 'soon'; it has to be a number over 0 (s)",
                 "--deltaT=soon");
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");

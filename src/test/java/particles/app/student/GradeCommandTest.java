@@ -179,7 +179,7 @@ class GradeCommandTest {
         Files.writeString(classes.resolve("HaltSolver.java"), PRANK.formatted("HaltSolver", "HaltSolver"));
         String screen = grade(ExitCode.BAD_INPUT);
         assertTrue(screen.contains("no mark   solver HaltSolver" + System.lineSeparator()
-                + "            wrong: the check did not come to its end; the class ended the program"), screen);
+                + "            wrong: the check did not finish; the class ended the program"), screen);
         assertTrue(screen.contains("0 of 13 marks"), screen);
     }
 

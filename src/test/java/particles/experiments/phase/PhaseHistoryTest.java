@@ -55,6 +55,7 @@ class PhaseHistoryTest {
         assertEquals("position z of 'bob' (m)", chart.xLabel());
         assertArrayEquals(new double[] {4}, chart.series().get(1).x());
         assertArrayEquals(new double[] {0}, chart.series().get(1).y());
+        assertEquals(path.x()[path.x().length - 1], chart.series().get(2).x()[0], "the end is marked");
     }
 
     @Test

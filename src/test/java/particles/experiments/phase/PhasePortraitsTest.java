@@ -71,7 +71,7 @@ class PhasePortraitsTest {
     void whatFliesAwayIsMarked() {
         List<Portrait> portraits = compare(SPIRAL.solvedBy("euler", Optional.empty(), 1, 12), "euler").portraits();
         List<ChartData.Series> series = portraits.get(0).chart().series();
-        assertEquals(Mark.FAILURES, series.get(3).mark());
+        assertEquals(Mark.FAILURES, series.get(4).mark());
         assertTrue(series.get(1).x().length < 13, "it is drawn as far as the picture goes");
         assertTrue(portraits.get(0).whole(), "but the run came to its end");
         List<Portrait> longer = compare(SPIRAL.solvedBy("euler", Optional.empty(), 2, 200), "euler").portraits();

@@ -80,7 +80,7 @@ class WorkPrecisionTest {
         assertEquals(1, curve("stiff-chain", "backward-euler").fit().slope(), 0.05);
         // steps as short as the springs' time have the whole order again: from n = 512 to 1024 steps
         assertEquals(5, Math.log(radau.points().get(7).error() / radau.points().get(8).error()) / Math.log(2), 0.2);
-        assertTrue(WorkCharts.slope(radau).matches(", 2[.]9\\d \\(theory 3, order 5\\)"), WorkCharts.slope(radau));
+        assertTrue(WorkCharts.slope(radau).matches(", 2[.]9\\d \\(3\\)"), WorkCharts.slope(radau));
     }
 
     /** Solvers of different kinds at 1e-13 differ by less than a tenth of what fits begin at. */
@@ -192,7 +192,7 @@ class WorkPrecisionTest {
     void whatFallsAtTheEdgeOfStabilityIsNoOrder() {
         Curve curve = curve("stiff-chain", "dormand-prince");
         assertTrue(curve.fit().whyNot().startsWith("a straight piece of slope 8.39"), curve.fit().toString());
-        assertEquals(", no slope", WorkCharts.slope(curve));
+        assertEquals("", WorkCharts.slope(curve));
         assertEquals(List.of(),
                 IntStream.range(0, curve.points().size()).filter(curve.fit()::contains).boxed().toList());
     }

@@ -32,6 +32,58 @@ class SolverStyleTest {
         }
     }
 
+    /** G. M. Machado, M. M. Oliveira, L. A. F. Fernandes 2009, severity 1: red-blind, green-blind, blue-blind. */
+    private static final double[][][] VISION = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}},
+        {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}},
+        {{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}};
+
+    /**
+     * A difference of 2 in CIELAB is just seen. Measured: at least 14 between any two of a family, for every kind of
+     * colour vision, and a difference in lightness, which grey print keeps, of at least 12.
+     */
+    @Test
+    void aFamilyIsToldApartWithAnyColourVisionAndInGreyPrint() {
+        for (String one : SolverCatalog.names()) {
+            for (String other : SolverCatalog.names()) {
+                if (one.compareTo(other) < 0 && look(one).family() == look(other).family()) {
+                    for (double[][] vision : VISION) {
+                        double[] a = lab(look(one).rgb(), vision);
+                        double[] b = lab(look(other).rgb(), vision);
+                        double distance = Math.sqrt(Math.pow(a[0] - b[0], 2) + Math.pow(a[1] - b[1], 2)
+                                + Math.pow(a[2] - b[2], 2));
+                        assertTrue(distance > 12, one + " and " + other + ": " + distance);
+                    }
+                    double lightness = Math.abs(lab(look(one).rgb(), VISION[0])[0]
+                            - lab(look(other).rgb(), VISION[0])[0]);
+                    assertTrue(lightness > 11, one + " and " + other + " in grey: " + lightness);
+                }
+            }
+        }
+    }
+
+    /** CIELAB of an sRGB colour as somebody with this vision sees it. */
+    private static double[] lab(int rgb, double[][] vision) {
+        double[] linear = new double[3];
+        for (int k = 0; k < 3; k++) {
+            double c = (rgb >> 16 - 8 * k & 255) / 255.0;
+            linear[k] = c <= 0.04045 ? c / 12.92 : Math.pow((c + 0.055) / 1.055, 2.4);
+        }
+        double[] seen = new double[3];
+        for (int k = 0; k < 3; k++) {
+            seen[k] = Math.max(0, Math.min(1, vision[k][0] * linear[0] + vision[k][1] * linear[1]
+                    + vision[k][2] * linear[2]));
+        }
+        double x = root((0.4124 * seen[0] + 0.3576 * seen[1] + 0.1805 * seen[2]) / 0.9505);
+        double y = root(0.2126 * seen[0] + 0.7152 * seen[1] + 0.0722 * seen[2]);
+        double z = root((0.0193 * seen[0] + 0.1192 * seen[1] + 0.9505 * seen[2]) / 1.089);
+        return new double[] {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+    }
+
+    private static double root(double t) {
+        return t > 0.008856 ? Math.cbrt(t) : 7.787 * t + 16.0 / 116;
+    }
+
     @Test
     void aSeriesNameBeginsWithTheWholeNameOfItsSolver() {
         assertEquals(look("rk4"), look("rk4, deltaT = 0.1 s"));
@@ -50,10 +102,10 @@ class SolverStyleTest {
                 .getXYPlot()
                 .getRenderer();
         assertEquals(ChartStyle.AXIS, renderer.getSeriesPaint(0));
-        assertEquals(look("rk4").colour(), renderer.getSeriesPaint(1));
-        assertEquals(look("rk4").shape(), renderer.getSeriesShape(1));
-        assertEquals(look("verlet").colour(), renderer.getSeriesPaint(2));
-        assertEquals(look("verlet").stroke(), renderer.getSeriesStroke(2));
+        assertEquals(look("verlet").colour(), renderer.getSeriesPaint(1), "without dashes, so below those with some");
+        assertEquals(look("verlet").stroke(), renderer.getSeriesStroke(1));
+        assertEquals(look("rk4").colour(), renderer.getSeriesPaint(2));
+        assertEquals(look("rk4").shape(), renderer.getSeriesShape(2));
         XYItemRenderer alone = Charts.of(new ChartData("", "", "", false, false, List.of(line))).getXYPlot()
                 .getRenderer();
         assertEquals(ChartStyle.colour(0), alone.getSeriesPaint(0));

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.RK4Solver;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,6 +24,8 @@ import particles.Simulation;
 import particles.SimulationException;
 import particles.law.Vector3;
 import particles.output.TestEffects;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartWriter;
 import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.files.OutputFolder;
@@ -128,7 +131,8 @@ class RaceFilmTest {
             } catch (SimulationException e) {
                 assertEquals(0.75, e.getTime());
             }
-            film.write(folder, "race.png", new RaceFilm.Head("A fall", "rk4 wins", "grey"), List.of(
+            film.write(new ChartWriter(folder, ChartFormat.PAGE), folder, "race.png",
+                    new RaceFilm.Head("A fall", "rk4 wins", "grey"), List.of(
                     new RaceFilm.Words("rk4", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.empty()),
                     new RaceFilm.Words("euler", "deltaT = 0.25 s", "16 evaluations", OptionalDouble.of(0.75))), strip,
                     part -> heard[0]++);
@@ -142,7 +146,8 @@ class RaceFilmTest {
             assertEquals(6, reader.getNumImages(true));
             assertEquals(1000, reader.getWidth(0));
         }
-        assertTrue(Files.size(top.resolve("race/race.png")) > 1000);
+        BufferedImage still = ImageIO.read(top.resolve("race/race.png").toFile());
+        assertEquals(List.of(1920, 1080), List.of(still.getWidth(), still.getHeight()));
     }
 
     @Test

@@ -28,10 +28,11 @@ import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 import org.xml.sax.SAXException;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.Panel;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 import particles.output.report.Report.Section;
-import particles.output.report.ResultPage.Picture;
 import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
@@ -63,7 +64,7 @@ class ReportWriterTest {
         for (String name : List.of("fall", "fallToo")) {
             Path made = top.resolve(name);
             try (OutputFolder folder = OutputFolder.open(made)) {
-                ResultPageWriter.write(folder, fall);
+                ResultPageWriter.write(folder, fall, ChartFormat.PAGE);
                 try (OutputFile gif = folder.create("animation.gif")) {
                     gif.write(new byte[] {'G', 'I', 'F', 1, 2, 3, 4});
                     gif.commit();
@@ -212,9 +213,9 @@ class ReportWriterTest {
         try (OutputFolder folder = OutputFolder.open(top.resolve("wide"))) {
             ChartData chart = new ChartData("falls", "time (s)", "height (m)", false, false, List.of());
             ResultPage panels = new ResultPage("wide", "Wide", List.of(),
-                    List.of(Picture.panels("many", "Many.", "Many", 2,
-                    Collections.nCopies(2, new ResultPage.Panel(chart, false, Optional.empty())))), List.of());
-            ResultPageWriter.write(folder, panels);
+                    List.of(Picture.panels("many", "Many.", "Many",
+                    Collections.nCopies(2, Panel.chart(chart)))), List.of());
+            ResultPageWriter.write(folder, panels, ChartFormat.PAGE);
             ReportWriter.write(folder, "report.html",
                     new Report("Wide", List.of(), List.of(new Section("wide", "Is wide.",
                     top.resolve("wide"), 1, Optional.of(panels), Optional.empty())), "The end."));

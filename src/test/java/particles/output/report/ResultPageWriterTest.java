@@ -7,11 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.Panel;
 import particles.output.files.OutputFolder;
 import particles.output.text.TableText;
 import particles.view.ChartData;
@@ -50,7 +53,8 @@ class ResultPageWriterTest {
         List<List<Object>> rows = Collections.nCopies(101, List.of("many"));
         try (OutputFolder folder = OutputFolder.open(path)) {
             ResultPageWriter.write(folder, new ResultPage("long", "Long", List.of(), List.of(),
-                    List.of(new DataTable("all", "All", List.of(DataTable.column("a")), rows))));
+                    List.of(new DataTable("all", "All", List.of(DataTable.column("a")), rows))),
+                    ChartFormat.PAGE);
         }
         String text = Files.readString(path.resolve("long.md"));
         assertTrue(text.contains("All 101 rows: [all.csv](all.csv).") && !text.contains("| many |"), text);
@@ -68,12 +72,11 @@ class ResultPageWriterTest {
         ChartData data = new ChartData("falls", "time (s)", "height (m)", false, false,
                 List.of(new Series("ball", Mark.LINE, new double[] {0, 0.5}, new double[] {1, -0.25})));
         ResultPage page = new ResultPage("fall", "It falls", List.of("As all does."), List.of(
-                ResultPage.Picture.chart("height", "Height over time.", data),
-                ResultPage.Picture.panels("both", "Twice.", "Two", 2,
-                List.of(new ResultPage.Panel(data, false, Optional.empty()),
-                        new ResultPage.Panel(data, true, Optional.empty())))), List.of(TABLE));
+                Picture.chart("height", "Height over time.", data),
+                Picture.panels("both", "Twice.", "Two",
+                List.of(Panel.chart(data), Panel.phase(data, Optional.empty())))), List.of(TABLE));
         try (OutputFolder folder = OutputFolder.open(path.resolve("fall"))) {
-            ResultPageWriter.write(folder, page);
+            ResultPageWriter.write(folder, page, ChartFormat.PAGE);
         }
         Path made = path.resolve("fall");
         assertEquals(List.of("chart,series,x quantity,x,y quantity,y", "falls,ball,time (s),0.0,height (m),1.0",
@@ -83,5 +86,28 @@ class ResultPageWriterTest {
         assertTrue(text.startsWith("# It falls\n\nAs all does.\n\n![Height over time.](height.png)\n"), text);
         assertTrue(text.contains("| rk4, \"old\" | 1.235e-7 | 400 |"), text);
         assertTrue(Files.size(made.resolve("height.png")) > 1000 && Files.size(made.resolve("both.png")) > 1000);
+    }
+
+    /** Seven solvers are two families here: a panel each, and every curve once. */
+    @Test
+    void tooManyCurvesForOnePanelAreShownByFamilies() {
+        List<Series> series = new ArrayList<>();
+        for (String solver : List.of("euler", "midpoint", "rk4", "adams", "verlet", "yoshida4")) {
+            series.add(new Series(solver, Mark.LINE, new double[] {0, 1}, new double[] {1, series.size()}));
+        }
+        Picture six = Picture.chart("many", "", new ChartData("t", "x", "y", false, false, List.copyOf(series)));
+        assertEquals(List.of(six), six.laidOut(ChartFormat.PAGE));
+        series.add(new Series("symplectic-euler", Mark.LINE, new double[] {0, 1}, new double[] {2, 2}));
+        series.add(new Series("stopped", Mark.FAILURES, new double[] {1}, new double[] {2}));
+        Picture seven = Picture.chart("many", "", new ChartData("t", "x", "y", false, false, series));
+        List<Picture> pages = seven.laidOut(ChartFormat.PAGE);
+        assertEquals(1, pages.size());
+        assertEquals(List.of(List.of("euler", "midpoint", "rk4", "adams", "stopped"),
+                List.of("verlet", "yoshida4", "symplectic-euler", "stopped")),
+                pages.get(0).data().stream().map(data -> data.series().stream().map(Series::name).toList()).toList());
+        List<Picture> slides = six.laidOut(new ChartFormat(true, false));
+        assertEquals(List.of("many", "many-2"), slides.stream().map(Picture::name).toList());
+        assertEquals(List.of("explicit, fixed step: y", "symplectic: y"),
+                slides.stream().map(slide -> slide.data().get(0).title()).toList());
     }
 }

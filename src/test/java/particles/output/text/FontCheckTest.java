@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.law.Vector3;
+import particles.output.charts.ChartFormat;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
@@ -50,7 +51,8 @@ class FontCheckTest {
                 }
                 for (int k = 0; k < 2; k++) {
                     try {
-                        ChartWriter.write(folder, "chart.png", new ChartData("t", "x", "y", false, false, List.of()));
+                        new ChartWriter(folder, ChartFormat.PAGE).write("chart.png",
+                                List.of(new ChartData("t", "x", "y", false, false, List.of())));
                     } catch (OutputException e) {
                         System.out.println(e.getMessage());
                     }

@@ -1,0 +1,30 @@
+package particles.app.cli;
+
+import java.util.List;
+import particles.output.charts.ChartFormat;
+import picocli.CommandLine.Option;
+
+/** The options of all commands that draw charts. */
+public final class ChartOptions {
+    private static final String SLIDE = "--slide";
+    private static final String SVG = "--svg";
+
+    @Option(names = SLIDE, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
+            description = "Draws each chart as a slide: 16:9, large type, at most five curves"
+            + " (default: ${DEFAULT-VALUE}).")
+    private boolean slide;
+
+    @Option(names = SVG, arity = "0..1", fallbackValue = "true", defaultValue = "false", paramLabel = "true|false",
+            description = "Writes each chart as an SVG file, too (default: ${DEFAULT-VALUE}).")
+    private boolean svg;
+
+    /** @return what the charts are for */
+    public ChartFormat format() {
+        return new ChartFormat(slide, svg);
+    }
+
+    /** @return the options as they are typed for another command */
+    public List<String> arguments() {
+        return List.of(SLIDE + "=" + slide, SVG + "=" + svg);
+    }
+}

@@ -1,0 +1,40 @@
+package particles.output.charts;
+
+/**
+ * What charts are made for.
+ *
+ * @param slide whether each is a slide of 16:9 with large type and few curves, or else a picture for page and screen
+ * @param svg   whether each is written as a vector graphic, too
+ */
+public record ChartFormat(boolean slide, boolean svg) {
+    /** Pictures for page and screen, as PNG alone. */
+    public static final ChartFormat PAGE = new ChartFormat(false, false);
+
+    private static final int CURVES = 6;
+    private static final int CURVES_ON_A_SLIDE = 5;
+    /** The type keeps its size in the layout: a smaller page with more device pixels has larger type. */
+    private static final int SLIDE_WIDTH = 640;
+    private static final int SLIDE_HEIGHT = 360;
+    private static final int SLIDE_SCALE = 3;
+    private static final int SCALE = 2;
+
+    /** @return how many solvers one panel shows at most */
+    public int mostCurves() {
+        return slide ? CURVES_ON_A_SLIDE : CURVES;
+    }
+
+    /** @return the width of a page in the layout that would else be this wide */
+    int width(int wanted) {
+        return slide ? SLIDE_WIDTH : wanted;
+    }
+
+    /** @return the height of a page in the layout that would else be this high */
+    int height(int wanted) {
+        return slide ? SLIDE_HEIGHT : wanted;
+    }
+
+    /** @return device pixels for each pixel of the layout, so that print and large screens get sharp lines */
+    int scale() {
+        return slide ? SLIDE_SCALE : SCALE;
+    }
+}

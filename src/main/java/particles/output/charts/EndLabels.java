@@ -1,0 +1,184 @@
+package particles.output.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.ui.RectangleEdge;
+
+/**
+ * The names of a chart's lines, where the lines end: beside the chart for those that reach its right edge, else beside
+ * the last point. Nobody has to look up a colour in a legend.
+ */
+final class EndLabels {
+    /** A longer name stands in the legend. */
+    private static final int LONGEST = 34;
+    /** Lines that end in this part of the chart's width, at the right, have their names beside the chart. */
+    private static final double EDGE = 0.12;
+    private static final double LEADER = 9;
+    private static final double SAMPLE = 20;
+    private static final double GAP = 5;
+    private static final BasicStroke THIN = new BasicStroke(0.8f);
+    private static final Color HALO = new Color(255, 255, 255, 215);
+
+    private final XYPlot plot;
+    private final XYLineAndShapeRenderer renderer;
+    private final ChartDataset data;
+    private final List<Integer> labelled = new ArrayList<>();
+
+    EndLabels(XYPlot plot) {
+        this.plot = plot;
+        renderer = (XYLineAndShapeRenderer) plot.getRenderer();
+        data = (ChartDataset) plot.getDataset();
+        List<Integer> lines = new ArrayList<>();
+        Set<String> names = new HashSet<>();
+        for (int k = 0; k < data.getSeriesCount(); k++) {
+            if (renderer.getItemLineVisible(k, 0) && data.last(k) >= 0 && data.name(k).length() <= LONGEST
+                    && names.add(data.name(k))) {
+                lines.add(k);
+            }
+        }
+        if (lines.size() > 1 || lines.stream().anyMatch(k -> SolverStyle.of(data.name(k)).isPresent())) {
+            labelled.addAll(lines);
+        }
+    }
+
+    /** @return the names that stand in the chart, and need no legend */
+    List<String> names() {
+        return labelled.stream().map(data::name).toList();
+    }
+
+    /** @return the room that they need at the right of the chart, in pixels of the layout */
+    double width(Graphics2D g) {
+        FontMetrics metrics = g.getFontMetrics(ChartStyle.LABEL);
+        return labelled.isEmpty() ? 0
+                : LEADER + SAMPLE + 2 * GAP + names().stream().mapToInt(metrics::stringWidth).max().orElse(0);
+    }
+
+    /** @param area where the chart's points are */
+    void draw(Graphics2D g, Rectangle2D area) {
+        double line = g.getFontMetrics(ChartStyle.LABEL).getHeight() - 1;
+        List<Integer> outside = new ArrayList<>();
+        List<Rectangle2D> taken = new ArrayList<>();
+        g.setFont(ChartStyle.LABEL);
+        for (int k : labelled) {
+            double width = g.getFontMetrics().stringWidth(data.name(k));
+            if (endX(k, area) > area.getMaxX() - EDGE * area.getWidth()
+                    || endX(k, area) + 3 * GAP + width > area.getMaxX()) {
+                outside.add(k);
+            } else {
+                drawInside(g, k, area, line, taken);
+            }
+        }
+        outside.sort(Comparator.comparingDouble(k -> endY(k, area)));
+        double[] wanted = outside.stream().mapToDouble(k -> endY(k, area)).toArray();
+        double[] places = spread(wanted, line, area.getMinY() + line / 2, area.getMaxY() - line / 2);
+        for (int n = 0; n < places.length; n++) {
+            drawOutside(g, outside.get(n), area, places[n]);
+        }
+    }
+
+    /** With a thin line from the end of the series. */
+    private void drawOutside(Graphics2D g, int k, Rectangle2D area, double place) {
+        double x = area.getMaxX();
+        g.setPaint(renderer.lookupSeriesFillPaint(k).equals(Color.WHITE) ? renderer.lookupSeriesPaint(k)
+                : renderer.lookupSeriesFillPaint(k));
+        g.setStroke(THIN);
+        g.draw(new Line2D.Double(endX(k, area), endY(k, area), x + LEADER - 1, place));
+        g.setStroke(renderer.lookupSeriesStroke(k));
+        g.draw(new Line2D.Double(x + LEADER, place, x + LEADER + SAMPLE, place));
+        if (renderer.getItemShapeVisible(k, 0)) {
+            g.fill(AffineTransform.getTranslateInstance(x + LEADER + SAMPLE / 2, place)
+                    .createTransformedShape(renderer.lookupSeriesShape(k)));
+        }
+        g.setPaint(ChartStyle.TEXT);
+        g.drawString(data.name(k), (float) (x + LEADER + SAMPLE + GAP), (float) (place + middle(g)));
+    }
+
+    /** Beside the end, or above or below it where another name stands. */
+    private void drawInside(Graphics2D g, int k, Rectangle2D area, double line, List<Rectangle2D> taken) {
+        double width = g.getFontMetrics().stringWidth(data.name(k));
+        double x = endX(k, area) + 2 * GAP;
+        double end = Math.max(area.getMinY() + line / 2, Math.min(area.getMaxY() - line / 2, endY(k, area)));
+        Rectangle2D box = new Rectangle2D.Double(x - 2, end - line / 2, width + 4, line);
+        for (int n = 1; collides(box, taken) && n <= 2 * labelled.size(); n++) {
+            double y = end + (n % 2 == 0 ? 1 : -1) * (n + 1) / 2 * line;
+            box.setRect(box.getX(), y - line / 2, box.getWidth(), line);
+        }
+        taken.add(box);
+        g.setPaint(HALO);
+        g.fill(box);
+        g.setPaint(ChartStyle.TEXT);
+        g.drawString(data.name(k), (float) x, (float) (box.getCenterY() + middle(g)));
+    }
+
+    private static boolean collides(Rectangle2D box, List<Rectangle2D> taken) {
+        return taken.stream().anyMatch(box::intersects);
+    }
+
+    /** How far the base line lies below the middle of a line of text. */
+    private static double middle(Graphics2D g) {
+        return (g.getFontMetrics().getAscent() - g.getFontMetrics().getDescent()) / 2.0;
+    }
+
+    private double endX(int k, Rectangle2D area) {
+        return inside(plot.getDomainAxis(), data.getXValue(k, data.last(k)), area, RectangleEdge.BOTTOM);
+    }
+
+    private double endY(int k, Rectangle2D area) {
+        return inside(plot.getRangeAxis(), data.getYValue(k, data.last(k)), area, RectangleEdge.LEFT);
+    }
+
+    private static double inside(ValueAxis axis, double value, Rectangle2D area, RectangleEdge edge) {
+        double shown = Math.max(axis.getLowerBound(), Math.min(axis.getUpperBound(), value));
+        return axis.valueToJava2D(shown, area, edge);
+    }
+
+    /**
+     * Places that are a distance apart and, in the sense of least squares, nearest to where they are wanted: isotonic
+     * regression of what is left when the distances are taken out, by pooling neighbours.
+     *
+     * @param wanted   where, in rising order
+     * @param distance between neighbours
+     * @param low      no place is less, unless there is no room for all
+     * @param high     no place is more
+     * @return the places
+     */
+    static double[] spread(double[] wanted, double distance, double low, double high) {
+        List<double[]> pools = new ArrayList<>();               // each: the sum and the number of its members
+        for (int k = 0; k < wanted.length; k++) {
+            double[] pool = {wanted[k] - k * distance, 1};
+            while (!pools.isEmpty() && mean(pools.get(pools.size() - 1)) >= mean(pool)) {
+                double[] before = pools.remove(pools.size() - 1);
+                pool[0] += before[0];
+                pool[1] += before[1];
+            }
+            pools.add(pool);
+        }
+        double[] places = new double[wanted.length];
+        int k = 0;
+        for (double[] pool : pools) {
+            for (int member = 0; member < pool[1]; member++) {
+                double most = high - (wanted.length - 1) * distance;
+                places[k] = Math.max(low, Math.min(most, mean(pool))) + k * distance;
+                k++;
+            }
+        }
+        return places;
+    }
+
+    private static double mean(double[] pool) {
+        return pool[0] / pool[1];
+    }
+}

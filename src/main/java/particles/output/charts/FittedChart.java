@@ -1,0 +1,170 @@
+package particles.output.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.CombinedDomainXYPlot;
+import org.jfree.chart.plot.PlotRenderingInfo;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.title.TextTitle;
+import org.jfree.chart.ui.HorizontalAlignment;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.Range;
+
+/** A chart that fits itself to the page when it is drawn: room for the names of its lines, and round circles. */
+final class FittedChart extends JFreeChart {
+    private static final long serialVersionUID = 1L;
+    /** With equal units an axis shows so many times its range at most; beyond that the chart gets narrower or lower. */
+    private static final double WIDENED = 1.12;
+    /** Axes whose ranges differ by less than this factor have equal units. */
+    private static final double ALIKE = 1.34;
+    private static final int TRIALS = 6;
+
+    private final transient List<EndLabels> labels = new ArrayList<>();
+    private final boolean equalUnits;
+    private final boolean tellsUnits;
+    private transient Range x;
+    private transient Range y;
+    private double leastRoom;
+    private final TextTitle units = new TextTitle("", ChartStyle.TICKS);
+
+    /**
+     * @param title of the chart
+     * @param plot  one, or several above each other
+     * @param kind  a map always has equal units, and a path in state space where its axes show about the same range
+     */
+    FittedChart(String title, XYPlot plot, Panel.Kind kind) {
+        super(title, ChartStyle.TITLE, plot, false);
+        boolean combined = plot instanceof CombinedDomainXYPlot;
+        if (kind == Panel.Kind.CHART) {
+            subplots(plot).forEach(part -> labels.add(new EndLabels(part)));
+        }
+        equalUnits = !combined && (kind == Panel.Kind.MAP || kind == Panel.Kind.PHASE
+                && areAlike(plot.getDomainAxis().getRange(), plot.getRangeAxis().getRange()));
+        tellsUnits = kind == Panel.Kind.PHASE && !equalUnits;
+        if (tellsUnits) {
+            units.setPosition(RectangleEdge.BOTTOM);
+            units.setHorizontalAlignment(HorizontalAlignment.RIGHT);
+            units.setPaint(ChartStyle.AXIS);
+            addSubtitle(units);
+        }
+    }
+
+    static List<XYPlot> subplots(XYPlot plot) {
+        return plot instanceof CombinedDomainXYPlot all ? List.copyOf(all.getSubplots()) : List.of(plot);
+    }
+
+    static boolean areAlike(Range x, Range y) {
+        return x.getLength() < ALIKE * y.getLength() && y.getLength() < ALIKE * x.getLength();
+    }
+
+    /** @return whether a unit along x is as long as one along y */
+    boolean hasEqualUnits() {
+        return equalUnits;
+    }
+
+    /** @return the names that stand at the ends of lines */
+    List<String> labelledNames() {
+        return labels.stream().flatMap(part -> part.names().stream()).toList();
+    }
+
+    /** Where something else names the lines. */
+    void removeLabels() {
+        labels.clear();
+    }
+
+    /** @return the room at the right that the names of lines need, in pixels of the layout */
+    double labelRoom(Graphics2D g) {
+        return Math.max(leastRoom, labels.stream().mapToDouble(part -> part.width(g)).max().orElse(0));
+    }
+
+    /** @param room at the right: charts beside each other all have what one of them needs */
+    void keepRoom(double room) {
+        leastRoom = room;
+    }
+
+    @Override
+    public void draw(Graphics2D g, Rectangle2D area, Point2D anchor, ChartRenderingInfo info) {
+        ChartRenderingInfo seen = info == null ? new ChartRenderingInfo() : info;
+        RectangleInsets padding = getPadding();
+        double room = labelRoom(g);
+        setPadding(new RectangleInsets(padding.getTop(), padding.getLeft(), padding.getBottom(),
+                padding.getRight() + room));
+        if (equalUnits || tellsUnits) {
+            fitUnits(area);
+        }
+        super.draw(g, area, anchor, seen);
+        setPadding(padding);
+        PlotRenderingInfo plots = seen.getPlotInfo();
+        for (int k = 0; k < labels.size(); k++) {
+            labels.get(k).draw(g, plots.getSubplotCount() > k ? plots.getSubplotInfo(k).getDataArea()
+                    : plots.getDataArea());
+        }
+    }
+
+    /** By trial: how much room axes need depends on their labels, and these on the room. */
+    private void fitUnits(Rectangle2D area) {
+        XYPlot plot = getXYPlot();
+        if (x == null) {                                // when it is drawn first, before this changes them
+            x = plot.getDomainAxis().getRange();
+            y = plot.getRangeAxis().getRange();
+        }
+        plot.setInsets(XYPlot.DEFAULT_INSETS);
+        if (tellsUnits) {
+            units.setText(" ");                         // as high as the text that will stand there
+        }
+        for (int trial = 0; trial < TRIALS; trial++) {
+            Rectangle2D inside = trial(area);
+            if (tellsUnits) {
+                double metres = x.getLength() / inside.getWidth();
+                double speeds = y.getLength() / inside.getHeight();
+                units.setText(String.format(Locale.ROOT, "1 %s is drawn as long as %.2g %s",
+                        unit(plot.getDomainAxis()), speeds / metres, unit(plot.getRangeAxis())));
+                return;
+            }
+            RectangleInsets insets = plot.getInsets();
+            double width = inside.getWidth() + insets.getLeft() + insets.getRight();
+            double height = inside.getHeight() + insets.getTop() + insets.getBottom();
+            double unit = Math.min(inside.getWidth() / x.getLength(), inside.getHeight() / y.getLength());
+            if (trial == 0) {
+                plot.getDomainAxis().setRange(widened(x, inside.getWidth() / unit));
+                plot.getRangeAxis().setRange(widened(y, inside.getHeight() / unit));
+            }
+            Range shownX = plot.getDomainAxis().getRange();
+            Range shownY = plot.getRangeAxis().getRange();
+            RectangleInsets least = XYPlot.DEFAULT_INSETS;
+            unit = Math.min((width - least.getLeft() - least.getRight()) / shownX.getLength(),
+                    (height - least.getTop() - least.getBottom()) / shownY.getLength());
+            double beside = (width - unit * shownX.getLength()) / 2;
+            double above = (height - unit * shownY.getLength()) / 2;
+            plot.setInsets(new RectangleInsets(above, beside, above, beside));
+        }
+    }
+
+    /** The unit stands in brackets at the end of an axis' label. */
+    private static String unit(ValueAxis axis) {
+        return axis.getLabel().replaceFirst(".*\\((.*)\\)$", "$1");
+    }
+
+    /** @return where points would be */
+    private Rectangle2D trial(Rectangle2D area) {
+        Graphics2D page = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        super.draw(page, area, null, info);
+        page.dispose();
+        return info.getPlotInfo().getDataArea();
+    }
+
+    private static Range widened(Range range, double length) {
+        double half = Math.min(length, WIDENED * range.getLength()) / 2;
+        return new Range(range.getCentralValue() - half, range.getCentralValue() + half);
+    }
+}

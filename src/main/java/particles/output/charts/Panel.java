@@ -1,0 +1,150 @@
+package particles.output.charts;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.VectorField;
+
+/**
+ * One chart, or several above each other over the same x axis.
+ *
+ * @param charts the uppermost first; the title is the first one's
+ * @param kind   how it is drawn
+ * @param field  the arrows behind a path in state space, if there are any
+ */
+public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> field) {
+    /** How a chart is drawn. */
+    public enum Kind {
+        /** With axes that fill their room, and labels at the ends of its lines. */
+        CHART,
+        /** A path in state space. */
+        PHASE,
+        /** A map of a plane: a unit along x is as long as one along y, so that circles are round. */
+        MAP
+    }
+
+    /**
+     * @param data what it shows
+     * @return a chart
+     */
+    public static Panel chart(ChartData data) {
+        return new Panel(List.of(data), Kind.CHART, Optional.empty());
+    }
+
+    /**
+     * @param data a plane
+     * @return a map, in which circles are round
+     */
+    public static Panel map(ChartData data) {
+        return new Panel(List.of(data), Kind.MAP, Optional.empty());
+    }
+
+    /**
+     * @param data  position against velocity: the path, then points to be marked, such as its start
+     * @param field the arrows behind it, if there are any
+     * @return a path in state space
+     */
+    public static Panel phase(ChartData data, Optional<VectorField> field) {
+        return new Panel(List.of(data), Kind.PHASE, field);
+    }
+
+    /** @return what stands above it */
+    public String title() {
+        return charts.get(0).title();
+    }
+
+    /** @return how many different solvers its fullest chart shows */
+    public int curves() {
+        return charts.stream().mapToInt(chart -> (int) chart.series().stream().filter(Panel::isCurve)
+                .map(Series::name).distinct().count()).max().orElse(0);
+    }
+
+    /** Of a solver, its own or one of ours: what has a line, and is not grey beside the others. */
+    private static boolean isCurve(Series series) {
+        return series.mark() != Mark.FAILURES && series.mark() != Mark.GIVEN_UP
+                && SolverStyle.of(series.name()).isPresent();
+    }
+
+    /** @return each chart of a quantity as a panel of its own; rows stay below the chart that they follow */
+    public List<Panel> apart() {
+        List<List<ChartData>> parts = new ArrayList<>();
+        for (ChartData chart : charts) {
+            if (parts.isEmpty() || chart.rows().isEmpty()) {
+                parts.add(new ArrayList<>());
+            }
+            parts.get(parts.size() - 1).add(chart);
+        }
+        return parts.stream().map(part -> new Panel(part, kind, field)).toList();
+    }
+
+    /** @return the panel with its quantity in the title, if that is a family's or missing: it stands by itself */
+    public Panel named() {
+        ChartData first = charts.get(0);
+        boolean ofFamily = Arrays.stream(SolverFamily.values()).anyMatch(family -> family.title().equals(title()));
+        if (!title().isEmpty() && !ofFamily) {
+            return this;
+        }
+        List<ChartData> renamed = new ArrayList<>(charts);
+        renamed.set(0, new ChartData((ofFamily ? title() + ": " : "") + first.yLabel(), first.xLabel(), first.yLabel(),
+                first.xLog(), first.yLog(), first.rows(), first.series()));
+        return new Panel(renamed, kind, field);
+    }
+
+    /** @return a panel for each family of its solvers; what is of no solver is in all */
+    public List<Panel> byFamily() {
+        Map<SolverFamily, List<ChartData>> families = new EnumMap<>(SolverFamily.class);
+        charts.get(0).series().forEach(series -> SolverStyle.of(series.name())
+                .ifPresent(look -> families.put(look.family(), new ArrayList<>())));
+        families.forEach((family, parts) -> {
+            for (ChartData chart : charts) {
+                part(chart, family, parts.isEmpty()).ifPresent(parts::add);
+            }
+        });
+        return families.values().stream().map(parts -> new Panel(parts, kind, field)).toList();
+    }
+
+    private static Optional<ChartData> part(ChartData chart, SolverFamily family, boolean first) {
+        List<String> rows = chart.rows().stream().filter(row -> isOf(row, family)).toList();
+        List<Series> lines = chart.series().stream().filter(some -> isOf(some.name(), family)).toList();
+        List<Series> series = chart.rows().isEmpty() ? lines.stream().map(some -> atEnds(some, lines))
+                .filter(some -> some.x().length > 0).toList()
+                : chart.series().stream().map(some -> inRows(some, chart.rows(), rows))
+                        .filter(some -> some.x().length > 0).toList();
+        return series.isEmpty() && !first ? Optional.empty() : Optional.of(new ChartData(first ? family.title() : "",
+                chart.xLabel(), chart.yLabel(), chart.xLog(), chart.yLog(), rows, series));
+    }
+
+    private static boolean isOf(String name, SolverFamily family) {
+        return SolverStyle.of(name).map(look -> look.family() == family).orElse(true);
+    }
+
+    /** Of failures, those at which one of the lines ends; other series are as they are. */
+    private static Series atEnds(Series series, List<Series> lines) {
+        if (series.mark() != Mark.FAILURES) {
+            return series;
+        }
+        return points(series, k -> lines.stream().anyMatch(line -> line != series && line.x().length > 0
+                && line.x()[line.x().length - 1] == series.x()[k] && line.y()[line.y().length - 1] == series.y()[k]));
+    }
+
+    private static Series points(Series series, IntPredicate which) {
+        int[] kept = IntStream.range(0, series.x().length).filter(which).toArray();
+        return new Series(series.name(), series.mark(), Arrays.stream(kept).mapToDouble(k -> series.x()[k]).toArray(),
+                Arrays.stream(kept).mapToDouble(k -> series.y()[k]).toArray());
+    }
+
+    /** The points that stand in some of the rows, which then are counted anew. */
+    private static Series inRows(Series series, List<String> all, List<String> some) {
+        Series kept = points(series, k -> some.contains(all.get((int) series.y()[k])));
+        return new Series(series.name(), series.mark(), kept.x(),
+                Arrays.stream(kept.y()).map(row -> some.indexOf(all.get((int) row))).toArray());
+    }
+}

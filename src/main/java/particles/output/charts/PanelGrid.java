@@ -1,0 +1,127 @@
+package particles.output.charts;
+
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Function;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.block.RectangleConstraint;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.title.LegendTitle;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.chart.ui.Size2D;
+import org.jfree.data.Range;
+
+/** Small multiples: charts in a grid, under one title; the legend is in a cell that is left over, or below. */
+public final class PanelGrid {
+    private static final int CELL = 360;
+    private static final int CHART_CELL = 500;
+    private static final int LEAST_WIDTH = 1100;
+    /** The height of a chart above rows. */
+    private static final int MAIN = 250;
+    private static final double TALL = 1.5;
+    private static final double AXES = 0.85;
+    private static final double HEIGHT_OF_WIDTH = 0.72;
+    private static final int LINE = 21;
+    private static final int MARGIN = 10;
+    private static final int TALLEST = 400;
+
+    private final String title;
+    private final int columns;
+    private final List<FittedChart> charts;
+    private final LegendTitle legend;
+    private final int width;
+    private final double cellWidth;
+    private final double cellHeight;
+    private final int rows;
+    private final boolean legendInCell;
+
+    /**
+     * @param title    over all panels
+     * @param panels   row by row
+     * @param oneScale whether all have the same axes, so that one looks for differences between them
+     */
+    public PanelGrid(String title, List<Panel> panels, boolean oneScale) {
+        this.title = title;
+        charts = panels.stream().map(panel -> Charts.of(panel, MAIN)).toList();
+        legend = ChartLegend.of(charts.stream().flatMap(chart -> FittedChart.subplots(chart.getXYPlot()).stream())
+                .sorted(Comparator.comparing((XYPlot plot) -> -plot.getDataset().getSeriesCount())).toList(),
+                charts.stream().flatMap(chart -> chart.labelledNames().stream()).toList(), true);
+        for (FittedChart chart : charts) {
+            chart.removeLegend();
+            chart.getTitle().setFont(ChartStyle.PANEL);
+            chart.setPadding(new RectangleInsets(4, 4, 4, 8));
+        }
+        if (oneScale) {
+            share(chart -> chart.getXYPlot().getDomainAxis());
+            share(chart -> FittedChart.subplots(chart.getXYPlot()).get(0).getRangeAxis());
+        }
+        boolean round = charts.stream().allMatch(FittedChart::hasEqualUnits);
+        int tallest = panels.stream().flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size())
+                .max().orElse(0);
+        double shape = oneScale && round ? shape(charts.get(0).getXYPlot()) : 1;
+        columns = shape > TALL ? panels.size() : columns(panels.size());
+        rows = (charts.size() + columns - 1) / columns;
+        width = Math.max(LEAST_WIDTH, columns * (round ? CELL : CHART_CELL));
+        cellWidth = (width - 2.0 * MARGIN) / columns;
+        cellHeight = (round ? 1.02 + AXES * (shape - 1) : HEIGHT_OF_WIDTH) * cellWidth
+                + (tallest == 0 ? 0 : Charts.ROW * (tallest + 1));
+        legendInCell = rows * columns > charts.size();
+    }
+
+    /** @return how many stand beside each other: rows are full where that is possible */
+    static int columns(int panels) {
+        return panels <= 3 ? panels : panels % 4 == 0 && panels > 4 ? 4 : panels % 3 == 0 || panels > 4 ? 3 : 2;
+    }
+
+    /** @return the height of a map over its width */
+    private static double shape(XYPlot map) {
+        return map.getRangeAxis().getRange().getLength() / map.getDomainAxis().getRange().getLength();
+    }
+
+    private void share(Function<FittedChart, ValueAxis> axis) {
+        List<ValueAxis> axes = charts.stream().map(axis).toList();
+        Range all = axes.stream().map(ValueAxis::getRange).reduce(Range::combine).orElseThrow();
+        axes.forEach(one -> one.setRange(all));
+    }
+
+    /**
+     * @param writer where it goes
+     * @param name   the file's name
+     */
+    public void write(ChartWriter writer, String name) {
+        Graphics2D trial = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        List<String> lines = ChartStyle.wrapped(title, trial.getFontMetrics(ChartStyle.TITLE), width - 4.0 * MARGIN);
+        double room = charts.stream().mapToDouble(chart -> chart.labelRoom(trial)).max().orElse(0);
+        charts.forEach(chart -> chart.keepRoom(room));
+        Size2D size = legend.arrange(trial, new RectangleConstraint(new Range(0, legendInCell
+                ? cellWidth : width - 2.0 * MARGIN), new Range(0, TALLEST)));
+        trial.dispose();
+        double head = LINE * (lines.size() + 1);
+        double bottom = head + rows * cellHeight;
+        int height = (int) Math.ceil(bottom + (legendInCell ? 0 : size.height) + MARGIN);
+        writer.write(name, width, height, g -> {
+            g.setColor(Color.WHITE);
+            g.fill(new Rectangle2D.Double(0, 0, width, height));
+            g.setColor(ChartStyle.TEXT);
+            g.setFont(ChartStyle.TITLE);
+            FontMetrics metrics = g.getFontMetrics();
+            for (int k = 0; k < lines.size(); k++) {
+                g.drawString(lines.get(k), (float) (width - metrics.getStringBounds(lines.get(k), g).getWidth()) / 2,
+                        (k + 1.2f) * LINE);
+            }
+            for (int k = 0; k < charts.size(); k++) {
+                charts.get(k).draw(g, new Rectangle2D.Double(MARGIN + k % columns * cellWidth,
+                        head + k / columns * cellHeight, cellWidth, cellHeight));
+            }
+            double left = legendInCell ? MARGIN + (columns - 1) * cellWidth + (cellWidth - size.width) / 2
+                    : (width - size.width) / 2;
+            double top = legendInCell ? head + (rows - 0.5) * cellHeight - size.height / 2 : bottom;
+            legend.draw(g, new Rectangle2D.Double(left, top, size.width, size.height));
+        });
+    }
+}

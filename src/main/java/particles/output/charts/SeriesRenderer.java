@@ -1,0 +1,91 @@
+package particles.output.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/** How the series of a chart are drawn: each by its mark, in the look of its solver, and no two lines alike. */
+final class SeriesRenderer {
+    /**
+     * Lines that go up and down by their range more often than this fill an area; they then let others shine through.
+     */
+    private static final int DENSE = 120;
+
+    private SeriesRenderer() {
+    }
+
+    /**
+     * @param data      what is drawn
+     * @param firstLook the look of the first series that is no solver's
+     */
+    static XYLineAndShapeRenderer of(ChartData data, int firstLook) {
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
+        renderer.setDrawSeriesLineAsPath(true);         // dashes run on from point to point
+        renderer.setUseOutlinePaint(true);
+        renderer.setUseFillPaint(true);
+        List<SolverStyle> looks = looks(data, firstLook);
+        for (int k = 0; k < data.series().size(); k++) {
+            Mark mark = data.series().get(k).mark();
+            boolean dense = mark == Mark.LINE && k > 0 && isDense(data.series().get(k).y());
+            SolverStyle look = looks.get(k);
+            boolean failed = mark == Mark.FAILURES || mark == Mark.GIVEN_UP;
+            boolean open = mark == Mark.LINE_AND_OPEN_POINTS || mark == Mark.OPEN_POINTS;
+            Color colour = failed ? Color.RED.darker() : look.colour();
+            renderer.setSeriesLinesVisible(k, !failed && mark != Mark.POINTS && mark != Mark.OPEN_POINTS);
+            renderer.setSeriesShapesVisible(k, mark != Mark.LINE && mark != Mark.BARS && mark != Mark.BAND);
+            renderer.setSeriesPaint(k, dense || mark == Mark.BAND ? ChartStyle.pale(colour) : colour);
+            renderer.setSeriesStroke(k, dense ? ChartStyle.THIN : mark == Mark.BARS ? ChartStyle.BAR
+                    : mark == Mark.BAND ? ChartStyle.BAND : look.stroke());
+            renderer.setSeriesShape(k, mark == Mark.FAILURES ? ChartStyle.FAILURE
+                    : mark == Mark.GIVEN_UP ? ChartStyle.GIVEN_UP : look.shape());
+            renderer.setSeriesFillPaint(k, open ? Color.WHITE : colour);
+            renderer.setSeriesOutlinePaint(k, open ? colour : Color.WHITE);
+            renderer.setSeriesOutlineStroke(k, open ? ChartStyle.BAR : new BasicStroke(0.6f));
+        }
+        return renderer;
+    }
+
+    /** A solver's look, but no line of another name looks the same: it gets dashes that are free. */
+    private static List<SolverStyle> looks(ChartData data, int firstLook) {
+        boolean ofSolvers = data.series().stream().anyMatch(series -> SolverStyle.of(series.name()).isPresent());
+        Map<List<Object>, String> lines = new HashMap<>();
+        List<SolverStyle> looks = new ArrayList<>();
+        for (int k = 0; k < data.series().size(); k++) {
+            Series series = data.series().get(k);
+            SolverStyle look = SolverStyle.of(series.name()).orElse(new SolverStyle(SolverFamily.OWN,
+                    ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(firstLook + k), ChartStyle.stroke(firstLook + k),
+                    ChartStyle.shape(firstLook + k)));
+            boolean line = series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS
+                    || series.mark() == Mark.LINE_AND_OPEN_POINTS;
+            for (int n = 0; line && n < ChartStyle.STROKES && !series.name().equals(
+                    lines.getOrDefault(List.of(look.colour(), look.stroke()), series.name())); n++) {
+                look = new SolverStyle(look.family(), look.colour(), ChartStyle.stroke(n), ChartStyle.shape(n));
+            }
+            if (line) {
+                lines.put(List.of(look.colour(), look.stroke()), series.name());
+            }
+            looks.add(look);
+        }
+        return looks;
+    }
+
+    /** Whether a line goes to and fro so often that it covers what lies below, unless it lets that shine through. */
+    static boolean isDense(double[] y) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        double way = 0;
+        for (int k = 0; k < y.length; k++) {
+            low = Math.min(low, y[k]);
+            high = Math.max(high, y[k]);
+            way += Math.abs(y[k] - y[Math.max(0, k - 1)]);
+        }
+        return way > DENSE * (high - low);
+    }
+}

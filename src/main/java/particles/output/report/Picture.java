@@ -1,0 +1,157 @@
+package particles.output.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import particles.output.charts.ChartFormat;
+import particles.output.charts.ChartWriter;
+import particles.output.charts.Panel;
+import particles.output.charts.PanelGrid;
+import particles.view.ChartData;
+import particles.view.VectorField;
+
+/** A picture of a page, and the chart data behind it. */
+public final class Picture {
+    private final String name;
+    private final String caption;
+    private final String file;
+    private final String title;
+    private final boolean oneScale;
+    private final List<Panel> panels;
+
+    private Picture(String name, String caption, String title, boolean oneScale, List<Panel> panels) {
+        this(name, caption, name + ".png", title, oneScale, panels);
+    }
+
+    private Picture(String name, String caption, String file, String title, boolean oneScale, List<Panel> panels) {
+        this.name = name;
+        this.caption = caption;
+        this.file = file;
+        this.title = title;
+        this.oneScale = oneScale;
+        this.panels = panels;
+    }
+
+    /**
+     * @param name    of the picture's files, without an ending
+     * @param caption what it shows
+     * @param panel   the chart
+     * @return a picture with one panel
+     */
+    public static Picture of(String name, String caption, Panel panel) {
+        return new Picture(name, caption, panel.title(), false, List.of(panel));
+    }
+
+    /**
+     * @param name    of the picture's files, without an ending
+     * @param caption what it shows
+     * @param data    the chart
+     * @return a picture with one chart
+     */
+    public static Picture chart(String name, String caption, ChartData data) {
+        return of(name, caption, Panel.chart(data));
+    }
+
+    /**
+     * @param name    of the picture's files, without an ending
+     * @param caption what it shows
+     * @param data    the charts, the uppermost first
+     * @return a picture with charts above each other over the same x axis
+     */
+    public static Picture stacked(String name, String caption, List<ChartData> data) {
+        return of(name, caption, new Panel(data, Panel.Kind.CHART, Optional.empty()));
+    }
+
+    /**
+     * @param name    of the picture's files, without an ending
+     * @param caption what it shows
+     * @param data    a path in state space
+     * @param field   the arrows behind it, if there are any
+     * @return a phase portrait
+     */
+    public static Picture phase(String name, String caption, ChartData data, Optional<VectorField> field) {
+        return of(name, caption, Panel.phase(data, field));
+    }
+
+    /**
+     * @param name    of the picture's files, without an ending
+     * @param caption what it shows
+     * @param title   over all panels
+     * @param panels  row by row; those with series of the same names share the legend
+     * @return a picture with many charts, each with its own scale
+     */
+    public static Picture panels(String name, String caption, String title, List<Panel> panels) {
+        return new Picture(name, caption, title, false, panels);
+    }
+
+    /**
+     * @param name    of the picture's files, without an ending
+     * @param caption what it shows
+     * @param title   over all panels
+     * @param panels  row by row
+     * @return a picture with many charts that have the same axes
+     */
+    public static Picture compared(String name, String caption, String title, List<Panel> panels) {
+        return new Picture(name, caption, title, true, panels);
+    }
+
+    /**
+     * @param file    of a picture that is in the folder already
+     * @param caption what it shows
+     * @return a picture that is not drawn again, such as an animation
+     */
+    public static Picture made(String file, String caption) {
+        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", false, List.of());
+    }
+
+    String name() {
+        return name;
+    }
+
+    String caption() {
+        return caption;
+    }
+
+    String file() {
+        return file;
+    }
+
+    List<ChartData> data() {
+        return panels.stream().flatMap(panel -> panel.charts().stream()).toList();
+    }
+
+    /** On slides each chart is a picture; elsewhere only what has too many curves is shown by families. */
+    List<Picture> laidOut(ChartFormat format) {
+        boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
+        if (panels.isEmpty() || !crowded && !format.slide()) {
+            return List.of(this);
+        }
+        List<Picture> pictures = new ArrayList<>();
+        for (Panel part : panels.stream().flatMap(panel -> panel.apart().stream()).toList()) {
+            List<Panel> families = part.curves() > format.mostCurves() ? part.byFamily() : List.of(part);
+            if (!format.slide()) {
+                pictures.add(new Picture(next(pictures), caption, heading(part), true, families));
+            } else {
+                families.forEach(family -> pictures.add(of(next(pictures), caption, family.named())));
+            }
+        }
+        return pictures;
+    }
+
+    private String next(List<Picture> before) {
+        return before.isEmpty() ? name : name + "-" + (before.size() + 1);
+    }
+
+    /** A chart without a title of its own shows its quantity. */
+    private static String heading(Panel panel) {
+        return panel.title().isEmpty() ? panel.charts().get(0).yLabel() : panel.title();
+    }
+
+    void write(ChartWriter writer) {
+        if (panels.size() == 1) {
+            writer.write(file, panels.get(0));
+        } else if (!panels.isEmpty()) {
+            new PanelGrid(title, panels, oneScale).write(writer, file);
+        }
+    }
+}

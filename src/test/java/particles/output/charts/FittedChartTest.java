@@ -1,0 +1,152 @@
+package particles.output.charts;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.data.Range;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import particles.output.files.OutputFolder;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+
+/** How charts fit themselves to a page. */
+class FittedChartTest {
+    private static final int WIDE = 16;
+    private static final int HIGH = 9;
+
+    private static ChartData ellipse(double omega) {
+        double[] x = IntStream.range(0, 100).mapToDouble(k -> StrictMath.cos(k * 0.1)).toArray();
+        double[] v = IntStream.range(0, 100).mapToDouble(k -> -omega * StrictMath.sin(k * 0.1)).toArray();
+        return new ChartData("t", "position x (m)", "velocity v (m/s)", false, false,
+                List.of(new Series("rk4", Mark.LINE, x, v)));
+    }
+
+    /** @return pixels a unit along x over pixels a unit along y */
+    private static double aspect(FittedChart chart, int width, int height) {
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        Graphics2D g = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB).createGraphics();
+        chart.draw(g, new Rectangle2D.Double(0, 0, width, height), info);
+        g.dispose();
+        Rectangle2D area = info.getPlotInfo().getDataArea();
+        XYPlot plot = chart.getXYPlot();
+        return area.getWidth() / plot.getDomainAxis().getRange().getLength()
+                / (area.getHeight() / plot.getRangeAxis().getRange().getLength());
+    }
+
+    /** Measured: within 1.5 %, since the labels of an axis change with its room; stretched, this ellipse is 5 to 1. */
+    @Test
+    void circlesAreRoundOnPagesOfAnyShape() {
+        for (int[] page : new int[][] {{720, 700}, {640, 360}, {360, 370}, {300, 800}}) {
+            FittedChart circle = Charts.of(Panel.phase(ellipse(1), Optional.empty()));
+            assertTrue(circle.hasEqualUnits());
+            assertEquals(1, aspect(circle, page[0], page[1]), 0.03, Arrays.toString(page));
+            assertEquals(1, aspect(Charts.of(Panel.map(ellipse(5))), page[0], page[1]), 0.03, Arrays.toString(page));
+        }
+    }
+
+    /** An orbit at omega = 5 fills its picture, which says by how much it is out of scale. */
+    @Test
+    void otherOrbitsSayTheirScale() {
+        FittedChart chart = Charts.of(Panel.phase(ellipse(5), Optional.empty()));
+        assertTrue(aspect(chart, 900, 560) > 4, "stretched");
+        String key = chart.getSubtitles().stream().filter(org.jfree.chart.title.TextTitle.class::isInstance)
+                .map(title -> ((org.jfree.chart.title.TextTitle) title).getText()).findFirst().orElse("");
+        assertTrue(key.matches("1 m is drawn as long as [\\d.]+ m/s"), key);
+        double factor = Double.parseDouble(key.replaceAll(".*as ([\\d.]+) m/s", "$1"));
+        assertEquals(aspect(chart, 900, 560), factor, 0.06 * factor, "two digits");
+    }
+
+    @Test
+    void rangesThatDifferByAThirdAreAlike() {
+        assertTrue(FittedChart.areAlike(new Range(0, 4), new Range(0, 3)));
+        assertTrue(!FittedChart.areAlike(new Range(0, 4), new Range(0, 2.9)));
+    }
+
+    /** Against a search by gradient steps on the same sum of squares, which is convex: no better places exist. */
+    @Test
+    void labelsStandAsNearToTheirLinesAsTheyFit() {
+        assertArrayEquals(new double[] {1, 30}, EndLabels.spread(new double[] {1, 30}, 10, -100, 100));
+        assertArrayEquals(new double[] {0, 10, 20}, EndLabels.spread(new double[] {10, 10, 10}, 10, -100, 100), 1e-9);
+        assertArrayEquals(new double[] {90, 100}, EndLabels.spread(new double[] {99, 99}, 10, 0, 100), 1e-9);
+        Random random = new Random(7);
+        for (int trial = 0; trial < 50; trial++) {
+            double[] wanted = random.doubles(6, 0, 60).sorted().toArray();
+            double[] places = EndLabels.spread(wanted, 10, -1000, 1000);
+            double sum = squares(wanted, places);
+            for (int k = 1; k < 6; k++) {
+                assertTrue(places[k] - places[k - 1] >= 10 - 1e-9, "apart");
+            }
+            for (int other = 0; other < 200; other++) {
+                double[] moved = Arrays.stream(places).map(place -> place + random.nextGaussian()).toArray();
+                for (int k = 1; k < 6; k++) {
+                    moved[k] = Math.max(moved[k], moved[k - 1] + 10);
+                }
+                assertTrue(squares(wanted, moved) >= sum - 1e-9, "nearer places exist");
+            }
+        }
+    }
+
+    private static double squares(double[] wanted, double[] places) {
+        return IntStream.range(0, wanted.length).mapToDouble(k -> Math.pow(wanted[k] - places[k], 2)).sum();
+    }
+
+    /** Two runs of one solver, and more lines of none than there are colours. */
+    @Test
+    void noTwoLinesOfAChartLookTheSame() {
+        List<Series> series = new java.util.ArrayList<>();
+        for (String name : List.of("rk4, 1 s", "rk4, 2 s", "rk4, 3 s", "mine", "yours", "verlet")) {
+            series.add(new Series(name, Mark.LINE, new double[] {0, 1}, new double[] {series.size(), 1}));
+        }
+        XYPlot plot = Charts.of(new ChartData("", "", "", false, false, series)).getXYPlot();
+        Set<List<Object>> looks = new HashSet<>();
+        for (int k = 0; k < series.size(); k++) {
+            assertTrue(looks.add(List.of(plot.getRenderer().getSeriesPaint(k), plot.getRenderer().getSeriesStroke(k))),
+                    "line " + k);
+        }
+    }
+
+    @Test
+    void slidesAreWideAndSvgHasTheTextOfTheChart(@TempDir Path top) throws Exception {
+        ChartWriter writer = new ChartWriter(OutputFolder.open(top), new ChartFormat(true, true));
+        ChartData below = new ChartData("", "time (s)", "error", false, false,
+                List.of(new Series("b", Mark.LINE, new double[] {0, 1}, new double[] {0, 1})));
+        writer.write("energy.png", List.of(ellipse(3), below));
+        for (String name : List.of("energy.png", "energy-2.png")) {
+            BufferedImage slide = ImageIO.read(top.resolve(name).toFile());
+            assertEquals(slide.getWidth() * HIGH, slide.getHeight() * WIDE, name);
+        }
+        Document svg = DocumentBuilderFactory.newInstance().newDocumentBuilder()
+                .parse(top.resolve("energy.svg").toFile());
+        assertEquals("svg", svg.getDocumentElement().getTagName());
+        String text = IntStream.range(0, svg.getElementsByTagName("text").getLength())
+                .mapToObj(k -> svg.getElementsByTagName("text").item(k).getTextContent()).toList().toString();
+        assertTrue(text.contains("position x (m)") && text.contains("rk4"), text);
+        assertTrue(svg.getElementsByTagName("path").getLength() > 0, "and its lines");
+    }
+
+    @Test
+    void gridsHaveFullRowsWhereThatIsPossible() {
+        assertEquals(List.of(1, 2, 3, 2, 3, 3, 3, 4, 3), IntStream.rangeClosed(1, 9).mapToObj(PanelGrid::columns)
+                .toList());
+    }
+}
