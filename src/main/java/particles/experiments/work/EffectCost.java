@@ -40,8 +40,8 @@ import particles.view.DataTable;
 
 /**
  * What each effect and rule costs: the time for a step of a cloth with springs alone, and with one thing more at a
- * time; before them the same cloth as the fastest hand-written code known to us for springs alone, which is a bound. What a
- * scene does not name costs nothing, so the first two should hardly differ.
+ * time; before them the same cloth as the fastest hand-written code known to us for springs alone, which is a bound.
+ * What a scene does not name costs nothing, so the first two should hardly differ.
  *
  * <p>All variants take turns, round by round, and the fastest round of each counts: whatever else the machine does only
  * makes a round slower.
