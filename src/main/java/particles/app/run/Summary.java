@@ -47,7 +47,8 @@ final class Summary {
         lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
                 + " s");
         boolean endedEarly = record.endTime() < record.duration() * (1 - 1e-9);
-        lines.add(Digits.few(record.endTime()) + " s" + (endedEarly ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
+        lines.add(Digits.few(record.endTime()) + " s"
+                + (endedEarly ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
                 + counted(record.steps(), "step") + " with " + counted(record.evaluations(), "evaluation")
                 + " of the derivative; run time "
                 + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
