@@ -20,6 +20,7 @@ public final class SlidingDirection {
     private double[] stepBegin = {};                    // the state at the beginning of the step
     private boolean independent;
 
+    /** Records the state at the beginning of a step. */
     public void beginStep(ParticleSystem system) {
         if (stepBegin.length != system.getStateSize()) {
             stepBegin = new double[system.getStateSize()];
@@ -27,10 +28,12 @@ public final class SlidingDirection {
         System.arraycopy(system.getOwnState(), 0, stepBegin, 0, stepBegin.length);
     }
 
+    /** Forgets the state at the beginning of the step. */
     public void forget() {
         stepBegin = new double[0];
     }
 
+    /** @return the state at the beginning of the step; read only */
     public double[] getStepBegin() {
         return stepBegin;
     }
