@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
-/** Finds the name that was probably meant, for every message about an unknown one. */
+/** Suggests the known name that was probably meant, for messages about unknown names. */
 public final class DidYouMean {
     private DidYouMean() {
     }
@@ -14,8 +14,8 @@ public final class DidYouMean {
     /**
      * @param found a name that is not known
      * @param known the names that are
-     * @return the known name that is nearest, if one is near: a slip of the finger in every three letters, or a
-     *         beginning
+     * @return the nearest known name, if one is near: at most one typing error per three letters, or a beginning of the
+     *         name
      */
     public static Optional<String> nearest(String found, Collection<String> known) {
         String lower = found.toLowerCase(Locale.ROOT);
@@ -38,7 +38,7 @@ public final class DidYouMean {
         return nearest(found, known).map(name -> "; did you mean " + write.apply(name) + "?").orElse(";");
     }
 
-    /** Insertions, deletions, replacements and swaps of neighbours that make one word of the other. */
+    /** The edit distance: insertions, deletions, replacements and swaps of neighbours. */
     private static int distance(String a, String b) {
         int[][] d = new int[a.length() + 1][b.length() + 1];
         for (int i = 0; i <= a.length(); i++) {

@@ -62,7 +62,8 @@ final class FreshProgram extends URLClassLoader {
 
     /** The names of all loaded classes whose names begin with this. */
     Set<String> loadedFrom(String beginning) {
-        return loaded.stream().filter(name -> name.startsWith(beginning)).collect(Collectors.toCollection(TreeSet::new));
+        return loaded.stream().filter(name -> name.startsWith(beginning))
+                .collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** The names of all laws that were loaded: effects, reactions and rules, without the packages. */

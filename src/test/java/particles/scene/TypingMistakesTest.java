@@ -33,17 +33,17 @@ class TypingMistakesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
         "0,01|a number has a decimal point, not a comma; write 0.01",
-        "10 ms|a number stands without its unit; write 0.01",
-        "0.01 s|a number stands without its unit; write 0.01",
-        "0.01s|a number stands without its unit; write 0.01",
-        "1 fortnight|a number stands without a unit; here it is in s",
-        "1/50|nothing is calculated here; write 0.02",
-        "10^-2|nothing is calculated here; write 0.01",
-        "2*10**-3|nothing is calculated here; write 0.002",
+        "10 ms|write the number without its unit: 0.01",
+        "0.01 s|write the number without its unit: 0.01",
+        "0.01s|write the number without its unit: 0.01",
+        "1 fortnight|write the number without a unit; here it is in s",
+        "1/50|expressions are not calculated; write 0.02",
+        "10^-2|expressions are not calculated; write 0.01",
+        "2*10**-3|expressions are not calculated; write 0.002",
         "\"0.01\"|a number has no quotes; write 0.01",
         "'0.01'|a number has no quotes; write 0.01",
-        "\u22120.01|its minus sign is another character than the one on the keyboard; write -0.01",
-        "\u20130.01|its minus sign is another character than the one on the keyboard; write -0.01",
+        "\u22120.01|its minus sign is not an ordinary hyphen; write -0.01",
+        "\u20130.01|its minus sign is not an ordinary hyphen; write -0.01",
         "\u00a00.01|it contains a no-break space; type an ordinary space instead"})
     void theErrorForAMistypedNumberSaysWhatToWrite(String typed, String advice) {
         List<String> lines = problems(SCENE.replace("deltaT: 0.01", "deltaT: " + typed));
