@@ -8,14 +8,15 @@ import java.util.function.UnaryOperator;
 
 /** Suggests the known name that was probably meant, for messages about unknown names. */
 public final class DidYouMean {
+    private static final int LONGEST_BEGINNING = 5;
+
     private DidYouMean() {
     }
 
     /**
      * @param found a name that is not known
      * @param known the names that are
-     * @return the nearest known name, if one is near: at most one typing error per three letters, or a beginning of the
-     *         name
+     * @return the known name that is nearest, if one is near: one wrong letter in three, or the same first letters
      */
     public static Optional<String> nearest(String found, Collection<String> known) {
         String lower = found.toLowerCase(Locale.ROOT);
@@ -23,8 +24,9 @@ public final class DidYouMean {
         Optional<String> nearest = known.stream().min(byDistance)
                 .filter(name -> distance(lower, name.toLowerCase(Locale.ROOT))
                         <= Math.max(1, Math.min(lower.length(), name.length()) / 3));
+        String beginning = lower.substring(0, Math.min(lower.length(), LONGEST_BEGINNING));
         return nearest.isPresent() || lower.length() < 2 ? nearest
-                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(lower))
+                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(beginning))
                 .min(Comparator.naturalOrder());
     }
 
@@ -38,7 +40,7 @@ public final class DidYouMean {
         return nearest(found, known).map(name -> "; did you mean " + write.apply(name) + "?").orElse(";");
     }
 
-    /** The edit distance: insertions, deletions, replacements and swaps of neighbours. */
+    /** Insertions, deletions, replacements and swaps of neighbours that make one word of the other. */
     private static int distance(String a, String b) {
         int[][] d = new int[a.length() + 1][b.length() + 1];
         for (int i = 0; i <= a.length(); i++) {
