@@ -194,8 +194,8 @@ class OwnEffectTest {
                 + " angularVelocity", "exercises.Coriolis: {angularVelocty: [0, 0, 1], angularVelocity: [0, 0, 1]}");
         assertRefused("43: 'angularVelocity' is 3; it has to be three numbers [x, y, z] (rad/s)",
                 "exercises.Coriolis: {angularVelocity: 3}");
-        assertRefused("5: 'exercises.Coriolis' alone is not enough; after a colon it needs a mapping with keys of"
-                + " angularVelocity",
+        assertRefused("5: 'exercises.Coriolis' needs a value for at least one key: write"
+                + " '- exercises.Coriolis: {angularVelocity: ...}'",
                 "exercises.Coriolis");
     }
 
@@ -211,7 +211,7 @@ class OwnEffectTest {
         assertRefused("5: Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class"
                 + " exercises.Broken", "exercises.Broken");
         write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));
-        assertRefused("5: the Keys of exercises.Hidden cannot be made; they have to be a 'public static final class"
+        assertRefused("5: the Keys of exercises.Hidden cannot be created; they have to be a 'public static final class"
                 + " Keys extends"
                 + " EffectKind' with a 'public Keys()'", "exercises.Hidden");
         write("Copied", LAW.replace("class Coriolis", "class Copied").replace("new Coriolis", "new Copied")

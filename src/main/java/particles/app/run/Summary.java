@@ -10,7 +10,7 @@ import particles.messages.Digits;
 import particles.output.files.RunSummary;
 import particles.scene.Scene;
 
-/** What a run was and how it went, for people and for run.json. */
+/** The summary of a run, for people and for run.json. */
 final class Summary {
     /** Of the energy scale: a tenth is seen in the motion. */
     private static final double LARGE_ERROR = 0.1;
@@ -46,8 +46,9 @@ final class Summary {
         List<String> lines = new ArrayList<>();
         lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
                 + " s");
-        lines.add(Digits.few(record.endTime()) + " s" + (record.endTime() < record.duration() * (1 - 1e-9)
-                ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
+        boolean endedEarly = record.endTime() < record.duration() * (1 - 1e-9);
+        lines.add(Digits.few(record.endTime()) + " s"
+                + (endedEarly ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
                 + counted(record.steps(), "step") + " with " + counted(record.evaluations(), "evaluation")
                 + " of the derivative; run time "
                 + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
@@ -59,14 +60,14 @@ final class Summary {
         double error = record.largestRelativeNumericalError();
         lines.add("numerical error: at most " + joules(record.largestNumericalError()) + " (" + Digits.few(error)
                 + " of the energy scale, " + joules(record.energyScale()) + ")");
-        if (error > LARGE_ERROR) {
+        if (error > LARGE_ERROR && !endedEarly) {           // a run that blew up says more of itself
             lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
                     + " this motion. Try a smaller deltaT or another solver.");
         }
         return lines;
     }
 
-    /** What is only round-off beside the energy scale is 0. */
+    /** Formats an energy; round-off relative to the energy scale is shown as 0. */
     private String joules(double energy) {
         return (Math.abs(energy) < ROUND_OFF * record.energyScale() ? "0" : Digits.few(energy)) + " J";
     }
