@@ -3,7 +3,8 @@ package benchmarks;
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
-import deSolvers.linear.ImplicitWork;
+import deSolvers.implicit.ImplicitWork;
+import deSolvers.implicit.LinearisedEulerSolver;
 import hunts.TaskOptions;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
@@ -31,8 +32,8 @@ final class StiffCloth {
     /** Solvers whose first step is timed, and further steps of each; of both the medians count. */
     private static final int SOLVERS = 5;
     private static final int FURTHER = 3;
-    /** For stiffer cloths a step that is iterated to tolerance takes up to a minute. */
-    private static final long NEWTON_UNTIL = 10;
+    /** For these steps of rk4 a step is also iterated to tolerance. */
+    private static final List<Long> NEWTON = List.of(1L, 10L, 100L, 1000L, 5000L);
 
     /**
      * What a frame costs.
@@ -96,7 +97,7 @@ final class StiffCloth {
     }
 
     static ImplicitWork linearisedWork(double stiffness) {
-        BackwardEulerSolver solver = BackwardEulerSolver.linearised();
+        LinearisedEulerSolver solver = new LinearisedEulerSolver();
         solver.stepState(Cloth.hanging(EDGE, stiffness, 0), FRAME);
         return solver.getWork();
     }
@@ -116,14 +117,14 @@ final class StiffCloth {
         double[] further = new double[SOLVERS * FURTHER];
         ImplicitWork work = null;
         for (int i = 0; i < further.length; i += FURTHER) {
-            BackwardEulerSolver linearised = BackwardEulerSolver.linearised();
+            LinearisedEulerSolver linearised = new LinearisedEulerSolver();
             first[i / FURTHER] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
             work = linearised.getWork();
             for (int j = i; j < i + FURTHER; j++) {
                 further[j] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
             }
         }
-        double newton = steps > NEWTON_UNTIL ? Double.NaN
+        double newton = !NEWTON.contains(steps) ? Double.NaN
                 : seconds(new BackwardEulerSolver(), Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
         return new Row(stiffness, steps, rk4, median(first), median(further), newton, work);
     }

@@ -19,7 +19,7 @@ public abstract class AdaptiveSolver extends DESolver {
     public static final double RELATIVE_TOLERANCE = 1e-6;
     /** What is allowed besides, in the unit of the state's entries. */
     public static final double ABSOLUTE_TOLERANCE = 1e-9;
-    /** With a relative tolerance over this what is too fast for the method may grow without end; see the package. */
+    /** The largest relative tolerance: with more, a vibration that is too fast for the method grows without end. */
     public static final double LOOSEST_TOLERANCE = 1e-3;
     /** After so many sub-steps, taken or rejected, a step is given up. */
     public static final int MOST_SUB_STEPS = 500_000;
@@ -42,10 +42,15 @@ public abstract class AdaptiveSolver extends DESolver {
     /**
      * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
      * @param absoluteTolerance error allowed besides, in the entry's unit
-     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
+     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0, or the relative one is
+     *                                  more than {@value #LOOSEST_TOLERANCE}
      */
     protected AdaptiveSolver(double relativeTolerance, double absoluteTolerance) {
         tolerance = new Tolerance(relativeTolerance, absoluteTolerance);
+        if (relativeTolerance > LOOSEST_TOLERANCE) {
+            throw new IllegalArgumentException("relativeTolerance " + relativeTolerance + " is more than "
+                    + LOOSEST_TOLERANCE + ": a fast vibration could grow by that part in every sub-step");
+        }
     }
 
     /**

@@ -12,10 +12,10 @@
  * make two estimates, since each alone is 0 by chance at some lengths. The worst error is 77 times the estimate, so
  * that what has decayed comes back to many times its tolerance, but no further. And since the entry is the one after
  * the sub-step, or the one before where that is larger, a tolerance of a tenth lets a vibration that the method cannot
- * follow grow by a tenth in every sub-step, and never objects. So take no relativeTolerance over
- * {@value deSolvers.adaptive.AdaptiveSolver#LOOSEST_TOLERANCE}, which is also the advice of SUNDIALS (A. C. Hindmarsh
- * and others, <i>User documentation for CVODE</i>, "General advice on choice of tolerances"); an undamped vibration
- * over hundreds of periods needs less than that.
+ * follow grow by a tenth in every sub-step, and never objects. So no relativeTolerance over
+ * {@value deSolvers.adaptive.AdaptiveSolver#LOOSEST_TOLERANCE} is accepted, which is also the advice of SUNDIALS (A. C.
+ * Hindmarsh and others, <i>User documentation for CVODE</i>, "General advice on choice of tolerances"); an undamped
+ * vibration over hundreds of periods needs less than that.
  *
  * <p>Reference: E. Hairer, S. P. N&oslash;rsett, G. Wanner, <i>Solving Ordinary Differential Equations I</i>, 2nd ed.,
  * Springer 1993, section II.4.
