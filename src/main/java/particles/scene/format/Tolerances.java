@@ -3,7 +3,7 @@ package particles.scene.format;
 import deSolvers.adaptive.AdaptiveSolver;
 
 /**
- * What an adaptive solver is allowed.
+ * The tolerances of an adaptive solver.
  *
  * @param relative error in a sub-step, relative to the size of the state
  * @param absolute error besides (m, m/s)

@@ -288,7 +288,7 @@ class RunCommandTest {
         Files.createDirectory(out);
         Files.writeString(out.resolve("energy.png"), "mine");
         assertEnds(ExitCode.TROUBLE, "cannot write " + out.resolve("energy.png")
-                + ": it is there and no run made it; move it away or choose another folder");
+                + ": this file exists and no run made it; move it away or choose another folder");
         assertEquals("mine", Files.readString(out.resolve("energy.png")));
     }
 
