@@ -20,8 +20,8 @@ import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Who may use whom: the solvers know nothing of particles, the physics nothing of files or pictures, and only the
- * command line prints. Read from the sources themselves, imports and fully-qualified names alike.
+ * Rules of the architecture, checked on the sources: which package may use which (imports and fully-qualified names),
+ * lengths of files and lines, and that only the command line prints.
  */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)         // the sources are read once
 class ArchitectureTest {
@@ -30,7 +30,7 @@ class ArchitectureTest {
     private static final int MOST_CODE_LINES = 240;
     private static final int MOST_FILES = 22;
 
-    /** Each package, and what it may use besides itself and the plain JDK. */
+    /** For each package, what it may use besides itself and the plain JDK. */
     private static final Map<String, Set<String>> MAY_USE = table("""
             deSolvers:
             deSolvers.adaptive:            deSolvers deSolvers.rungeKutta
@@ -180,7 +180,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void everyPackageHasARowAndUsesOnlyWhatItMay() {
+    void everyPackageUsesOnlyWhatItsRowAllows() {
         List<String> wrong = new ArrayList<>();
         for (SourceFile source : sources) {
             Set<String> allowed = MAY_USE.get(source.packageName());
@@ -237,14 +237,14 @@ class ArchitectureTest {
     }
 
     @Test
-    void tableItselfHasNoCycles() {
+    void theTableHasNoCycles() {
         Map<String, Set<String>> table = new TreeMap<>();
         MAY_USE.forEach((name, allowed) -> table.put(name, new TreeSet<>(MAY_USE.keySet().stream()
                 .filter(other -> !other.equals(name) && isAllowed(other, allowed)).toList())));
         assertEquals("", cycle(table));
     }
 
-    /** Takes away what uses nothing that is left, until nothing is left, or a cycle. */
+    /** Removes packages that use none of the remaining ones; a cycle remains. */
     private static String cycle(Map<String, Set<String>> uses) {
         Map<String, Set<String>> left = new TreeMap<>(uses);
         while (left.entrySet().removeIf(entry -> entry.getValue().stream().noneMatch(left::containsKey))) {
@@ -254,7 +254,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void noFileIsLong() {
+    void noFileHasMoreThan240CodeLines() {
         assertNone(sources.stream().filter(source -> source.codeLines() > MOST_CODE_LINES)
                 .map(source -> source + " has " + source.codeLines() + " lines of code").toList());
     }
@@ -268,7 +268,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void noPackageIsCrowded() {
+    void noPackageHasTooManyFiles() {
         Map<String, Long> files = sources.stream().collect(Collectors.groupingBy(SourceFile::packageName,
                 Collectors.counting()));
         assertNone(files.entrySet().stream().filter(room -> room.getValue() > MOST_FILES)
@@ -282,7 +282,7 @@ class ArchitectureTest {
     }
 
     @Test
-    void noExceptionIsCaughtAndForgotten() {
+    void noExceptionIsSwallowed() {
         assertNone(findings(SourceFile::emptyCatches, source -> true));
     }
 
@@ -299,9 +299,9 @@ class ArchitectureTest {
         assertTrue(wrong.isEmpty(), () -> String.join(System.lineSeparator(), wrong));
     }
 
-    /** The test's own test: every offence is seen, and only offences are. */
+    /** Tests this test: violations are found, and nothing else. */
     @Test
-    void offencesAreSeen(@TempDir Path folder) throws IOException {
+    void violationsAreFound(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("Bad.java"), """
                 package deSolvers;
                 import particles.effects.*;

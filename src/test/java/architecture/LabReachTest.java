@@ -18,8 +18,8 @@ import org.junit.jupiter.api.Test;
 import particles.lab.Session;
 
 /**
- * What the page of the lab compiles has no threads, files, reflection or anything else that a browser lacks: from the
- * class that it calls on to all that these classes name. Read from the compiled classes by the JDK's own jdeps.
+ * Checks that the classes compiled for the lab's page use no threads, files, reflection or anything else that a browser
+ * lacks. Dependencies are read from the compiled classes by jdeps.
  */
 class LabReachTest {
     private static final Pattern EDGE = Pattern.compile("(?m)^ +((?:deSolvers|particles)\\.\\S+) +-> (\\S+)");
@@ -85,7 +85,7 @@ class LabReachTest {
         assertEquals(Set.of(), missing(uses, reached));
     }
 
-    /** The test's own test: threads are seen where they are. */
+    /** Tests this test: the whole program does use threads and files. */
     @Test
     void theProgramReachesThreadsAndFiles() throws Exception {
         Map<String, Set<String>> uses = uses();

@@ -28,7 +28,7 @@ import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
-/** One source file as the compiler's parser sees it: what it uses, and what it does that the project does not do. */
+/** One parsed source file: the packages it uses, and its violations of the project's rules. */
 final class SourceFile {
     /** A name that starts with packages: deSolvers.catalog.SolverCatalog, java.awt.Color, particles.effects.*. */
     private static final Pattern QUALIFIED = Pattern.compile(
@@ -93,7 +93,7 @@ final class SourceFile {
         }
     }
 
-    /** Lines that hold more than comments and blanks; texts and strings are left whole, whatever is in them. */
+    /** Counts lines with more than comments and blanks; comment marks inside strings are ignored. */
     static int codeLines(String text) {
         String code = TEXT_OR_COMMENT.matcher(text).replaceAll(found -> {
             String all = found.group();
@@ -102,7 +102,7 @@ final class SourceFile {
         return (int) code.lines().filter(line -> !line.isBlank()).count();
     }
 
-    /** The numbers of lines that are too long to be read beside another file; imports cannot be broken. */
+    /** The numbers of lines over 120 columns, except imports. */
     static List<Integer> wideLines(String text) {
         List<String> all = text.lines().toList();
         return IntStream.range(0, all.size()).filter(i -> all.get(i).length() > WIDTH

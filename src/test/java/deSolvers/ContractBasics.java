@@ -7,9 +7,7 @@ import deSolvers.problems.DragInWind;
 import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.SecondOrderProblem;
 
-/**
- * What all clauses of the contract are tested with: a problem, and the comparison with a solver that remembers nothing.
- */
+/** Base class of contract tests: a test problem, and comparison with a solver that has no memory of earlier steps. */
 public abstract class ContractBasics {
     static final double START = 0.3;
     static final double STEP = 0.1;

@@ -19,8 +19,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * What the javadoc of {@link DESolver} promises, clause by clause, for any solver. A solver's own test extends this (or
- * {@link FixedStepContract}, which adds the measured order) and says how to make one.
+ * Contract tests of {@link DESolver}, clause by clause, for any solver. A solver's test extends this class, or {@link
+ * FixedStepContract}, which adds the measured order.
  */
 public abstract class DESolverContract extends FailureContract {
 
@@ -49,7 +49,7 @@ public abstract class DESolverContract extends FailureContract {
     }
 
     @Test
-    void aStepIsANumberOfTheSolutionAndNotOnlyOfTheClock() {
+    void aStepMovesTheStateAlongTheSolution() {
         DESolver solver = createSolver();
         SecondOrderProblem problem = windy(2);
         double[] before = problem.state();
@@ -87,7 +87,7 @@ public abstract class DESolverContract extends FailureContract {
     void aTinyStepMakesATinyChange() {
         Oscillator problem = new Oscillator(1, 0, 1);
         createSolver().stepState(problem, 1e-300);
-        assertEquals(1e-300, problem.state()[0], 1e-312);                   // x = sin(1e-300); a hundred roundings
+        assertEquals(1e-300, problem.state()[0], 1e-312);                   // x = sin(1e-300); 100 ulps
         assertEquals(1, problem.state()[1]);
         assertEquals(1e-300, problem.getTime());
         SecondOrderProblem later = windy(1);
@@ -106,7 +106,7 @@ public abstract class DESolverContract extends FailureContract {
         assertEquals(0.125, nothing.getTime());
     }
     @Test
-    void severalSourcesOfEqualAndDifferentSizesInTurn() {
+    void oneSolverStepsSeveralSourcesInTurn() {
         DESolver shared = createSolver();
         int[] sizes = {1, 1, 4, 0, 2, 1};
         SecondOrderProblem[] problems = new SecondOrderProblem[sizes.length];
@@ -154,7 +154,7 @@ public abstract class DESolverContract extends FailureContract {
     }
 
     @Test
-    void resetForgetsEverythingAndNoArrayOfTheSolverIsTheSources() {
+    void resetClearsTheMemoryAndNoArrayIsShared() {
         SpySource source = new SpySource(windy(1));
         DESolver solver = createSolver();
         for (int i = 0; i < 5; i++) {
@@ -197,7 +197,7 @@ public abstract class DESolverContract extends FailureContract {
             solver.stepState(problem, 1.0 / 64);
         }
         long bytes = threads.getCurrentThreadAllocatedBytes() - before;
-        // Measured 0; one boxed number a step would be 16,000. What is allowed is what the bean itself may take.
+        // Measured 0; one boxed number a step would be 16,000. The bound allows for the measurement itself.
         assertTrue(bytes < 1000, bytes + " bytes in 1000 steps");
     }
 

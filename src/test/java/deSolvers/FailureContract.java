@@ -12,7 +12,7 @@ import deSolvers.problems.SpySource;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
-/** What {@link DESolver} promises where a step cannot be made: the reason, and everything back where it was. */
+/** Contract of failing steps: the exception names the reason, and the source is put back where it was. */
 public abstract class FailureContract extends ContractBasics {
 
     @Test
@@ -37,7 +37,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aClockThatIsNotFiniteIsNamed() {
+    void aNonFiniteClockIsNamed() {
         SecondOrderProblem problem = windy(1);
         problem.incTime(Double.NaN);
         DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, STEP));
@@ -45,7 +45,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aClockThatCannotGoOnStaysWhereItIs() {
+    void aClockThatCannotMoveStaysWhereItIs() {
         SecondOrderProblem problem = windy(1);
         problem.incTime(1.5e308 - START);
         DESolverException e = assertThrows(DESolverException.class, () -> createSolver().stepState(problem, 1e308));
@@ -55,7 +55,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aStepOfNoLengthNamesAStateThatIsNotFiniteToo() {
+    void aStepOfZeroNamesANonFiniteState() {
         SecondOrderProblem problem = windy(1);
         double[] state = problem.state();
         state[4] = Double.NaN;
@@ -67,7 +67,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aStateThatIsNotFiniteIsNamedAndPutBack() {
+    void aNonFiniteStateIsNamedAndPutBack() {
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
             for (int entry = 0; entry < 6; entry++) {
                 SecondOrderProblem problem = windy(1);
@@ -86,7 +86,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aDerivativeThatIsNotFiniteIsNamed() {
+    void aNonFiniteDerivativeIsNamed() {
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
             for (int entry = 0; entry < 6; entry++) {
                 SpySource source = new SpySource(windy(1));
@@ -102,7 +102,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aDerivativeThatStopsBeingFiniteWithinTheStepIsAnErrorToo() {
+    void aDerivativeThatBecomesNonFiniteWithinTheStepIsNamed() {
         for (int entry = 0; entry < 6; entry++) {
             SpySource source = new SpySource(windy(1));
             source.spoilDerivative(entry, Double.NaN, START + STEP / 3);
@@ -116,7 +116,7 @@ public abstract class FailureContract extends ContractBasics {
         }
     }
 
-    /** Euler and its symplectic brother ask for the derivative only where the step begins. */
+    /** Euler and symplectic Euler evaluate the derivative only at the beginning of the step. */
     private static boolean asksWithinTheStep(DESolver solver) {
         SpySource source = new SpySource(windy(1));
         solver.stepState(source, STEP);
@@ -124,7 +124,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void onAnExceptionOfTheSourceStateAndTimeComeBackBitForBit() {
+    void anExceptionOfTheSourceRestoresStateAndTimeBitForBit() {
         for (SpySource.Call call : SpySource.Call.values()) {
             int k = 1;
             while (failsAt(new SpySource(windy(1)), call, k)) {
@@ -135,15 +135,14 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     /**
-     * @return whether the solver hands its new state over as an array; not where it sets the source's state within a
-     *         step
+     * @return whether the solver exchanges arrays with the source; false if it sets the source's state within a step
      */
     protected boolean takesTheArray() {
         return true;
     }
 
     @Test
-    void aSourceThatOffersItsArrayGetsStateAndTimeBackToo() {
+    void anArraySourceIsRestoredToo() {
         for (SpySource.Call call : SpySource.Call.values()) {
             for (int blocks : new int[] {1, 11}) {
                 int k = 1;
@@ -177,7 +176,7 @@ public abstract class FailureContract extends ContractBasics {
         moveTo(restarted, unbroken);
         createSolver().stepState(restarted, STEP);
         other.stepState(unbroken, STEP);
-        solver.stepState(source, STEP);                 // goes on as if unbroken, or starts anew; nothing in between
+        solver.stepState(source, STEP);                 // continues as if uninterrupted, or restarts
         double[] end = source.problem().state();
         assertTrue(Arrays.equals(end, unbroken.state()) || Arrays.equals(end, restarted.state()),
                 "the step after a failure at " + call + " " + k);
@@ -185,7 +184,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aSourceThatTakesNoStateAnyMoreStillGetsItsTimeBack() {
+    void timeIsRestoredEvenIfTheStateCannotBe() {
         DragInWind behind = new DragInWind(1, 1);
         behind.startAt(START);
         SpySource source = new SpySource(behind);
@@ -196,7 +195,7 @@ public abstract class FailureContract extends ContractBasics {
     }
 
     @Test
-    void aFailureInOneSourceDoesNotSpoilTheNextStepOfAnother() {
+    void aFailureInOneSourceDoesNotAffectAnother() {
         for (int k = 1; k < 40; k++) {
             DESolver solver = createSolver();
             SecondOrderProblem a = windy(1);
@@ -221,9 +220,9 @@ public abstract class FailureContract extends ContractBasics {
         }
     }
 
-    /** A step that never began may have made arrays for another size: nothing that was remembered in them is left. */
+    /** A failed step may have resized the work arrays, so their remembered contents must not be used. */
     @Test
-    void aStepOfAnotherSizeThatNeverBeganDoesNotSpoilTheNext() {
+    void aFailedStepOfAnotherSizeDoesNotAffectTheNext() {
         DESolver solver = createSolver();
         DESolver other = createSolver();
         SecondOrderProblem problem = windy(1);

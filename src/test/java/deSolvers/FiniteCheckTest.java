@@ -6,7 +6,7 @@ import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every entry is looked at, by itself: finite ones do not add up to one that is not. */
+/** Each entry is checked by itself: a sum of large finite entries does not count as infinite. */
 class FiniteCheckTest {
     private static final double[] BAD = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY};
 
@@ -18,7 +18,7 @@ class FiniteCheckTest {
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 21})
-    void theFirstOneIsFound(int n) {
+    void theFirstNonFiniteEntryIsFound(int n) {
         assertEquals(-1, FiniteCheck.firstNonFinite(large(n)));
         for (int i = 0; i < n; i++) {
             for (double bad : BAD) {

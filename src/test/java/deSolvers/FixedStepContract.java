@@ -10,9 +10,7 @@ import deSolvers.problems.Oscillator;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
 
-/**
- * What a solver of fixed order promises besides: that order, measured, and its step on the oscillator in closed form.
- */
+/** Contract of solvers of fixed order: the measured order, and the closed form of a step on the oscillator. */
 public abstract class FixedStepContract extends DESolverContract {
     private static final double DURATION = 2;
 
@@ -26,7 +24,7 @@ public abstract class FixedStepContract extends DESolverContract {
      */
     protected abstract double[] oscillatorStep(double h);
 
-    /** @return the step counts between which the order is measured: asymptotic, and above rounding */
+    /** @return the step counts between which the order is measured: asymptotic, and above round-off */
     protected int[] orderSteps() {
         return switch (order()) {
             case 1 -> new int[] {2048, 8192};

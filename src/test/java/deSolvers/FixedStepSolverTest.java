@@ -16,7 +16,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The helpers of a method that takes one step, and what is done around it. */
+/** Tests {@link FixedStepSolver}: its helpers, and the checks around a step. */
 class FixedStepSolverTest {
     private static final double H = 0.25;
 
@@ -59,9 +59,9 @@ class FixedStepSolverTest {
         }
     }
 
-    /** Every helper is called three times, in two steps; no result changes while a later one is made. */
+    /** Every helper is called three times in two steps, and no result is overwritten by a later one. */
     @Test
-    void resultsOfOneStepNeverShareAnArray() {
+    void resultsOfHelpersNeverShareAnArray() {
         Method method = new Method((solver, source, s, deltaT) -> {
             List<double[]> results = new ArrayList<>();
             List<double[]> copies = new ArrayList<>();
@@ -89,7 +89,7 @@ class FixedStepSolverTest {
     }
 
     @Test
-    void theHelpersAreTheSlidesFormulas() {
+    void helpersComputeTheSlidesFormulas() {
         new Method((solver, source, s, deltaT) -> {
             assertArrayEquals(new double[] {1, 0}, s);
             assertArrayEquals(new double[] {0, -1}, solver.derivativeAt(s));
@@ -101,7 +101,7 @@ class FixedStepSolverTest {
     }
 
     /**
-     * The mid-point method's first derivative enters the new state only through the second, which may be finite again.
+     * The midpoint method's first derivative affects the new state only through the second, which may be finite again.
      */
     @Test
     void anInfiniteDerivativeIsReportedEvenIfTheNewStateIsFinite() {
@@ -144,7 +144,7 @@ class FixedStepSolverTest {
     }
 
     @Test
-    void aStepOfNoTimeDoesNotCallTheMethod() {
+    void aStepOfZeroDoesNotCallTheMethod() {
         Oscillator source = new Oscillator();
         new Method((solver, s, state, deltaT) -> {
             throw new AssertionError("called");

@@ -28,7 +28,7 @@ class KeplerTest {
 
     /** Bounds are one unit of the last digit given. */
     @Test
-    void largestSquaredPositionErrors() {
+    void largestPositionErrorsMatchTheReference() {
         assertEquals(881.1761, largestSquaredError(new EulerSolver()), 1e-4);
         assertEquals(1.189274, largestSquaredError(new MidpointSolver()), 1e-6);
         assertEquals(5.823995e-3, largestSquaredError(new RK4Solver()), 1e-9);

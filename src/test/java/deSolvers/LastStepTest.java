@@ -10,7 +10,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A step continues the last one only where source, time, state and deltaT are bit for bit what that one left. */
+/**
+ * Tests {@link LastStep}: a step continues the last one only if source, time, state and deltaT are bit for bit the
+ * same.
+ */
 class LastStepTest {
     private static final double DELTA_T = 0.5;
 
@@ -32,7 +35,7 @@ class LastStepTest {
         return source;
     }
 
-    /** What was kept of a step of the source that ended where the source is now. */
+    /** The memory of a step that ended at the source's present state and time. */
     private static LastStep after(DEStateSource source, double deltaT) {
         LastStep lastStep = new LastStep();
         keep(lastStep, source, deltaT);
@@ -65,7 +68,7 @@ class LastStepTest {
     }
 
     @Test
-    void sourceTimeStateAndDeltaTHaveToBeTheSame() {
+    void anyOtherSourceTimeStateOrDeltaTRestarts() {
         assertTrue(continues(after(SOURCE, DELTA_T), SOURCE, DELTA_T));
         assertTrue(continuesIfMoved(3, 1, 2));
         assertFalse(continues(after(SOURCE, DELTA_T), at(3, 1, 2), DELTA_T), "another source");
@@ -119,7 +122,7 @@ class LastStepTest {
         }
     }
 
-    /** What is kept is a copy: the caller's array may change. */
+    /** The state is copied, so that the caller's array may change. */
     @Test
     void theStateIsCopied() {
         ReferenceProblem source = at(3, 1, 2);

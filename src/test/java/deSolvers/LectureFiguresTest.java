@@ -37,7 +37,7 @@ class LectureFiguresTest {
         "rk4,      1,   8,    0.952268, 0.906814,  -0.044631, 32",
         "rk4,      1,   100,  0.542612, 0.294427,  -0.557889, 400",
         "rk4,      0.4, 1250, 0.965755, 0.932682,  -0.100637, 5000"})
-    void amplitudeEnergyPhaseAndCost(String solver, double deltaT, int steps, double amplitude, double energy,
+    void figuresMatchTheLecture(String solver, double deltaT, int steps, double amplitude, double energy,
     double phase,
                                      int evaluations) {
         Oscillator end = run(solver, deltaT, steps);
@@ -66,14 +66,14 @@ class LectureFiguresTest {
 
     @ParameterizedTest
     @CsvSource({"10, 5.279", "20, 2.563", "50, 1.479", "100, 1.218"})
-    void eulerGrowsWithinAPeriod(int steps, double amplitude) {
+    void eulersAmplitudeGrowsWithinAPeriod(int steps, double amplitude) {
         assertEquals(amplitude, Math.sqrt(run("euler", 2 * Math.PI / steps, steps).energyFactor()), 0.0005);
     }
 
     /** The exercise "estimate the cost of RK4 versus midpoint for similar accuracy"; T = 100. */
     @ParameterizedTest
     @CsvSource({"1e-1, 2608, 680", "1e-2, 8166, 1208", "1e-3, 25848, 2152", "1e-4, 82178, 3860", "1e-6, 819326, 12180"})
-    void costForSimilarAccuracy(double error, int midpointEvaluations, int rk4Evaluations) {
+    void rk4NeedsFewerEvaluationsForEqualError(double error, int midpointEvaluations, int rk4Evaluations) {
         // The counts are given to 1 %, hence the errors to 2 % and 4 %.
         assertEquals(1, finalError("midpoint", midpointEvaluations / 2) / error, 0.02);
         assertEquals(1, finalError("rk4", rk4Evaluations / 4) / error, 0.04);

@@ -9,11 +9,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Clocks end exactly where they have to, also where a difference of two readings rounds. */
+/** Clocks end exactly at the end of the step, even if a difference of two times is rounded. */
 class SourceClockTest {
     private static final int CASES = 10_000;
 
-    /** A source that is nothing but a clock, and counts how often it is moved. */
+    /** A source with a clock and no state that counts its moves. */
     private static final class Clock extends ReferenceProblem {
         private int moves;
 
@@ -37,7 +37,7 @@ class SourceClockTest {
         return (random.nextDouble() - 0.5) * Math.scalb(1.0, random.nextInt(20) - 10);
     }
 
-    /** Whatever the body of a step did with the clock. Measured: 167 of the 10,000 need a second move at the end. */
+    /** For any moves of the clock within a step. Measured: 167 of 10,000 need a second move at the end. */
     @Test
     void aStepEndsExactlyAtItsEnd() {
         Random random = new Random(17);
@@ -54,13 +54,10 @@ class SourceClockTest {
         assertTrue(again > 100, "a second move was needed in " + again);
     }
 
-    /**
-     * Where the clock still stands at the start, as after one stage, or a last stage was at the end: it is moved once
-     * in all.
-     */
+    /** A clock that is still at the start, as after one stage, or already at the end is moved only once. */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void aClockThatStoodStillOrIsThereIsMovedOnce(boolean there) {
+    void aClockAtTheStartOrEndIsMovedOnce(boolean there) {
         Random random = new Random(18);
         for (int n = 0; n < CASES; n++) {
             double start = number(random);
@@ -75,7 +72,7 @@ class SourceClockTest {
         }
     }
 
-    /** Back to where a failed step began. */
+    /** A failed step puts the clock back to its beginning. */
     @Test
     void aStepThatFailedEndsExactlyWhereItBegan() {
         Random random = new Random(19);

@@ -47,14 +47,14 @@ class StabilityLimitTest {
     }
 
     @Test
-    void realAxis() {
+    void limitsOnTheRealAxisMatchTheory() {
         assertEquals(2, limit(h -> growthOfDecay(new EulerSolver(), h)), 1e-9);
         assertEquals(2, limit(h -> growthOfDecay(new MidpointSolver(), h)), 1e-9);
         assertEquals(2.785293563405, limit(h -> growthOfDecay(new RK4Solver(), h)), 1e-9);
     }
 
     @Test
-    void imaginaryAxis() {
+    void limitsOnTheImaginaryAxisMatchTheory() {
         assertEquals(2 * Math.sqrt(2), limit(h -> growthOfOscillator(new RK4Solver(), h)), 1e-9);
         assertEquals(2, limit(h -> growthOfOscillator(new SymplecticEulerSolver(), h)), 1e-9);
         assertEquals(2, limit(h -> growthOfOscillator(new VelocityVerletSolver(), h)), 1e-9);
@@ -73,7 +73,7 @@ class StabilityLimitTest {
     @ParameterizedTest
     @CsvSource({"1, 1.414213562, 2.000000000", "2, 1.154700538, 1.632993162", "10, 1.010283227, 1.428756241",
         "100, 1.000120951, 1.414384613"})
-    void theLargestStepOfAChain(int n, double leapfrog, double rk4) {
+    void theFastestModeSetsTheLargestStepOfAChain(int n, double leapfrog, double rk4) {
         assertLimit(n, leapfrog, SymplecticEulerSolver::new);
         assertLimit(n, leapfrog, VelocityVerletSolver::new);
         assertLimit(n, rk4, RK4Solver::new);

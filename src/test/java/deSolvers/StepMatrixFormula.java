@@ -1,8 +1,8 @@
 package deSolvers;
 
 /**
- * What one step does to (x, v) of x'' = -x, from the stability function R of a method: with A = (0 1; -1 0), whose
- * eigenvalues are +-i, the step is R(hA) = Re R(ih) I + Im R(ih) A.
+ * The matrix of one step for x'' = -x, from a method's stability function R: with A = (0 1; -1 0), whose eigenvalues
+ * are +-i, it is R(hA) = Re R(ih) I + Im R(ih) A.
  */
 public final class StepMatrixFormula {
     private StepMatrixFormula() {

@@ -12,15 +12,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/**
- * What solvers are given by their guard, call by call; the contract of every solver is tested in
- * {@link DESolverContract}.
- */
+/** Tests {@link StepTransaction} call by call; {@link DESolverContract} tests every solver. */
 class StepTransactionTest {
     private static final double START = 0.75;
     private static final double DELTA_T = 0.25;
 
-    /** Falls, whatever its state: ds/dt = -1 in every entry. */
+    /** A source with ds/dt = -1 in every entry. */
     private static class Falling implements DEStateSource {
         double[] state;
         double time = START;
@@ -63,7 +60,7 @@ class StepTransactionTest {
         }
     }
 
-    /** The same, with its arrays on offer. */
+    /** The same as an {@link ArrayStateSource}. */
     private static final class FallingArrays extends Falling implements ArrayStateSource {
         FallingArrays(int n) {
             super(n);
@@ -94,7 +91,7 @@ class StepTransactionTest {
     }
 
     @Test
-    void aStepStandsForItsClient() {
+    void aTransactionPassesCallsToItsSource() {
         Falling client = new Falling(2);
         StepTransaction guard = new StepTransaction(new EulerSolver());
         try (StepTransaction step = guard.begin(client, DELTA_T)) {
@@ -119,7 +116,7 @@ class StepTransactionTest {
     }
 
     @Test
-    void aDerivativeIsTakenAtTheStateAskedFor() {
+    void derivativesAreEvaluatedAtTheGivenState() {
         Falling client = new Falling(1);
         double[] dSdt = new double[1];
         try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(client, DELTA_T)) {
@@ -134,12 +131,9 @@ class StepTransactionTest {
         }
     }
 
-    /**
-     * Where the client offers its array, arrays change hands; a client of the simple interface, or a step of 0 s,
-     * copies.
-     */
+    /** An array source exchanges arrays; a source of the simple interface, or a step of 0 s, copies. */
     @Test
-    void theNewStatesArrayIsHandedToAnArraySource() {
+    void anArraySourceReceivesTheNewStatesArray() {
         FallingArrays client = new FallingArrays(3);
         double[] old = client.state;
         double[] next = filled(3, -1);
@@ -166,9 +160,9 @@ class StepTransactionTest {
         assertArrayEquals(filled(3, -1), simple.state);
     }
 
-    /** Once a client's own array was moved, it is the copy that says where the step began. */
+    /** If a solver changes the source's own array, a copy keeps the state at the step's beginning. */
     @Test
-    void anArrayThatASolverMovesIsCopiedFirst() {
+    void anArrayIsCopiedBeforeASolverChangesIt() {
         FallingArrays client = new FallingArrays(64);
         StepTransaction guard = new StepTransaction(new EulerSolver());
         try (StepTransaction step = guard.begin(client, DELTA_T)) {
@@ -181,8 +175,7 @@ class StepTransactionTest {
     }
 
     /**
-     * The cause comes first: a state that was bad before the step, then a bad derivative, and only then the step's
-     * size.
+     * The first cause is named: a non-finite initial state, then a non-finite derivative, then the size of the step.
      */
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
@@ -212,9 +205,9 @@ class StepTransactionTest {
         assertArrayEquals(before, client.state);
     }
 
-    /** A derivative that a solver looks at by itself. */
+    /** A derivative that a solver checks itself. */
     @Test
-    void aBadStateIsTheCauseOfABadDerivative() {
+    void aNonFiniteStateIsNamedInsteadOfItsDerivative() {
         Falling client = new Falling(3);
         try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(client, DELTA_T)) {
             step.requireFinite(new double[3]);

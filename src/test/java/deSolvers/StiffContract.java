@@ -10,14 +10,14 @@ import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
 /**
- * What a solver for stiff systems promises besides: steps that are far longer than what decays, without growth. Each
- * statement is a static method of its own, so that the contrary can be asserted of explicit solvers.
+ * Contract of solvers for stiff systems: no growth with steps far longer than the fastest decay. Assertions are static,
+ * so that tests can show that explicit solvers fail them.
  */
 public abstract class StiffContract {
     /** @return a new solver, which makes one step of its method for each call where it controls its steps */
     protected abstract DESolver createSolver();
 
-    /** @return |R(-1e6)|, what one step leaves of s' = -1e6 s with deltaT = 1 */
+    /** @return |R(-1e6)|, the factor of one step of s' = -1e6 s with deltaT = 1 */
     protected abstract double factorAtMinusAMillion();
 
     /** @return the order in deltaT on the stiff Prothero-Robinson problem, by theory */
@@ -40,12 +40,12 @@ public abstract class StiffContract {
     }
 
     @Test
-    public void theStiffPairIsFollowedWithStepsAsLongAsTheSlowPartAllows() {
+    public void theStiffPairIsFollowedWithStepsForItsSlowPart() {
         assertStiffPair(createSolver(), stiffPairError());
     }
 
     /**
-     * Steps of s' = -1e6 s with deltaT = 1 never grow, and the first leaves what the method's R says.
+     * Asserts that steps of s' = -1e6 s with deltaT = 1 never grow, and that the first multiplies by the given factor.
      *
      * @param solver what steps
      * @param factor |R(-1e6)|
@@ -65,7 +65,7 @@ public abstract class StiffContract {
     }
 
     /**
-     * The error on the Prothero-Robinson problem, L = -1e6, is small and falls with the order that theory gives.
+     * Asserts that the error on the Prothero-Robinson problem, L = -1e6, is small and falls with the theoretical order.
      *
      * @param solvers what makes a new solver
      * @param order   the order in deltaT
@@ -90,7 +90,7 @@ public abstract class StiffContract {
     }
 
     /**
-     * The slow part of the 998/1998 pair is followed with steps ten times as long as an explicit method could take.
+     * Asserts that the slow part of the 998/1998 pair is followed with steps ten times the explicit limit.
      *
      * @param solver what steps
      * @param bound  beyond the error after 100 steps of 0.01 s

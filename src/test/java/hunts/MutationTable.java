@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** How many mutants of each class the tests noticed, from the lines of PIT's {@code mutations.csv}. */
+/** Counts the mutants killed in each class, from PIT's {@code mutations.csv}. */
 final class MutationTable {
-    /** How many there are, how many of them a test noticed, and for how many that means that a test came to no end. */
+    /** The number of mutants, of killed ones, and of those killed by a timeout. */
     record Count(int mutants, int killed, int timedOut) {
         static final Count NONE = new Count(0, 0, 0);
 
@@ -15,7 +15,7 @@ final class MutationTable {
             return new Count(mutants + other.mutants, killed + other.killed, timedOut + other.timedOut);
         }
 
-        /** Of no mutants all are killed. */
+        /** The percentage killed; 100 for no mutants. */
         double percent() {
             return mutants == 0 ? 100 : 100.0 * killed / mutants;
         }
@@ -29,7 +29,7 @@ final class MutationTable {
 
     /**
      * @param csv lines of file, class, mutator, method, line, status, test
-     * @return a row for each class, nested ones counted with the one that they are in
+     * @return a row for each top-level class, including nested ones
      * @throws IllegalArgumentException if a line is not of that kind
      */
     static MutationTable ofClasses(List<String> csv) {
@@ -56,7 +56,7 @@ final class MutationTable {
         return rows.values().stream().reduce(Count.NONE, Count::plus);
     }
 
-    /** The names of the rows with fewer killed than that. */
+    /** The names of the rows with a lower percentage. */
     List<String> below(double percent) {
         return rows.keySet().stream().filter(row -> rows.get(row).percent() < percent).toList();
     }

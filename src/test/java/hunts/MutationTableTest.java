@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** What the task of mutation tests counts, and what it may be told. */
+/** Counting of mutants, and options of the task. */
 class MutationTableTest {
     private static final List<String> CSV = List.of(
             "A.java,deSolvers.A,org.Math,stepState,12,KILLED,deSolvers.ATest",
@@ -56,9 +56,9 @@ class MutationTableTest {
                 () -> MutationTests.packages(new String[] {option})).getMessage();
     }
 
-    /** A new package of solvers is looked at too; the reference problems are what solvers are measured on. */
+    /** Every package of solvers is mutated, except the reference problems, which belong to the tests. */
     @Test
-    void everyPackageOfSolversAndEffectsIsLookedAt() throws IOException {
+    void everyPackageOfSolversAndEffectsIsMutated() throws IOException {
         Path sources = Path.of("src", "main", "java");
         Set<String> found = new TreeSet<>(Set.of("particles.effects"));
         try (Stream<Path> files = Files.walk(sources.resolve("deSolvers"))) {

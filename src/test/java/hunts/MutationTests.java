@@ -14,18 +14,18 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Changes the solvers and the effects, one instruction at a time, and counts whether a test notices, package by
- * package. A package's own tests are run against its mutants, and those others that look closely at it: all of them
+ * Runs mutation tests of solvers and effects, package by package: changes one instruction at a time and counts the
+ * changes that a test notices. Only a package's own tests and a few others are run against its mutants; all of them
  * would take hours. {@code gradle mutationTests -Ppackage=deSolvers.adaptive} runs it for one package.
  */
 final class MutationTests {
-    /** Of each package, in percent. */
+    /** The least percentage of killed mutants for each package. */
     private static final double LEAST_KILLED = 85;
-    /** What a test may take longer than without a mutant: twice its time and this much (ms). */
+    /** A test times out after twice its usual time plus this (ms). */
     private static final int PATIENCE = 2000;
     private static final Path REPORTS = Path.of("build", "reports", "mutations");
 
-    /** Package, and which tests besides its own look at it. */
+    /** Packages, each with further tests to run besides its own. */
     private static final Map<String, String> PACKAGES = new TreeMap<>(Map.ofEntries(
             Map.entry("deSolvers", "particles.ArrayStateSourceTest"),
             Map.entry("deSolvers.adaptive", ""),
@@ -46,7 +46,7 @@ final class MutationTests {
         return "~" + packageName.replace(".", "\\.") + "\\.[A-Z].*";
     }
 
-    /** @return how PIT is started for a package */
+    /** @return the command that starts PIT for a package */
     private static List<String> command(String packageName) throws URISyntaxException {
         String others = PACKAGES.get(packageName);
         Path classes = Path.of(DESolver.class.getProtectionDomain().getCodeSource().getLocation().toURI());
@@ -72,7 +72,7 @@ final class MutationTests {
             pit.descendants().forEach(ProcessHandle::destroy);
             pit.destroy();
         });
-        Runtime.getRuntime().addShutdownHook(end);          // Ctrl-C ends the processes that this one started, too
+        Runtime.getRuntime().addShutdownHook(end);          // Ctrl-C also ends child processes
         int exitCode = pit.waitFor();
         Runtime.getRuntime().removeShutdownHook(end);
         if (exitCode != 0) {
@@ -81,7 +81,7 @@ final class MutationTests {
         return MutationTable.ofClasses(Files.readAllLines(REPORTS.resolve(packageName).resolve("mutations.csv")));
     }
 
-    /** @return the packages that fall below what is asked of each */
+    /** @return the packages below the least percentage */
     private static List<String> runAll(Iterable<String> packages) throws IOException, InterruptedException,
             URISyntaxException {
         MutationTable summary = new MutationTable();
@@ -98,7 +98,7 @@ final class MutationTests {
         return summary.below(LEAST_KILLED);
     }
 
-    /** @return the packages that were asked for */
+    /** @return the packages requested */
     static List<String> packages(String[] args) {
         String asked = new TaskOptions(args, List.of("package")).get("package", String.join(",", PACKAGES.keySet()));
         List<String> names = Arrays.asList(asked.split(",", -1));

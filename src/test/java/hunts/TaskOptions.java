@@ -5,16 +5,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/**
- * The options of a task that is not a command of the program: the same rules, and the same words where they are broken.
- */
+/** Options of tasks that are not commands of the program, with the same rules and error messages. */
 public final class TaskOptions {
     private final Map<String, String> given = new TreeMap<>();
 
     /**
      * @param args    {@code --name=value}, as the build hands {@code -Pname=value} on
-     * @param allowed the names that there are
-     * @throws IllegalArgumentException if another one is given, or one has no value; its message is for people to read
+     * @param allowed the known names
+     * @throws IllegalArgumentException if a name is unknown or has no value; the message is for users
      */
     public TaskOptions(String[] args, List<String> allowed) {
         for (String arg : args) {
@@ -32,14 +30,14 @@ public final class TaskOptions {
         }
     }
 
-    /** @return an option's value, or the given one where it was left out */
+    /** @return an option's value, or the default */
     public String get(String name, String otherwise) {
         return given.getOrDefault(name, otherwise);
     }
 
     /**
-     * @return the value of an option that is a number of zero or more, or the given one where it was left out
-     * @throws IllegalArgumentException if it is none
+     * @return the value of an option that is a whole number, 0 or more, or the default
+     * @throws IllegalArgumentException if it is not such a number
      */
     public long getCount(String name, long otherwise) {
         String text = get(name, Long.toString(otherwise));

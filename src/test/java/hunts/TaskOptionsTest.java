@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What may be told to tasks that are not commands of the program, and what they say of the rest. */
+/** Options of tasks that are not commands of the program, and their error messages. */
 class TaskOptionsTest {
     private static final List<String> NAMES = List.of("seconds", "seed");
 
@@ -15,7 +15,7 @@ class TaskOptionsTest {
     }
 
     @Test
-    void whatIsGivenIsTakenAndTheRestIsAsUsual() {
+    void givenOptionsAreUsedAndOthersHaveDefaults() {
         TaskOptions options = new TaskOptions(new String[] {"--seed=7", "--seconds=a=b"}, NAMES);
         assertEquals(7, options.getCount("seed", 1));
         assertEquals("a=b", options.get("seconds", "60"), "the first = ends the name");
@@ -24,7 +24,7 @@ class TaskOptionsTest {
     }
 
     @Test
-    void otherNamesAreRefusedWithThoseThatThereAre() {
+    void unknownNamesAreRefusedWithTheKnownOnes() {
         assertEquals("unknown option -Psed; did you mean -Pseed? allowed: -Pseconds, -Pseed",
                 refusal(NAMES, "--sed=7"));
         assertEquals("option -Pseed needs a value: -Pseed=...", refusal(NAMES, "--seed"));

@@ -2,13 +2,13 @@
  * Programs that look for mistakes in DESolver itself. What they find becomes a test.
  *
  * <ul>
- * <li>{@code gradle fuzz} reads scenes that are almost right, changed at random. {@code -Pexecutions=300000
- *     -Pseed=1} takes about a minute; without a seed the scenes are others each time, and without a number of
- *     executions it goes on for twenty minutes ({@code -Pseconds} sets another time).</li>
+ * <li>{@code gradle fuzz} reads valid scenes with random changes. {@code -Pexecutions=300000 -Pseed=1} takes about a
+ *     minute; without a seed the scenes differ each time, and without a number of executions it runs for twenty
+ *     minutes ({@code -Pseconds} sets another time).</li>
  * <li>{@code gradle mutationTests -Ppackage=deSolvers.symplectic} changes the classes of a package, one instruction
- *     at a time, and counts the changes that a test notices: at least 85 % have to be. On two cores this takes one
- *     to ten minutes, and about twenty for {@code deSolvers.implicit}. Without a package it goes through all
- *     of them and prints a table at the end.</li>
+ *     at a time, and counts the changes that a test notices: at least 85 % must be noticed. On two cores this takes
+ *     one to ten minutes, and about twenty for {@code deSolvers.implicit}. Without a package it tests all of them
+ *     and prints a table at the end.</li>
  * </ul>
  */
 package hunts;

@@ -20,10 +20,11 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** What a solver that chooses its own sub-steps promises besides the contract of all solvers. */
+/** Contract of adaptive solvers, besides that of all solvers. */
 public abstract class AdaptiveContract extends DESolverContract {
     /**
-     * What the first sub-step, raised to the clock's resolution, changes the error; measured 3.3e-8 (bulirsch-stoer).
+     * Bound for the change of the error when the first sub-step is raised to the clock's resolution; measured 3.3e-8
+     * (bulirsch-stoer).
      */
     private static final double LATE = 1e-7;
 
@@ -33,7 +34,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     /** @return the power of the tolerance with which the error at the end falls in theory */
     protected abstract double toleranceExponent();
 
-    /** @return whether stiff systems make it crawl */
+    /** @return whether the method is explicit, so that stiff systems make it crawl */
     protected boolean isExplicit() {
         return true;
     }
@@ -130,7 +131,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     }
 
     @Test
-    void thereAndBackAgain() {
+    void steppingForwardsAndBackwardsReturnsToTheStart() {
         DragInWind problem = new DragInWind(2, 2);
         DESolver solver = createSolver(1e-9, 1e-9);
         solver.stepState(problem, 3);
@@ -140,7 +141,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     }
 
     @Test
-    void tolerancesMustMakeSense() {
+    void invalidTolerancesAreRefused() {
         double[][] bad = {{-1e-6, 1e-6}, {1e-6, -1e-6}, {0, 0}, {Double.NaN, 1e-6}, {1e-6, Double.NaN},
             {Double.POSITIVE_INFINITY, 1e-6}, {1e-6, Double.POSITIVE_INFINITY}};
         for (double[] pair : bad) {
@@ -156,7 +157,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     }
 
     @Test
-    void aPoleEndsInAnExceptionAndTheSourceIsPutBack() {
+    void aPoleIsAnExceptionAndTheSourceIsPutBack() {
         Pole problem = new Pole();
         DESolver solver = createSolver(1e-6, 1e-9);
         DESolverException e = assertThrows(DESolverException.class, () -> solver.stepState(problem, 2));
@@ -171,7 +172,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         assertEquals(2, problem.state()[0], 1e-5);
     }
 
-    /** The error of an oscillator after 60 steps, its clock at t to begin with, which resolves less the later it is. */
+    /** The error of an oscillator after 60 steps with an initial clock of t, which limits the resolution. */
     private double errorFrom(double t, double omega, double deltaT) {
         Oscillator problem = new Oscillator(omega, 1, 0);
         problem.incTime(t);
@@ -186,7 +187,7 @@ public abstract class AdaptiveContract extends DESolverContract {
 
     /** 1.7e9 s are the seconds since 1970, resolved to 2.4e-7 s; 1e12 s are resolved to 1.2e-4 s. */
     @Test
-    void aLateClockChangesNothingWhereTheStepsAreLongEnough() {
+    void aLateClockChangesNothingIfStepsAreLongEnough() {
         for (double omega : new double[] {20, 50, 100}) {
             assertEquals(errorFrom(0, omega, 1.0 / 60), errorFrom(1.7e9, omega, 1.0 / 60), LATE, "omega " + omega);
         }
@@ -195,7 +196,7 @@ public abstract class AdaptiveContract extends DESolverContract {
 
     /** A period of 6e-5 s, where 4 units of the clock's last place are 4.9e-4 s. */
     @Test
-    void aSystemTooFastForItsClockIsNamedWithTheClocksResolution() {
+    void aSystemTooFastForItsClockIsAnErrorThatNamesTheResolution() {
         Oscillator problem = new Oscillator(1e5, 1, 0);
         problem.incTime(1e12);
         DESolverException e = assertThrows(DESolverException.class, () -> createSolver(1e-6, 1e-9).stepState(problem,
@@ -219,7 +220,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     }
 
     @Test
-    void hugeAndTinyValuesAreValuesLikeOthers() {
+    void hugeAndTinyValuesAreSteppedLikeOthers() {
         for (double size : new double[] {1e150, 1, 1e-150, 1e-300}) {
             Oscillator problem = new Oscillator(1, size, 0);
             createSolver(1e-6, 1e-6 * size).stepState(problem, 10);
@@ -228,7 +229,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         }
     }
 
-    /** Of 0.5 cos(300 t) beside cos(t): the amplitude after 10 s in 600 steps, in units of the one at the start. */
+    /** The relative amplitude of 0.5 cos(300 t) beside cos(t) after 10 s in 600 steps. */
     protected final double fastAmplitude(double tolerance) {
         double omega = 300;
         ReferenceProblem problem = new SlowAndFastSpring(omega, 0);
@@ -239,7 +240,7 @@ public abstract class AdaptiveContract extends DESolverContract {
         return Math.hypot(problem.state()[2], problem.state()[3] / omega) / 0.5;
     }
 
-    /** @return by how many times the tolerance a fast vibration may grow in 10 s, 480 periods */
+    /** @return how many times the tolerance a fast vibration may grow in 10 s, 480 periods */
     protected double vibrationGrowth() {
         return 100;
     }
@@ -260,7 +261,7 @@ public abstract class AdaptiveContract extends DESolverContract {
     }
 
     @Test
-    void aStiffPairIsCrawledThroughAndNotBlownUp() {
+    void aStiffPairTakesManySubStepsButDoesNotBlowUp() {
         ReferenceProblem problem = new StiffPair();
         createSolver(1e-6, 1e-9).stepState(problem, 2);
         // Measured 4.0e-7 (bulirsch-stoer) and less, with 4370 (dormand-prince) to 13051 (bulirsch-stoer) evaluations.

@@ -21,7 +21,7 @@ class DormandPrinceSolverTest extends AdaptiveContract {
         return 1;
     }
 
-    /** The contrary: measured 23 at 0.01 and 3.3e22 at 0.1, with every sub-step within its tolerance. */
+    /** With loose tolerances: measured 23 at 0.01 and 3.3e22 at 0.1, with every sub-step within its tolerance. */
     @Test
     void aLooseToleranceLetsAVibrationGrow() {
         assertTrue(fastAmplitude(0.01) > 10 && fastAmplitude(0.1) > 1e22, "left " + fastAmplitude(0.1));

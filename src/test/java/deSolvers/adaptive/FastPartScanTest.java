@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Parts of a solution that are too fast for an explicit method and have decayed, over many rates and lengths of a step:
- * the sub-steps grow until something grows again, and only the estimate of the error can tell. It must not be blind at
+ * Scans decayed parts of a solution that are too fast for an explicit method, over many rates and step lengths. The
+ * sub-steps grow until the fast part grows again, and only the error estimate can detect that, so it must not vanish at
  * any rate.
  */
 class FastPartScanTest {
@@ -48,7 +48,7 @@ class FastPartScanTest {
     /** s' = -lambda s: in units of the tolerance, worst of all steps of 3 s. */
     @ParameterizedTest(name = "{0}")
     @MethodSource("solvers")
-    void whatHasDecayedStaysAway(String name, double bound, double spring, double pair, Maker maker) {
+    void aDecayedPartDoesNotReturn(String name, double bound, double spring, double pair, Maker maker) {
         for (double[] tolerance : TOLERANCES) {
             Scan scan = new Scan(maker, tolerance);
             for (double lambda = 20; lambda < 400; lambda *= 1.06) {
@@ -63,7 +63,7 @@ class FastPartScanTest {
     /** x'' = -omega^2 x - 0.1 omega x' beside a slow oscillator: the velocity, from omega/2 to begin with. */
     @ParameterizedTest(name = "{0}")
     @MethodSource("solvers")
-    void aVibrationThatHasDiedStaysDead(String name, double decay, double bound, double pair, Maker maker) {
+    void aDampedVibrationDoesNotReturn(String name, double decay, double bound, double pair, Maker maker) {
         for (double[] tolerance : TOLERANCES) {
             Scan scan = new Scan(maker, tolerance);
             for (double omega = 30; omega < 500; omega *= 1.1) {
@@ -75,11 +75,11 @@ class FastPartScanTest {
         }
     }
 
-    /** Slow and fast in every entry. */
+    /** Slow and fast parts in every entry. */
     @Tag("slow")
     @ParameterizedTest(name = "{0}")
     @MethodSource("solvers")
-    void aFastPartBesideASlowOneStaysAway(String name, double decay, double spring, double bound, Maker maker) {
+    void aFastPartBesideASlowOneDoesNotReturn(String name, double decay, double spring, double bound, Maker maker) {
         for (double[] tolerance : TOLERANCES) {
             Scan scan = new Scan(maker, tolerance);
             for (double deltaT = 0.004; deltaT < 0.05; deltaT *= 1.04) {
@@ -89,7 +89,7 @@ class FastPartScanTest {
         }
     }
 
-    /** Runs with the same tolerances, and the worst of them. */
+    /** The worst result of runs with the same tolerances. */
     private static final class Scan {
         private final Maker maker;
         private final double[] tolerance;
@@ -101,7 +101,7 @@ class FastPartScanTest {
             this.tolerance = tolerance;
         }
 
-        /** A run of 3 s, looked at after each step. */
+        /** Runs 3 s and records the worst error after each step. */
         void run(ReferenceProblem problem, double deltaT, ToDoubleFunction<ReferenceProblem> unitsOff, String what) {
             DESolver solver = maker.create(tolerance[0], tolerance[1]);
             problem.startAt(0);
@@ -121,7 +121,7 @@ class FastPartScanTest {
         }
     }
 
-    /** The largest error of an entry in units of what is allowed for the exact one. */
+    /** The largest error of an entry relative to its tolerance. */
     private static ToDoubleFunction<ReferenceProblem> largestError(double[] tolerance) {
         return problem -> {
             double[] exact = problem.exactState(problem.getTime());
@@ -135,7 +135,7 @@ class FastPartScanTest {
         };
     }
 
-    /** By what the fast velocity is over its envelope, and a fifth of that, in units of the absolute tolerance. */
+    /** The excess of the fast velocity over 1.2 times its envelope, in units of the absolute tolerance. */
     private static ToDoubleFunction<ReferenceProblem> overEnvelope(double omega, double[] tolerance) {
         return problem -> {
             double envelope = 0.5 * omega * StrictMath.exp(-0.05 * omega * problem.getTime());
@@ -144,7 +144,7 @@ class FastPartScanTest {
         };
     }
 
-    /** Damped a twentieth of the critical damping. */
+    /** A spring with a twentieth of the critical damping. */
     private static ReferenceProblem spring(double omega) {
         return new SlowAndFastSpring(omega, 0.05 * omega);
     }

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
-/** The first sub-step that is tried, and the trial before it. */
+/** Tests the guess of the first sub-step, and the trial step that it uses. */
 class FirstSubStepTest {
-    private static final double CLOSE = 2e-15;          // a few roundings of sums and roots; measured 2.2e-16
+    private static final double CLOSE = 2e-15;          // round-off of sums and roots; measured 2.2e-16
 
     private static double firstTried(double state, double deltaT, DoubleUnaryOperator slope) {
         Scripted solver = new Scripted(true, (offset, h) -> 0.81);
@@ -20,7 +20,7 @@ class FirstSubStepTest {
      * root of 0.01/max(d1, d2), but no more than d0/d1 and deltaT.
      */
     @Test
-    void theFirstGuess() {
+    void theFirstGuessFollowsTheFormula() {
         for (double sign : new double[] {1, -1}) {
             assertEquals(sign * Math.sqrt(0.01 / 4), firstTried(100, sign * 50, t -> -4), CLOSE, "by d1");
             assertEquals(sign * Math.sqrt(0.01 / 9), firstTried(0, sign * 50, t -> 9 * t), CLOSE, "by d2");
@@ -33,9 +33,11 @@ class FirstSubStepTest {
         }
     }
 
-    /** How far the trial for the second derivative goes: a hundredth of d0/d1, or 1/d1 where the state is about 0. */
+    /**
+     * The length of the trial step for the second derivative: a hundredth of d0/d1, or 1/d1 if the state is about 0.
+     */
     @Test
-    void theTrialOfTheFirstGuess() {
+    void theTrialStepHasItsLength() {
         assertEquals(0.01 * 50 / 4, trial(50, 4, 10), CLOSE);
         assertEquals(10, trial(50, 0, 10), CLOSE, "at rest");
         assertEquals(0.125, trial(50, 4, 0.125), CLOSE, "0.125 is all there is");
@@ -53,12 +55,9 @@ class FirstSubStepTest {
         return source.asked.get(1);
     }
 
-    /**
-     * A state that changes beyond all numbers, or too fast for the trial to be told from 0, still gives a first
-     * attempt.
-     */
+    /** A derivative that overflows, or is too large for a trial step, still gives a first sub-step. */
     @Test
-    void aGuessIsAlwaysALength() {
+    void theGuessIsAlwaysAPositiveLength() {
         assertEquals(0.02, firstTried(8, 50, t -> t > 0.01 ? Double.POSITIVE_INFINITY : 4), CLOSE,
                 "as long as the trial");
         assertEquals(1e-310, firstTried(1, 1e-310, t -> 1), 0);
@@ -67,7 +66,7 @@ class FirstSubStepTest {
 
     /** The second derivative is that along the solution: of s' = s^2, s'' = 2 s^3, by a trial from 0.5 to 1.5. */
     @Test
-    void theTrialIsOnTheWay() {
+    void theTrialFollowsTheSolution() {
         Scripted solver = new Scripted(true, (offset, h) -> 0.81);
         Ramp square = new Ramp(0.5, t -> 0) {
             @Override

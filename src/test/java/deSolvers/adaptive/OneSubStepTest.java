@@ -11,9 +11,7 @@ import deSolvers.problems.Oscillator;
 import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
-/**
- * One sub-step of the pairs, as long as deltaT because the tolerance allows everything, against its stability function.
- */
+/** One sub-step of embedded pairs over all of deltaT, at a huge tolerance, against the stability function. */
 class OneSubStepTest {
     private static final double EVERYTHING = 1e6;
     private static final double[] RK4 = {1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24};
@@ -43,7 +41,7 @@ class OneSubStepTest {
     }
 
     @Test
-    void theOscillatorsStepIsTheClosedForm() {
+    void aSubStepOfTheOscillatorIsTheClosedForm() {
         for (double h : new double[] {0.01, 0.1, 0.5, 1, -0.5}) {
             assertStep(new DormandPrinceSolver(EVERYTHING, EVERYTHING), h,
                     StepMatrixFormula.polynomial(h, DORMAND_PRINCE));
@@ -71,9 +69,9 @@ class OneSubStepTest {
         return Math.sqrt(m[0] * m[0] + m[1] * m[1]);
     }
 
-    /** The limits that javadoc and catalogue state follow from the functions that the steps were held to. */
+    /** The stability limits in javadoc and catalogue follow from these functions. */
     @Test
-    void theStabilityLimits() {
+    void stabilityLimitsAreThoseOfTheJavadoc() {
         assertEquals(3.3066, limit(x -> Math.abs(at(DORMAND_PRINCE, -x)), 2, 5), 5e-5);
         assertEquals(0.9972, limit(y -> modulus(StepMatrixFormula.polynomial(y, DORMAND_PRINCE)), 0.5, 1.5), 5e-5);
         assertEquals(5.5706, limit(x -> Math.abs(at(RK4, -x / 2)), 2, 8), 5e-5);
@@ -90,7 +88,7 @@ class OneSubStepTest {
 
     /** One for the derivative at the beginning and one for the first guess; then what the javadoc says. */
     @Test
-    void evaluationsASubStep() {
+    void evaluationsPerSubStepAreThoseOfTheJavadoc() {
         assertArrayEquals(new long[] {2 + 6, 6},
                 evaluationsOfTwoSteps(new DormandPrinceSolver(EVERYTHING, EVERYTHING)));
         assertArrayEquals(new long[] {2 + 10, 11},

@@ -8,7 +8,7 @@ import java.util.function.DoubleUnaryOperator;
 /** s' = f(t), one entry. */
 class Ramp extends ReferenceProblem {
     private final DoubleUnaryOperator slope;
-    /** When the derivative was asked for. */
+    /** The times at which the derivative was evaluated. */
     final List<Double> asked = new ArrayList<>();
 
     Ramp(double state, DoubleUnaryOperator slope) {

@@ -8,17 +8,17 @@ import java.util.List;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 
-/** Integrates by Euler's step; its error falls with h squared, and is as large as it is told to be. */
+/** An adaptive Euler solver whose error estimate is given by the test. */
 final class Scripted extends AdaptiveSolver {
     private final DoubleBinaryOperator error;
     private final boolean knowsEndSlope;
-    /** What was tried: where it began, how long it was, and the slope there. */
+    /** The sub-steps tried: offset, length and slope. */
     final List<Double> offsets = new ArrayList<>();
     final List<Double> tried = new ArrayList<>();
     final List<Double> slopes = new ArrayList<>();
-    /** By what the next sub-step is longer than one of a given length; the solver's own rule where it is NaN. */
+    /** The growth of the next sub-step as a function of the length; NaN for the solver's own rule. */
     DoubleUnaryOperator growth = h -> Double.NaN;
-    /** How often a new course was begun. */
+    /** The number of restarts. */
     int restarts;
     private double end;
 
@@ -57,7 +57,7 @@ final class Scripted extends AdaptiveSolver {
 
     @Override
     protected double nextSubStep(double h, double error) {
-        double factor = growth.applyAsDouble(h);    // a rule of its own, where the test has one
+        double factor = growth.applyAsDouble(h);    // the test's own rule, if it has one
         return Double.isNaN(factor) ? super.nextSubStep(h, error) : h * factor;
     }
 

@@ -8,7 +8,7 @@ import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.TestEquation;
 import org.junit.jupiter.api.Test;
 
-/** What step doubling says of its own error, for s' = lambda s, over the left half of the plane of z = h lambda. */
+/** The error estimate of step doubling for s' = lambda s over the left half-plane of z = h lambda. */
 class StepDoublingEstimateTest {
     private static final double FIRST_ZERO = -10.982425466293273;
 
@@ -29,11 +29,9 @@ class StepDoublingEstimateTest {
         }
     }
 
-    /**
-     * Where the two results agree by chance they are 436 and 402 times too large; what the second estimate says there.
-     */
+    /** Where both results agree by chance, 436 and 402 times too large, the second estimate detects it. */
     @Test
-    void whereOneEstimateIsBlindTheOtherSees() {
+    void theSecondEstimateDetectsChanceAgreement() {
         Trial real = tryOne(FIRST_ZERO, 0);
         Trial complex = tryOne(-2.50878727, 9.92979598);
         assertEquals(435.705, real.modulus(), 1e-3);
@@ -56,7 +54,7 @@ class StepDoublingEstimateTest {
         assertTrue(worst < 100, "worst ratio " + worst);
     }
 
-    /** While all is well the difference of the results decides, as ever: the second is an eighth of it. */
+    /** For small steps the difference of the results decides; the second estimate is an eighth of it. */
     @Test
     void forSmallStepsTheFirstEstimateDecides() {
         for (double z : new double[] {-0.1, -0.01}) {

@@ -13,9 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Which sub-steps are tried, one by one, with a method whose error is whatever the test says. */
+/** The sequence of sub-steps tried by step-size control, with errors given by the test. */
 class SubStepControlTest {
-    private static final double CLOSE = 1e-14;          // a few roundings of sums and roots, up to 9; measured 1.8e-15
+    private static final double CLOSE = 1e-14;          // up to 9 round-offs of sums and roots; measured 1.8e-15
 
     private static Ramp constant() {
         return new Ramp(0, t -> 1);
@@ -46,7 +46,7 @@ class SubStepControlTest {
         return solver;
     }
 
-    /** The next one is 0.9 error^(-1/2) as long, but no less than a fifth and no more than ten times. */
+    /** The next sub-step is 0.9 error^(-1/2) times as long, limited to between a fifth and ten times. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 0.25, 0.81, 0.01, 0.0081, 1e-4, 0})
     void lengthsFollowTheError(double error) {
@@ -59,7 +59,7 @@ class SubStepControlTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1.0000001, 2, 4, 20, 20.25, 21, 1e6, Double.POSITIVE_INFINITY})
-    void whatErrsTooMuchIsTriedAgainShorter(double error) {
+    void aRejectedSubStepIsTriedAgainShorter(double error) {
         double factor = Math.max(0.2, 0.9 / Math.sqrt(error));
         Scripted solver = step(10, (offset, h) -> offset < 0.05 && h > 0.9 * FIRST * factor * factor ? error : 0.81);
         // 0.81 asks for the same length again.
@@ -67,9 +67,9 @@ class SubStepControlTest {
         assertTried(solver.offsets, 0, 0, 0);
     }
 
-    /** A method's own rule may propose a longer one after a failure: it gets a shorter one. */
+    /** Even if a method proposes a longer sub-step after a rejection, it becomes shorter. */
     @Test
-    void afterARejectionItIsShorterAndThenNotLonger() {
+    void noSubStepGrowsRightAfterARejection() {
         Scripted solver = new Scripted(false, (offset, h) -> offset == 0 && h > 0.85 * FIRST ? 2 : 0.5);
         solver.growth = h -> 3;
         solver.stepState(constant(), 1000);
@@ -78,9 +78,12 @@ class SubStepControlTest {
         assertTried(solver.offsets, 0, 0, 0, h, 2 * h, 5 * h);
     }
 
-    /** Rather two halves than a long and a tiny one; the last ends exactly at deltaT. */
+    /**
+     * The rest of a step is split into two halves rather than a long and a tiny sub-step; the last ends exactly at
+     * deltaT.
+     */
     @Test
-    void theEndIsMetExactly() {
+    void theLastSubStepEndsExactlyAtDeltaT() {
         for (double direction : new double[] {1, -1}) {
             assertTried(step(direction * 0.25, 1.0625).tried, direction * FIRST, direction * 0.075, direction * 0.075);
             assertTried(step(direction * 0.35, 1.0625).tried, direction * FIRST, direction * 0.10625,
@@ -93,9 +96,11 @@ class SubStepControlTest {
         }
     }
 
-    /** What was cut short to meet the end does not shorten the first sub-step of the next step, if it went well. */
+    /**
+     * A sub-step that was shortened to end at deltaT does not shorten the next step's first one, if it was accepted.
+     */
     @Test
-    void aCutSubStepDoesNotChangeThePlan() {
+    void aShortenedLastSubStepKeepsThePlannedLength() {
         Scripted solver = new Scripted(false, (offset, h) -> 0.0081);           // asks for ten times more
         Ramp source = constant();
         solver.stepState(source, 0.5);
@@ -118,9 +123,9 @@ class SubStepControlTest {
         assertTried(whole.tried, 0.1, 1, 8.9);
     }
 
-    /** Where the method does not know the slope at the end, it is asked for there, once; else it is taken over. */
+    /** The slope at the end of a sub-step is taken from the method if it knows it, otherwise evaluated once. */
     @Test
-    void theSlopeOfASubStepIsThatOfItsBeginning() {
+    void eachSubStepGetsTheSlopeAtItsBeginning() {
         for (boolean known : new boolean[] {false, true}) {
             for (double direction : new double[] {1, -1}) {
                 Scripted solver = new Scripted(known, (offset, h) -> Math.abs(offset) > 0.15 && Math.abs(h) > 0.05 ? 2
@@ -140,7 +145,7 @@ class SubStepControlTest {
     }
 
     @Test
-    void givingUpSaysWhereAndWhy() {
+    void givingUpNamesPlaceAndReason() {
         Scripted never = new Scripted(false, (offset, h) -> offset > 0.15 ? 2 : 0.81);
         Ramp source = constant();
         DESolverException e = assertThrows(DESolverException.class, () -> never.stepState(source, 1));
@@ -169,10 +174,7 @@ class SubStepControlTest {
         assertEquals(List.of(1e-300), tiny.tried);
     }
 
-    /**
-     * A guess or a plan below the clock's resolution is raised to it: only a sub-step of that size can be found too
-     * long.
-     */
+    /** A guess below the clock's resolution is raised to it. */
     @Test
     void noSubStepIsFinerThanTheClock() {
         double resolution = 4 * Math.ulp(1e9);
@@ -194,9 +196,9 @@ class SubStepControlTest {
         assertEquals(List.of(0.75 * resolution), halves.tried);
     }
 
-    /** A method forgets where a course begins, and only there: not where a step goes on from the last. */
+    /** A method's memory is cleared when a step does not continue the last one, and only then. */
     @Test
-    void aCourseBeginsWhereNothingIsGoneOnWith() {
+    void aStepThatDoesNotContinueRestartsTheMethod() {
         Scripted solver = new Scripted(false, (offset, h) -> 0.5);
         Ramp source = constant();
         solver.stepState(source, 1);
@@ -215,11 +217,9 @@ class SubStepControlTest {
         assertEquals(4, solver.restarts);
     }
 
-    /**
-     * Whoever set the state is named, even if the derivative does not see it; or the source, where that is no number.
-     */
+    /** The message names a non-finite state, even if the derivative ignores it, or a non-finite derivative. */
     @Test
-    void whatIsNotFiniteIsNamed() {
+    void nonFiniteValuesAreNamed() {
         for (boolean knowsEndSlope : new boolean[] {false, true}) {
             Scripted solver = new Scripted(knowsEndSlope, (offset, h) -> Double.NaN);
             Ramp source = new Ramp(Double.NaN, t -> 1);

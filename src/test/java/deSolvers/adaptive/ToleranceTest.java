@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
 
-/** Errors in units of what is allowed, by hand. */
+/** Errors relative to the tolerance, against values computed by hand. */
 class ToleranceTest {
     private static final double MAX = Double.MAX_VALUE;
 
@@ -32,7 +32,7 @@ class ToleranceTest {
     }
 
     @Test
-    void whatIsNoNumberErrsInfinitely() {
+    void nonFiniteValuesHaveAnInfiniteError() {
         Tolerance tolerance = new Tolerance(0, 1);
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
             assertEquals(Double.POSITIVE_INFINITY, tolerance.ratio(new double[] {5, bad, 0}, new double[3],
@@ -51,7 +51,7 @@ class ToleranceTest {
     }
 
     @Test
-    void oneOfTheTwoHasToBeMoreThanZero() {
+    void bothTolerancesZeroIsRefused() {
         new Tolerance(MAX, 0);
         new Tolerance(0, MAX);
         new Tolerance(Double.MIN_VALUE, 0);

@@ -54,7 +54,7 @@ class WorkAgainstSciPyTest {
         assertTrue(ratio <= 1.2, name + ": " + ratio);
     }
 
-    /** The slides' way of controlling a step costs more: what the embedded pair saves. */
+    /** Step doubling, as on the slides, costs more than an embedded pair. */
     @ParameterizedTest
     @MethodSource("problems")
     void stepDoublingNeedsMore(String name, ReferenceProblem problem, double duration) {

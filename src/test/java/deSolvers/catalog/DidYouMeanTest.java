@@ -16,25 +16,25 @@ class DidYouMeanTest {
     @CsvSource({"gravty,gravity", "gravityy,gravity", "gravtiy,gravity", "GRAVITY,gravity", "deltat,deltaT",
             "dletaT,deltaT",
         "restlenght,restLength", "wnd,wind", "stiff,stiffness", "durtaion,duration"})
-    void slipsOfTheFingerAreSeenThrough(String found, String meant) {
+    void typingErrorsAreRecognised(String found, String meant) {
         assertEquals(Optional.of(meant), DidYouMean.nearest(found, KNOWN));
     }
 
     @ParameterizedTest
     @CsvSource({"magnetism", "grab", "x", "d", "''", "wand-er", "ratio"})
-    void whatIsNotNearIsNotGuessed(String found) {
+    void distantNamesAreNotSuggested(String found) {
         assertEquals(Optional.empty(), DidYouMean.nearest(found, KNOWN));
     }
 
     @Test
-    void hintLeadsOnToWhatIsKnown() {
+    void theHintEndsWithTheKnownNames() {
         assertEquals("; did you mean 'drag'?", DidYouMean.hint("darg", KNOWN, "'%s'"::formatted));
         assertEquals(";", DidYouMean.hint("magnetism", KNOWN, "'%s'"::formatted));
         assertEquals(";", DidYouMean.hint("magnetism", List.of(), "'%s'"::formatted));
     }
 
     @Test
-    void catalogueUsesIt() {
+    void theCatalogueSuggestsNearNames() {
         assertEquals("no solver is called 'rk5'; did you mean 'rk4'?", message("rk5"));
         assertEquals("no solver is called 'leapfrog'; known: euler,", message("leapfrog").substring(0, 45));
     }

@@ -25,7 +25,7 @@ class SolverCatalogTest {
         }
     }
 
-    /** A solver that cannot be made: no constructor without parameters. */
+    /** A solver that cannot be created: it has no constructor without parameters. */
     public static final class Unmakeable extends DESolver {
         public Unmakeable(int unused) {
         }
@@ -46,7 +46,7 @@ class SolverCatalogTest {
         }
     }
 
-    /** A solver whose class fails already. */
+    /** A solver whose static initialiser fails. */
     public static final class Unloadable extends DESolver {
         static final int[] WEIGHTS = {1, 2};
         static final int SUM = WEIGHTS[0] + WEIGHTS[1] + WEIGHTS[2];
@@ -57,7 +57,7 @@ class SolverCatalogTest {
     }
 
     @Test
-    void everyEntryIsMadeAndSaysWhatItIs() {
+    void everyEntryCreatesItsSolver() {
         assertEquals("euler", SolverCatalog.names().get(0));
         assertEquals(SolverCatalog.names(), SolverCatalog.all().stream().map(SolverInfo::name).toList());
         for (SolverInfo info : SolverCatalog.all()) {
@@ -71,7 +71,7 @@ class SolverCatalogTest {
     }
 
     @Test
-    void everyEntryNeedsASecondOrderSourceIfItSaysSo() {
+    void onlySecondOrderSolversRefuseFirstOrderSources() {
         for (SolverInfo info : SolverCatalog.all()) {
             SolverCatalog.create(info.name()).stepState(new ForcedOscillator(), 0.125);
             DESolver solver = SolverCatalog.create(info.name());
@@ -85,7 +85,7 @@ class SolverCatalogTest {
     }
 
     @Test
-    void anUnknownNameIsAnsweredWithTheKnownOnes() {
+    void theErrorForAnUnknownNameListsTheKnownOnes() {
         for (String name : List.of("rk5", "", "no.such.Solver")) {
             Exception e = assertThrows(NoSuchElementException.class, () -> SolverCatalog.create(name));
             assertTrue(e.getMessage().contains("'" + name + "'"), e.getMessage());
@@ -94,7 +94,7 @@ class SolverCatalogTest {
     }
 
     @Test
-    void adaptiveOnesTakeTolerancesAndOthersDoNot() {
+    void onlyAdaptiveSolversTakeTolerances() {
         for (SolverInfo info : SolverCatalog.all()) {
             if (info.adaptive()) {
                 double coarse = errorOf(SolverCatalog.create(info.name(), 1e-3, 1e-3));
@@ -121,12 +121,12 @@ class SolverCatalogTest {
     }
 
     @Test
-    void aClassNameMakesAStudentsOwn() {
+    void aClassNameCreatesAStudentsSolver() {
         assertInstanceOf(Own.class, SolverCatalog.create(Own.class.getName()));
     }
 
     @Test
-    void aClassThatIsNoUsableSolverIsRefusedWithTheReason() {
+    void anUnusableClassIsRefusedWithTheReason() {
         assertRefused("java.lang.String", "has to extend deSolvers.DESolver");
         assertRefused(Unmakeable.class.getName(), "constructor without parameters");
         assertRefused("deSolvers.DESolver", "not abstract");

@@ -8,12 +8,9 @@ import deSolvers.problems.ReferenceProblem;
 import deSolvers.problems.TestEquation;
 import org.junit.jupiter.api.Test;
 
-/**
- * The table for s' = lambda s over a stretch of 1 s: its columns' stability functions, and what they say of their
- * errors.
- */
+/** The extrapolation table for s' = lambda s over 1 s: the columns' stability functions and error estimates. */
 class ExtrapolationTableTest {
-    /** A column's result, what is said of its error, and that without the smoothing: moduli. */
+    /** Moduli of a column's result, its error estimate, and the estimate without smoothing. */
     private record Column(double result, double estimate, double correction, double smoothing) {
     }
 
@@ -48,7 +45,7 @@ class ExtrapolationTableTest {
 
     /** The limits on the negative real axis that javadoc states. */
     @Test
-    void theStabilityLimits() {
+    void stabilityLimitsAreThoseOfTheJavadoc() {
         double[] limits = {0, 5.021, 7.363, 6.389, 7.275, 8.253, 9.263, 10.291, 11.326};
         for (int k = 1; k < limits.length; k++) {
             assertTrue(cover(2e-3 - limits[k], 0)[k].result() < 1, "column " + k);
@@ -65,7 +62,7 @@ class ExtrapolationTableTest {
      * left of the smoothing.
      */
     @Test
-    void theEstimateIsNeverFarBelowAResultThatGrows() {
+    void theEstimateDetectsGrowingResults() {
         double blindest = 0;
         for (int angle = 0; angle <= 15; angle++) {
             double phi = Math.PI / 2 * (1 + angle / 15.0);

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** How many columns and which stretch are chosen, case by case, from the rules of Hairer, N&oslash;rsett and Wanner. */
+/** Order and step-size control case by case, from the rules of Hairer, N&oslash;rsett and Wanner. */
 class OrderControlTest {
     private static final double H = 2;
     /** Evaluations up to a column: 1 + 2, then 6, 10, 14 ... more. */
@@ -46,7 +46,7 @@ class OrderControlTest {
     }
 
     @Test
-    void columnsBeforeTheTargetAreOnlyGoneThrough() {
+    void columnsBeforeTheTargetAreNotAccepted() {
         assertVerdict(Verdict.CONTINUE, 1, 0);
         assertVerdict(Verdict.CONTINUE, 1, 1e10);
         assertVerdict(Verdict.CONTINUE, 1, Double.MAX_VALUE);
@@ -56,9 +56,9 @@ class OrderControlTest {
         assertVerdict(Verdict.REJECT, 1, Double.NaN);
     }
 
-    /** Up to which error the next columns can be expected to do it: (n_j/n_0)^2 for each that may still come. */
+    /** The errors up to which later columns can be expected to converge: a factor (n_j/n_0)^2 for each of them. */
     @Test
-    void goingOnHasToBeHopeful() {
+    void aHopelessStretchIsRejectedEarly() {
         double both = 7 * 9 * 7 * 9;
         assertVerdict(Verdict.CONTINUE, 2, 1.0000001);
         assertVerdict(Verdict.CONTINUE, 2, both);
@@ -72,7 +72,7 @@ class OrderControlTest {
     }
 
     @Test
-    void oneIsGoodEnough() {
+    void anErrorOfOneIsAccepted() {
         for (int k = 2; k <= 4; k++) {
             control.restart(1e-6);
             assertVerdict(Verdict.ACCEPT, k, 1);
@@ -81,7 +81,7 @@ class OrderControlTest {
 
     /** Work for a unit of time 23.9 against 36.8: two columns do it for less. */
     @Test
-    void aLowerColumnIsTakenWhereItIsMuchCheaper() {
+    void aMuchCheaperLowerColumnBecomesTheTarget() {
         assertVerdict(Verdict.CONTINUE, 2, 1.5);
         assertVerdict(Verdict.ACCEPT, 3, 0.9);
         assertNext(best(2, 1.5), 2);
@@ -89,15 +89,15 @@ class OrderControlTest {
 
     /** 33.4 against 33.8: neither much cheaper nor much dearer. */
     @Test
-    void theColumnIsKeptWhereItIsAboutRight() {
+    void theTargetStaysIfNoColumnIsMuchCheaper() {
         assertVerdict(Verdict.CONTINUE, 2, 8);
         assertVerdict(Verdict.ACCEPT, 3, 0.5);
         assertNext(best(3, 0.5), 3);
     }
 
-    /** 109 against 18.9: one more will probably pay, with a stretch that costs as much for a unit of time. */
+    /** 109 against 18.9: one more column will probably pay, with a stretch of the same cost per unit of time. */
     @Test
-    void aHigherColumnIsTriedWhereThisOnePaid() {
+    void aHigherColumnIsTriedIfThisOnePaid() {
         assertVerdict(Verdict.CONTINUE, 2, 3000);
         assertVerdict(Verdict.ACCEPT, 3, 1e-3);
         assertNext(best(3, 1e-3) * COST[4] / COST[3], 4);
@@ -105,7 +105,7 @@ class OrderControlTest {
 
     /** The bounds between these: 0.8 downwards, 0.9 upwards, by the errors that lie just on either side. */
     @Test
-    void theBoundsOfCheaperAndDearer() {
+    void theTargetChangesAtItsCostRatios() {
         for (double slightly : new double[] {0.9999, 1.0001}) {
             control.restart(1e-6);
             double work = COST[3] / best(3, 0.9);
@@ -148,7 +148,7 @@ class OrderControlTest {
 
     /** After a rejection the target does not rise, and one step later it may again. */
     @Test
-    void afterARejectionNothingRises() {
+    void theTargetDoesNotRiseRightAfterARejection() {
         assertVerdict(Verdict.CONTINUE, 2, 3000);
         assertVerdict(Verdict.CONTINUE, 3, 80);
         assertVerdict(Verdict.REJECT, 4, 2);
@@ -171,7 +171,7 @@ class OrderControlTest {
     }
 
     @Test
-    void theLastColumnIsTheLast() {
+    void theTargetNeverPassesTheLastColumn() {
         control.restart(1e-12);
         assertVerdict(Verdict.CONTINUE, 5, 1e4);
         assertVerdict(Verdict.CONTINUE, 6, 100);

@@ -70,7 +70,7 @@ class WorkAgainstHipparchusTest {
 
     @ParameterizedTest
     @MethodSource("problems")
-    void atSmallErrorsItBeatsDormandPrinceAndAtLargeOnesNot(ReferenceProblem problem, double duration) {
+    void bulirschStoerBeatsDormandPrinceAtSmallErrorsOnly(ReferenceProblem problem, double duration) {
         double ratio = WorkCurve.of(problem, duration, tol -> new BulirschStoerSolver(tol, tol), 9, 12)
                 .over(WorkCurve.of(problem, duration, tol -> new DormandPrinceSolver(tol, tol), 9, 12));
         double coarse = WorkCurve.of(problem, duration, tol -> new BulirschStoerSolver(tol, tol), 3, 6)

@@ -31,7 +31,7 @@ class ExtremeNumbersTest {
         return problem.state();
     }
 
-    /** The largest deviation from the run in units of about 1, in those units. */
+    /** The largest deviation from a run with numbers of about 1, relative to the scale. */
     private static double difference(String solver, double scale) {
         double[] unit = end(solver, 1);
         double[] scaled = end(solver, scale);
@@ -39,9 +39,9 @@ class ExtremeNumbersTest {
     }
 
     /**
-     * Solvers that step by deltaT make the same motion but for rounding: measured 1.1e-15, and 5e-14 (1e-310 has 13
-     * digits left) among the denormal ones. Adaptive ones may differ by their tolerance, as far as the absolute one is
-     * left out of play or decides alone; measured 1.3e-7.
+     * Fixed-step solvers make the same motion up to round-off: measured 1.1e-15, and 5e-14 for denormal numbers (1e-310
+     * has 13 digits left). Adaptive ones may differ by their tolerance, since the absolute tolerance matters more or
+     * less; measured 1.3e-7.
      */
     @ParameterizedTest
     @MethodSource("solvers")
@@ -53,10 +53,10 @@ class ExtremeNumbersTest {
         assertEquals(0, difference(solver, 1e-310), adaptive ? 5e-7 : 2e-12, "denormal");
     }
 
-    /** 0 is a state like any other, and stays. */
+    /** A state of 0 stays 0. */
     @ParameterizedTest
     @MethodSource("solvers")
-    void nothingStaysNothing(String solver) {
+    void aStateOfZeroStaysZero(String solver) {
         double[] end = end(solver, 0);
         assertEquals(0, end[0]);
         assertEquals(0, end[1]);
@@ -65,7 +65,7 @@ class ExtremeNumbersTest {
     /** A step of 1e-300 s moves the clock from 0 and, with a speed of 1e300, the particle. */
     @ParameterizedTest
     @MethodSource("solvers")
-    void aStepMayBeTinyAndASpeedHuge(String solver) {
+    void aTinyStepWithAHugeSpeedMovesTheParticle(String solver) {
         Oscillator problem = new Oscillator(1, 0, 1e300);
         DESolver made = SolverCatalog.create(solver);
         made.stepState(problem, 1e-300);
@@ -74,10 +74,10 @@ class ExtremeNumbersTest {
         assertEquals(1e300, problem.state()[1], 1e285);
     }
 
-    /** Numbers that overflow within the step are a failure that says so, and not a state of infinities. */
+    /** Overflow within a step is a clear failure, not a state of infinities. */
     @ParameterizedTest
     @MethodSource("solvers")
-    void whatOverflowsIsReported(String solver) {
+    void overflowIsReported(String solver) {
         Oscillator problem = new Oscillator(1e10, 1e300, 0);
         HardRun run = HardRun.of(solver, problem, H, 1);
         assertTrue(run.failure().isPresent(), run.message());

@@ -12,7 +12,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * One solver over one problem, to its end or to the exception that stopped it.
+ * A run of one solver on one problem, to its end or to an exception.
  *
  * @param error    the largest deviation from the exact solution where the run ended
  * @param largest  the largest entry of the state seen after any step
@@ -51,7 +51,7 @@ record HardRun(double error, double largest, Optional<DESolverException> failure
         return new HardRun(problem.error(), largest, Optional.empty());
     }
 
-    /** @return the failure's message, or what happened instead */
+    /** @return the failure's message, or a description of the result */
     String message() {
         return failure.map(Throwable::getMessage).orElse("ended without failure, error " + error + ", largest "
                 + largest);

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class KeplerAlmostParabolicTest {
     private static final double PERIOD = 2 * Math.PI;
 
-    /** The place at the return, at tolerances of 1e-12, and the evaluations; both were measured. */
+    /** The measured error after one orbit at tolerances of 1e-12, and the measured evaluations. */
     @ParameterizedTest
     @CsvSource({"step-doubling, 1.6e-6, 13276", "dormand-prince, 4.4e-9, 7208", "bulirsch-stoer, 5.8e-10, 3156",
         "radau, 1.1e-10, 67008"})
@@ -36,8 +36,8 @@ class KeplerAlmostParabolicTest {
     }
 
     /**
-     * 8,192 steps, more than step control needs evaluations, put every fixed step on another orbit or out of the
-     * system.
+     * With 8,192 fixed steps, more than step-size control needs evaluations, every solver ends on another orbit or out
+     * of the system.
      */
     @ParameterizedTest
     @ValueSource(strings = {"euler", "midpoint", "rk4", "adams", "symplectic-euler", "verlet", "yoshida4",
@@ -53,14 +53,14 @@ class KeplerAlmostParabolicTest {
     @CsvSource({"midpoint, 1.7e-3", "symplectic-euler, 3.4e-3", "verlet, 1.8e-3", "implicit-midpoint, 1.8e-3",
             "rk4, 1.6e-9",
         "adams, 1.3e-7", "yoshida4, 8e-12"})
-    void fixedStepsOfATwoHundredthKeepIt(String solver, double measured) {
+    void halfAMillionFixedStepsKeepTheOrbit(String solver, double measured) {
         Kepler planet = new Kepler(0.99);
         HardRun run = orbit(solver, planet, 1 << 19);
         assertTrue(run.failure().isEmpty(), run.message());
         assertEquals(-0.5, planet.energy(), 2 * measured);
     }
 
-    /** First order is not enough even then: the planet leaves for ever. */
+    /** First order is not enough even then: the planet escapes. */
     @ParameterizedTest
     @ValueSource(strings = "euler")
     void eulerThrowsThePlanetOut(String solver) {
@@ -70,7 +70,7 @@ class KeplerAlmostParabolicTest {
     }
 
     /**
-     * What damps springs takes energy from a planet too: it spirals into the sun, and there the equation has no
+     * Backward Euler's damping takes energy from the planet: it spirals into the sun, where the equation has no
      * solution.
      */
     @ParameterizedTest

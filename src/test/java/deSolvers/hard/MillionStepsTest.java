@@ -39,7 +39,7 @@ class MillionStepsTest {
     }
 
     /**
-     * 0.1 is none; what comes out is bit for bit the sum of a million 0.1, 1.3e-6 too much, and not a rounding more.
+     * 0.1 is not dyadic: the clock is bit for bit the floating-point sum of a million 0.1, which is 1.3e-6 too large.
      */
     @ParameterizedTest
     @MethodSource("solvers")

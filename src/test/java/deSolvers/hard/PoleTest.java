@@ -19,7 +19,7 @@ class PoleTest {
     /** The sub-steps shrink to the resolution of the clock at the pole itself, and the source is back at its start. */
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer", "radau"})
-    void stepControlFindsThePole(String solver) {
+    void stepSizeControlFindsThePole(String solver) {
         Pole pole = new Pole();
         HardRun run = HardRun.of(solver, pole, 2, 1);
         assertTrue(run.message().contains("grows without bound"), run.message());
@@ -29,7 +29,7 @@ class PoleTest {
         assertTrue(pole.evaluations() < 10_000, "it does not hang: " + pole.evaluations() + " evaluations");
     }
 
-    /** Fixed steps see the pole late, by when they overflow: 13 steps of 1/64 s late for euler, 2 for rk4. */
+    /** Fixed steps overflow after the pole: 13 steps of 1/64 s late with euler, 2 with rk4. */
     @ParameterizedTest
     @CsvSource({"euler, 1.21", "midpoint, 1.08", "rk4, 1.04", "adams, 1.07"})
     void fixedStepsOverflowSoonAfterIt(String solver, double noLaterThan) {

@@ -47,15 +47,13 @@ class ResonanceTest {
     @CsvSource({"midpoint, 5.8", "symplectic-euler, 1.3", "verlet, 1.5", "implicit-midpoint, 2.9", "rk4, 1.2e-3",
             "adams, 4.2e-3",
         "yoshida4, 9e-3", "step-doubling, 7.2e-5", "dormand-prince, 2.5e-6", "bulirsch-stoer, 7.2e-9", "radau, 1.2e-6"})
-    void theAmplitudeGrowsAsItShould(String solver, double measured) {
+    void theAmplitudeGrowsLinearly(String solver, double measured) {
         HardRun run = HardRun.of(solver, new Resonance(), H, STEPS);
         assertTrue(run.failure().isEmpty() && run.error() < 1.5 * measured, run.message());
         assertEquals(100, run.largest(), 0.5);
     }
 
-    /**
-     * Its own damping of h/2 ends the growth near (1/2)/(h/2) = 16, where the energy put in and that lost are equal.
-     */
+    /** Its numerical damping of h/2 stops the growth near (1/2)/(h/2) = 16, where energy input and loss are equal. */
     @ParameterizedTest
     @CsvSource("backward-euler")
     void backwardEulerDampsTheResonanceAway(String solver) {
@@ -63,7 +61,7 @@ class ResonanceTest {
         assertEquals(16, run.largest(), 0.1);
     }
 
-    /** The other way round: growth of h/2 a second feeds itself. */
+    /** Euler adds a numerical growth of h/2 a second. */
     @ParameterizedTest
     @CsvSource("euler")
     void eulerAddsItsOwnGrowth(String solver) {

@@ -32,7 +32,7 @@ class StiffClassicsTest {
         assertFails(run, "Infinity");
     }
 
-    /** 3e6/3.3 sub-steps a second and more: given up at 0.97, 0.74 and 1.04 of 2 s. */
+    /** They need 3e6/3.3 sub-steps a second and more, and give up at 0.97, 0.74 and 1.04 of 2 s. */
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer"})
     void vanDerPolIsGivenUpByExplicitStepControlWithTheReason(String solver) {
@@ -43,7 +43,7 @@ class StiffClassicsTest {
     /** In a jump y moves by 3 within a hundredth of the step: Newton's method has no near start, and says so. */
     @ParameterizedTest
     @CsvSource({"backward-euler, 0.8037", "implicit-midpoint, 0.8066"})
-    void vanDerPolsJumpIsTooFastForAFixedStepEvenAnImplicitOne(String solver, double jump) {
+    void vanDerPolsJumpIsTooFastForFixedImplicitSteps(String solver, double jump) {
         VanDerPol problem = new VanDerPol();
         assertFails(HardRun.of(solver, problem, 1.0 / 1024, 2048), "Newton's iteration did not converge");
         assertEquals(jump, problem.getTime(), 1e-3, "right up to the jump at 0.807 s");

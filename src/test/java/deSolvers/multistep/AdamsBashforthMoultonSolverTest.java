@@ -27,7 +27,7 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
         return new int[] {300, 600};
     }
 
-    /** The first step of a course is RK4. */
+    /** The first step after a restart is RK4. */
     @Override
     protected double[] oscillatorStep(double h) {
         return StepMatrixFormula.polynomial(h, 1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24);
@@ -95,7 +95,7 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
     }
 
     @Test
-    void itGrowsOnTheImaginaryAxisAsTheoryHasIt() {
+    void growthOnTheImaginaryAxisMatchesTheory() {
         double at01 = growth(new Oscillator(), 0.1, 1000, 101_000) - 1;
         double at05 = growth(new Oscillator(), 0.5, 1000, 11_000) - 1;
         assertEquals(1.6e-7, at01, 0.05e-7);
@@ -103,7 +103,7 @@ class AdamsBashforthMoultonSolverTest extends MultistepContract {
     }
 
     @Test
-    void theLimitOnTheRealAxis() {
+    void theLimitOnTheRealAxisMatchesTheory() {
         ReferenceProblem decay = new Decay(1);
         double low = 1;
         double high = 2;

@@ -10,11 +10,11 @@ import deSolvers.problems.ForcedOscillator;
 import deSolvers.problems.ReferenceProblem;
 import org.junit.jupiter.api.Test;
 
-/** What a solver that uses earlier steps promises besides: it knows when they are of no use any more. */
+/** Contract of multistep solvers: they restart when earlier steps are no longer valid. */
 public abstract class MultistepContract extends FixedStepContract {
     private static final double H = 0.0625;
 
-    /** @return steps made by another method at the beginning of a course */
+    /** @return the number of starting steps by another method */
     protected abstract int startingSteps();
 
     /** @return evaluations in a starting step */
@@ -37,7 +37,7 @@ public abstract class MultistepContract extends FixedStepContract {
     }
 
     @Test
-    void evaluationsAreThoseOfAStartAndThenFewer() {
+    void stepsAfterTheStartTakeFewerEvaluations() {
         assertEquals(evaluationsOfACourse(20), evaluationsOf(createSolver(), new ForcedOscillator(), 20));
     }
 
@@ -61,9 +61,9 @@ public abstract class MultistepContract extends FixedStepContract {
         assertEquals(evaluationsOfACourse(10), evaluationsOf(solver, problem, 10), "another source before");
     }
 
-    /** A kick every 16 steps, as by a bounce: the course after each has the bits of a new solver's. */
+    /** After a kick every 16 steps, as by a bounce, the steps have the same bits as a new solver's. */
     @Test
-    void afterAKickNothingOfBeforeIsUsed() {
+    void aKickClearsTheHistory() {
         ForcedOscillator problem = new ForcedOscillator();
         DESolver solver = createSolver();
         for (int bounce = 0; bounce < 5; bounce++) {
@@ -79,9 +79,11 @@ public abstract class MultistepContract extends FixedStepContract {
         }
     }
 
-    /** A law that changes while state, time and deltaT go on is not seen; the old derivatives spoil the next steps. */
+    /**
+     * A law that changes while state, time and deltaT continue is not noticed: old derivatives spoil the next steps.
+     */
     @Test
-    void aLawThatChangesSilentlyShowsWhyResetExists() {
+    void withoutResetAChangedLawSpoilsTheNextSteps() {
         double told = errorWithJump(true);
         double untold = errorWithJump(false);
         assertEquals(0, told);

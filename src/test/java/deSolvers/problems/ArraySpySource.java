@@ -2,7 +2,7 @@ package deSolvers.problems;
 
 import deSolvers.ArrayStateSource;
 
-/** A {@link SpySource} that offers its own array. The problem behind follows it, so that it always tells the state. */
+/** A {@link SpySource} that is also an array source. */
 public final class ArraySpySource extends SpySource implements ArrayStateSource {
     private double[] own;
 

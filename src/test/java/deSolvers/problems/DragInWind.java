@@ -1,11 +1,10 @@
 package deSolvers.problems;
 
 /**
- * Independent springs in a wind that acts through the drag: x'' = -k x - c (v - w(t)), w = sin(2t), with k = 1, 1.25,
- * 1.5, ... along the state. The acceleration depends on position, velocity and time; any number of blocks of any
- * dimension.
- * <p>x = e<sup>-ct/2</sup> (A cos q t + B sin q t) + P cos 2t + Q sin 2t with q<sup>2</sup> = k - c<sup>2</sup>/4,
- * (k - 4) P + 2 c Q = 0 and (k - 4) Q - 2 c P = c, from x = 1, v = 0.
+ * Independent springs with drag in a wind: x'' = -k x - c (v - w(t)), w = sin(2t), with k = 1, 1.25, 1.5, ... along the
+ * state. The acceleration depends on position, velocity and time; any number of blocks of any dimension. <p>x =
+ * e<sup>-ct/2</sup> (A cos q t + B sin q t) + P cos 2t + Q sin 2t with q<sup>2</sup> = k - c<sup>2</sup>/4, (k - 4) P +
+ * 2 c Q = 0 and (k - 4) Q - 2 c P = c, from x = 1, v = 0.
  */
 public final class DragInWind extends SecondOrderProblem {
     private static final double DRAG = 0.4;

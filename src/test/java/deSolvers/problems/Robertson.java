@@ -6,7 +6,7 @@ package deSolvers.problems;
  * are from Taylor series of degree 36 in numbers of 40 digits, 7,745 steps with a remainder of 1e-28 each.
  */
 public final class Robertson extends ReferenceProblem {
-    /** Where the solution is known besides the start (s). */
+    /** The end time, at which the solution is known (s). */
     public static final double END = 40;
 
     public Robertson() {

@@ -8,15 +8,15 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Stands before a problem and watches its solver: counts the calls of each method, fails at a chosen one, gives numbers
- * that are not finite where told to, and keeps hold of every array that it was handed, to spoil them later.
+ * A test double in front of a problem: counts calls, fails at a chosen one, returns non-finite numbers on request, and
+ * keeps every array it received, to spoil them later.
  */
 public class SpySource implements SecondOrderStateSource {
     /** The methods of a source. */
     public enum Call { SIZE, GET_STATE, SET_STATE, DERIVATIVE, TIME, INC_TIME, DIMENSION, VELOCITY_ASKED, STATE_ARRAY,
             EXCHANGE }
 
-    /** What a source throws when it fails. */
+    /** The exception of a planned failure. */
     public static final class Failure extends RuntimeException {
         private static final long serialVersionUID = 1L;
     }
@@ -36,9 +36,7 @@ public class SpySource implements SecondOrderStateSource {
         this.problem = problem;
     }
 
-    /**
-     * Makes the k-th call of a method from now on throw a {@link Failure}, once; it first spoils what it was to fill.
-     */
+    /** Makes the k-th call of a method from now on throw a {@link Failure}, once, after spoiling its array. */
     public void failAt(Call call, int k) {
         calls.clear();
         failingCall = call;

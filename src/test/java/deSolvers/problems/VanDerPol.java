@@ -5,7 +5,7 @@ package deSolvers.problems;
  * the jump between them.
  */
 public final class VanDerPol extends ReferenceProblem {
-    /** Where the solution is known besides the start (s). */
+    /** The end time, at which the solution is known (s). */
     public static final double END = 2;
     private static final double EPS = 1e-6;
 

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
 
-/** Evaluations against achieved error, for comparing two methods at the same error. */
+/** Work-precision curve: evaluations against achieved error, to compare two methods at the same error. */
 public final class WorkCurve {
     private static final int ERRORS = 21;
 
@@ -45,11 +45,11 @@ public final class WorkCurve {
     }
 
     /**
-     * How many times the other's evaluations this one needs, averaged (geometrically) over the errors that both reach.
-     * Each curve is smoothed first, so that one run that happens to end on the exact solution counts little.
+     * The ratio of this curve's evaluations to the other's, averaged geometrically over the errors that both reach.
+     * Each curve is smoothed first, so that a single lucky run counts little.
      *
      * @param other the curve to compare with
-     * @return the ratio; below 1 where this one is cheaper
+     * @return the ratio; below 1 if this one is cheaper
      */
     public double over(WorkCurve other) {
         double sum = 0;
@@ -60,7 +60,7 @@ public final class WorkCurve {
     }
 
     /**
-     * The same at the error where this one compares worst.
+     * The largest such ratio at any error.
      *
      * @param other the curve to compare with
      * @return the largest ratio at any error that both reach

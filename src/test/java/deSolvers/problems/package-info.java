@@ -1,5 +1,5 @@
 /**
- * Problems with known solutions that only tests use, sources that watch a solver, and curves of its work. Facts from
- * mathematics only, never from a solver.
+ * Test problems with known solutions, sources that observe a solver, and work-precision curves. Reference values come
+ * from mathematics, never from a solver.
  */
 package deSolvers.problems;

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A tableau is read as it is printed, or refused. */
+/** Tests reading of tableaux, and refusal of malformed ones. */
 class ButcherTableauTest {
     /** Heun's third-order method, with Euler's step as a second line. */
     private static final String HEUN = """
@@ -22,7 +22,7 @@ class ButcherTableauTest {
             """;
 
     @Test
-    void numbersStandWhereTheyArePrinted() {
+    void coefficientsAreReadFromTheirPlaces() {
         ButcherTableau heun = ButcherTableau.parse(HEUN, 3, 1);
         assertEquals(3, heun.stages());
         assertEquals(2, heun.lines());
@@ -52,7 +52,7 @@ class ButcherTableauTest {
         "'0 |\n1/2/3 | 1/2\n--\n| 0 1';             not a number of a tableau: 1/2/3",
         "'0 |\n1/2 | 1/2';                          a tableau has 0 lines of weights below a rule and 1 orders:",
         "'0 |\n1/2 | 1/2\n--\n| 0 1\n| 1 0';        a tableau has 2 lines of weights below a rule and 1 orders:"})
-    void whatIsNoTableauIsRefused(String printed, String message) {
+    void malformedTableauxAreRefused(String printed, String message) {
         Exception e = assertThrows(IllegalArgumentException.class, () -> ButcherTableau.parse(printed, 1));
         assertTrue(e.getMessage().startsWith(message), e.getMessage());
         assertThrows(IllegalArgumentException.class, () -> ButcherTableau.parse("0 |"),

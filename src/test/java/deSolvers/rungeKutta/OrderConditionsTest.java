@@ -32,7 +32,7 @@ class OrderConditionsTest {
             return branches.stream().mapToDouble(Tree::density).reduce(order(), (x, y) -> x * y);
         }
 
-        /** What the tree contributes to each stage. */
+        /** The elementary weights of the tree at each stage. */
         double[] stages(ButcherTableau tableau) {
             double[] product = new double[tableau.stages()];
             Arrays.fill(product, 1);

@@ -17,9 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Files made to break a reader, given to the program with half a gigabyte: it ends with one clear line and the right
- * code, and has written nothing. Measured: 0.3 to 0.6 s each, of which 0.25 s is Java's start; nothing waits for a
- * limit of time.
+ * Malicious files, given to the program with half a gigabyte of memory: it ends with one clear line and the right code,
+ * and writes nothing. Measured: 0.3 to 0.6 s each, of which 0.25 s is Java's start.
  */
 @Tag("slow")
 class BadInputTest {
@@ -34,7 +33,7 @@ class BadInputTest {
     @TempDir
     Path top;
 
-    /** By name: what the file holds, and what the line has to say. */
+    /** By name: the file's contents, and what the message must say. */
     private static final Map<String, List<Object>> FILES = new TreeMap<>();
 
     private static void put(String name, Object contents, String line) {

@@ -18,7 +18,7 @@ import particles.view.DataTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle benchmark}: a command of its own program, since what it needs is there for tests only. */
+/** {@code gradle benchmark}: a separate program, since it needs test classes. */
 @Command(name = BenchmarkCommand.NAME, description = "Times solvers beside Hipparchus, and effects, scenes and frames.")
 final class BenchmarkCommand extends ExperimentCommand {
     static final String NAME = "benchmark";

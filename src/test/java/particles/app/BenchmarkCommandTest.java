@@ -12,7 +12,7 @@ import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 
-/** What cannot be measured is refused in one line. */
+/** Invalid options of the benchmark are refused in one line. */
 class BenchmarkCommandTest {
 
     @ParameterizedTest
@@ -25,7 +25,7 @@ class BenchmarkCommandTest {
         "--include=chain[   | option -Pinclude: 'chain[' is no regular expression: Unclosed character class",
         "--include=runge    | option -Pinclude: 'runge' is found in none of: comparison oscillator euler Euler equal"
         + " evaluations,"})
-    void isRefused(String option, String line) {
+    void invalidOptionsAreRefused(String option, String line) {
         StringWriter lines = new StringWriter();
         PrintWriter both = new PrintWriter(lines);
         Program program = new Program(List.of(new BenchmarkCommand(OptionStyle.GRADLE)), OptionStyle.GRADLE, both,

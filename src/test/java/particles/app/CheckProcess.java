@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import particles.app.cli.ExitCode;
 
-/** A check in a process with as little memory as the program gives it, of a class that does not come back. */
+/** Runs a check of a class that never returns, in a process with the program's small memory. */
 public final class CheckProcess {
     private static final int PATIENCE_SECONDS = 120;
 
@@ -18,8 +18,7 @@ public final class CheckProcess {
     }
 
     /**
-     * Runs the check, which has to end with the code for what is typed wrong,
-     * and holds the report to saying what the screen says.
+     * Runs the check, which must end with the code for bad input, and compares the report with the screen.
      *
      * @param command checkSolver or checkEffect
      * @param option  that names the class

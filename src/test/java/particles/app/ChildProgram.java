@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
-/** The program in a process of its own, with what may differ from machine to machine. */
+/** Runs the program in a child process, with settings that differ between machines. */
 final class ChildProgram {
     static final int PATIENCE_SECONDS = 120;
 
@@ -21,7 +21,7 @@ final class ChildProgram {
     private final Map<String, String> environment = new HashMap<>();
 
     /**
-     * How it ended.
+     * The result of the process.
      *
      * @param code  the exit code
      * @param lines what it printed, both streams
@@ -48,7 +48,7 @@ final class ChildProgram {
         return this;
     }
 
-    /** @param command what starts the program: it gets java and all its arguments as its own arguments */
+    /** @param command a command that starts the program: it gets java and its arguments as arguments */
     ChildProgram startedBy(String... command) {
         before.addAll(List.of(command));
         return this;
@@ -77,7 +77,7 @@ final class ChildProgram {
         return new End(process.exitValue(), lines());
     }
 
-    /** What it has printed so far. */
+    /** Its output so far. */
     String lines() throws IOException {
         return new String(Files.readAllBytes(lines), StandardCharsets.UTF_8);
     }

@@ -22,7 +22,7 @@ import particles.app.run.StopRequest;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** What cannot be measured is refused in one line, before any file is written. */
+/** Invalid options of experiments are refused in one line, before any file is written. */
 class ExperimentOptionsTest {
     @TempDir
     Path top;
@@ -68,7 +68,7 @@ class ExperimentOptionsTest {
         "race           | -Pduration=0        | option -Pduration: a race has to last longer than 0 s",
         "race           | -Pframes=0          | option -Pframes: 0 has to be from 1 to 2000",
         "race           | -Psolvers=rk5       | option -Psolvers: no solver is called 'rk5'"})
-    void whatCannotBeMeasuredIsRefusedInOneLine(String command, String option, String line) {
+    void invalidOptionsAreRefusedInOneLine(String command, String option, String line) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         Path folder = top.resolve("results");

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** A scene in which everything happens that a run may have: births, deaths, contact, tears, a moving anchor. */
+/** A scene with births, deaths, contact, tears and a moving anchor. */
 final class FaultScene {
     private FaultScene() {
     }

@@ -20,8 +20,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * What may go wrong around the program, with a process of its own each time: there are whole files or none, a clear
- * line and the right exit code, and what was reached is not lost.
+ * Faults around the program, each in a child process: files are whole or absent, the message is one clear line with the
+ * right exit code, and results so far are kept.
  */
 @Tag("slow")
 class FaultsTest {
@@ -97,7 +97,7 @@ class FaultsTest {
         assertEquals(expected, WholeFiles.sums(out));
     }
 
-    /** The system lets no file grow beyond a size, as quotas and full disks do: the trajectory is what meets it. */
+    /** A limited file size, which acts like a quota or full disk, is reached by the trajectory. */
     @Test
     void aFullDiskEndsTheRunWithALineAndNoHalfFile() throws Exception {
         assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "needs bash for its ulimit");
@@ -114,9 +114,9 @@ class FaultsTest {
         assertEquals(expected, WholeFiles.sums(out));
     }
 
-    /** A disk of its own that is full, where this machine lets us have one. */
+    /** A full disk, if this machine allows mounting one. */
     @Test
-    void aDiskWithoutSpaceIsSaidToBeFull() throws Exception {
+    void aFullDiskIsNamed() throws Exception {
         Path disk = Files.createDirectory(top.resolve("disk"));
         String[] inside = {"unshare", "-rm", "sh", "-c",
                 "mount -t tmpfs -o size=200k tmpfs \"$0\" && \"$@\"; code=$?; ls -A \"$0\"/out >&2; "
@@ -138,12 +138,12 @@ class FaultsTest {
             process.getInputStream().readAllBytes();
             return process.waitFor() == 0;
         } catch (IOException e) {
-            return false;                               // there is no such command here
+            return false;                               // the command does not exist
         }
     }
 
     @Test
-    void aFolderThatCannotBeIsSaid() throws Exception {
+    void anImpossibleFolderIsOneLine() throws Exception {
         Path scene = scene(SHORT);
         Path file = Files.writeString(top.resolve("file"), "mine");
         ChildProgram.End end = child().run("run", "--scene=" + scene, "--out=" + file.resolve("out"));
@@ -169,7 +169,7 @@ class FaultsTest {
         assertFalse(Files.exists(out), "it does not come back");
     }
 
-    /** Nothing is written where scenes are: they may be on a disk that cannot be written, and are not touched. */
+    /** Nothing is written beside scenes, so they may be on a read-only disk. */
     @Test
     void scenesMayBeReadOnly() throws Exception {
         Path folder = Files.createDirectory(top.resolve("read only"));
@@ -182,7 +182,7 @@ class FaultsTest {
         assertEquals(before, WholeFiles.sums(folder));
     }
 
-    /** Pictures need letters; numbers do not. */
+    /** Charts need fonts; numbers do not. */
     @Test
     void withoutFontsThereAreNumbersAndAClearLine() throws Exception {
         Path none = Files.writeString(top.resolve("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
@@ -220,7 +220,7 @@ class FaultsTest {
         }
     }
 
-    /** How long it took, what a slow machine expects, and how far a run of more than two seconds says that it is. */
+    /** Removes lines that depend on the machine's speed: run time, estimate and progress. */
     private static String withoutTime(String lines) {
         return lines.replaceAll("run time [0-9.]+ s",
                 "run time").replaceAll("(?m)^(this takes about .*|t = .* to go)\n", "");
@@ -241,9 +241,9 @@ class FaultsTest {
         assertEquals(WholeFiles.sums(expected), WholeFiles.sums(folder.resolve("größe 2")));
     }
 
-    /** A system whose language knows no umlauts may have no such files: that is a line, and nothing else is written. */
+    /** A system whose encoding has no umlauts may refuse such file names: one line, and nothing else is written. */
     @Test
-    void lettersThatTheSystemDoesNotKnowAreALine() throws Exception {
+    void namesThatTheSystemCannotEncodeAreOneLine() throws Exception {
         assumeTrue(KNOWS_ALL_LETTERS, "this Java cannot even name such files");
         Path scene = scene(SHORT);
         ChildProgram.End end = child().environment("LC_ALL", "C").run("run", "--scene=" + scene, "--out="

@@ -16,12 +16,12 @@ import particles.app.cli.ProgramCommand;
 import particles.app.run.StopRequest;
 import picocli.CommandLine.Command;
 
-/** Every command is a gradle task of the same name and with the same sentence, and the other way round. */
+/** Commands and gradle tasks correspond one to one, with the same names and descriptions. */
 class GradleTasksTest {
     private static final Pattern TASK = Pattern.compile("(?m)^program '([^']*)', '([^']*)'");
 
     @Test
-    void tasksAreTheCommands() throws IOException {
+    void everyCommandHasItsGradleTask() throws IOException {
         Map<String, String> tasks = new TreeMap<>();
         Matcher task = TASK.matcher(Files.readString(Path.of("build.gradle")));
         while (task.find()) {
@@ -37,7 +37,7 @@ class GradleTasksTest {
     }
 
     @Test
-    void buildSaysThatItStartedTheProgram() throws IOException {
+    void theBuildSetsTheStartedByProperty() throws IOException {
         String line = "systemProperty '" + OptionStyle.STARTED_BY + "', 'gradle'";
         assertTrue(Files.readString(Path.of("build.gradle")).contains(line), line);
     }

@@ -28,7 +28,7 @@ class KilledRunsTest {
     Path top;
 
     @Test
-    void leaveWholeFilesAndDoNotDisturbTheNextRun() throws Exception {
+    void killedRunsLeaveWholeFilesAndDoNotAffectTheNextRun() throws Exception {
         long seed = Long.getLong("desolver.seed", System.nanoTime());
         System.out.println("KilledRunsTest: -Ddesolver.seed=" + seed);
         Random random = new Random(seed);

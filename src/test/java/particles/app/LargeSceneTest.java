@@ -16,16 +16,15 @@ import org.junit.jupiter.api.io.TempDir;
 import particles.app.cli.ExitCode;
 
 /**
- * 250,000 particles are simulated, drawn, filmed, plotted and written down by a program of its own, in the memory that
- * it says it needs and no more. A state is 12 MB: a trajectory that is held, or objects for particles,
- * do not fit beside the rest.
+ * A run with 250,000 particles and all outputs, in a child process with only the memory that it estimates. A state is
+ * 12 MB, so a trajectory in memory, or objects for particles, would not fit.
  */
 @Tag("hard")
 class LargeSceneTest {
     private static final int PARTICLES = 250_000;
     private static final int STEPS = 30;
     private static final int STRIDE = 10;
-    /** The collector wants some of the heap for itself, which Java does not count as usable. */
+    /** Extra heap for the garbage collector, which Java does not count as usable. */
     private static final double COLLECTOR = 1.2;
     private static final String SCENE = """
             title: A quarter of a million
@@ -60,7 +59,7 @@ class LargeSceneTest {
     }
 
     @Test
-    void quarterOfAMillionParticlesRunInWhatTheySayTheyNeed() throws Exception {
+    void aLargeSceneRunsInItsEstimatedMemory() throws Exception {
         Path scene = Files.writeString(folder.resolve("large.yaml"), SCENE);
         Path out = folder.resolve("out");
         ChildProgram.End refused = run("256m", scene, out);

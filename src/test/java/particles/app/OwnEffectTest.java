@@ -26,7 +26,7 @@ import particles.teaching.effects.EffectCheck;
 import particles.teaching.effects.EffectSample;
 import particles.teaching.effects.EffectSkeleton;
 
-/** A law of one's own is one class, which a scene names: the example in the javadoc of {@code particles.effects}. */
+/** A student's own effect is one class that a scene names: the example in the javadoc of {@code particles.effects}. */
 class OwnEffectTest {
     private static final String LAW = """
             package exercises;
@@ -120,7 +120,7 @@ class OwnEffectTest {
     }
 
     @Test
-    void theJavadocOfEffectsShowsThem() throws IOException {
+    void theExampleIsThatOfTheJavadoc() throws IOException {
         String javadoc = Files.readString(Path.of("src/main/java/particles/effects/package-info.java"))
                 .replaceAll("(?m)^ \\* ?", "");
         for (String part : List.of(LAW, SCENE)) {
@@ -164,7 +164,7 @@ class OwnEffectTest {
     }
 
     @Test
-    void aLawThatFailsWhileItIsBuiltIsOneLine() throws IOException {
+    void anEffectThatFailsWhenBuiltIsOneLine() throws IOException {
         write("Coriolis",
                 LAW.replace("this.w = w;", "this.w = w;\n        int[] none = {};\n        none[w.hashCode() & 1]++;"));
         SceneException e = assertThrows(SceneException.class, () -> scene(SCENE));
@@ -174,13 +174,13 @@ class OwnEffectTest {
     }
 
     @Test
-    void theCheckMakesItFromItsKeys() throws IOException {
+    void checkEffectCreatesTheEffectFromItsKeys() throws IOException {
         write("Coriolis", LAW);
         assertEquals(List.of(), EffectCheck.check(EffectSample.law("Coriolis", new StudentClasses())));
     }
 
     @Test
-    void whatNewEffectWritesRunsInAScene() throws IOException {
+    void theSkeletonOfNewEffectRunsInAScene() throws IOException {
         write("MyForce", EffectSkeleton.effect("MyForce"));
         assertEquals("MyForce", scene(SCENE.replaceFirst("exercises.*",
                 "exercises.MyForce: {strength: 2}")).system().getEffects()
@@ -188,7 +188,7 @@ class OwnEffectTest {
     }
 
     @Test
-    void itsKeysAreCheckedAsOursAre() throws IOException {
+    void keysOfAStudentsEffectAreChecked() throws IOException {
         write("Coriolis", LAW);
         assertRefused("26: unknown key 'angularVelocty'; did you mean 'angularVelocity'? known in 'exercises.Coriolis':"
                 + " angularVelocity", "exercises.Coriolis: {angularVelocty: [0, 0, 1], angularVelocity: [0, 0, 1]}");
@@ -200,7 +200,7 @@ class OwnEffectTest {
     }
 
     @Test
-    void aClassThatCannotBeUsedIsOneLine() throws IOException {
+    void anUnusableClassIsOneLine() throws IOException {
         assertRefused("5: there is no class exercises.Missing; put your own class into src/main/java/exercises"
                 + " (gradle newEffect writes one to start from)", "exercises.Missing: {strength: 2}");
         write("Bare", "package exercises; public class Bare { }");

@@ -27,12 +27,11 @@ import particles.app.cli.Program;
 import particles.app.run.StopRequest;
 
 /**
- * Every command in README is run as it stands there: by this test, through the program, or by {@code .ci/run}, through
- * Gradle. Who adds one to README adds it to one of the lists below or, if it takes long or writes among the sources, as
- * a line {@code step gradle ...} to {@code .ci/run}; {@code refused gradle ...} is for one that has to fail, and
- * {@code shorter gradle ...} for one with options that README has not, since it would take long without them.
- * A command that only names a scene by its number, or a solver, is run by this test for a short duration and without
- * pictures.
+ * Every command in README is run, by this test or through Gradle by {@code .ci/run}. A new command must be added to one
+ * of the lists below or, if it takes long or writes among the sources, as a line {@code step gradle ...} to {@code
+ * .ci/run}; use {@code refused gradle ...} for one that has to fail, and {@code shorter gradle ...} for one with extra
+ * options that shorten it. A command that only names a scene by its number, or a solver, is run by this test for a
+ * short duration and without pictures.
  */
 class ReadmeCommandsTest {
     private static final String COMMAND = "gradle [a-z]\\w*(?: -P\\w+(?:=[^\\s`]+)?| '-P[^'`]*')*";
@@ -91,7 +90,7 @@ class ReadmeCommandsTest {
         assertEquals(Set.of(), here, "run by this test, and not in README any more");
     }
 
-    /** Whatever mentions a task of ours is taken for a command, so that none hides behind an unusual form. */
+    /** Every mention of a task counts as a command, so that none is overlooked because of its form. */
     @Test
     void noCommandIsOverlooked() throws IOException {
         String rest = Files.readString(README);

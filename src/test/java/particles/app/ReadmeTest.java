@@ -23,7 +23,7 @@ import particles.app.run.StopRequest;
 import particles.teaching.exercises.Exercises;
 import picocli.CommandLine;
 
-/** What README tells people to type is there to be typed. */
+/** Tasks, options, tables and links in README exist. */
 class ReadmeTest {
     private static final Pattern GRADLE = Pattern.compile("\\bgradle ([a-z]\\w*)");
     private static final Pattern TASK = Pattern.compile("(?m)^(?:program '|hunt '|task |junit5\\()(\\w+)");
@@ -49,7 +49,7 @@ class ReadmeTest {
     }
 
     @Test
-    void itIsShortAndFitsTheScreen() {
+    void readmeIsShortAndFitsTheScreen() {
         assertTrue(README.lines().count() <= 260, README.lines().count() + " lines");
         assertEquals(List.of(), README.lines().filter(line -> line.length() > 120).toList());
     }

@@ -53,7 +53,7 @@ class SameBitsTest {
     @TempDir
     Path top;
 
-    /** By version, from 17 on. */
+    /** The JDKs found, by version, from 17 on. */
     private static TreeMap<Integer, Path> jdks() throws IOException {
         List<Path> candidates = new ArrayList<>();
         Path own = Path.of(System.getProperty("java.home"));
@@ -79,7 +79,7 @@ class SameBitsTest {
         return jdks;
     }
 
-    /** What a JDK says of itself; 0 for a folder that is none. */
+    /** The version of a JDK; 0 for a folder without one. */
     private static int version(Path jdk) throws IOException {
         Path release = jdk.resolve("release");
         if (!Files.isRegularFile(release) || !Files.exists(jdk.resolve("bin/java"))) {
@@ -89,9 +89,7 @@ class SameBitsTest {
         return matcher.find() ? Integer.parseInt(matcher.group(1)) : 0;
     }
 
-    /**
-     * One of the runs that have to come to the same sums: with which Java, its options, and those of {@link SceneSums}.
-     */
+    /** One of the runs to compare: its Java, Java's options, and those of {@link SceneSums}. */
     private record Run(Path jdk, List<String> jvm, Path scenes, List<String> options) {
         Run(Path jdk, Path scenes, String... options) {
             this(jdk, List.of(), scenes, List.of(options));
@@ -122,9 +120,7 @@ class SameBitsTest {
         return sums;
     }
 
-    /**
-     * Does the runs, two at a time, and compares them; returns the first one's sums, without whether a thread helped.
-     */
+    /** Makes the runs, two at a time, and compares them; returns the sums without the last line. */
     private Map<String, String> allTheSame(List<Run> runs, boolean helpedInFirst, boolean helpedInOthers)
             throws Exception {
         ExecutorService two = Executors.newFixedThreadPool(2);

@@ -22,11 +22,11 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
- * Runs all scenes of a folder in this process and prints the SHA-256 of each trajectory, one line a scene, and at last
- * whether helping threads were seen at work, for {@link SameBitsTest} to compare between processes.
+ * Runs all scenes of a folder in this process and prints the SHA-256 of each trajectory, one line a scene, and a last
+ * line that says whether helper threads worked; {@link SameBitsTest} compares them between processes.
  */
 final class SceneSums {
-    /** What the last line begins with. */
+    /** The beginning of the last line. */
     static final String HELPED = "helped";
     /** Particles times steps of a run: a few tenths of a second each. */
     private static final double MOST_WORK = 1e5;
@@ -36,7 +36,7 @@ final class SceneSums {
     private SceneSums() {
     }
 
-    /** Looks every millisecond whether another thread than the caller's is evaluating effects. */
+    /** Checks every millisecond whether another thread is evaluating effects. */
     private static final class Lookout extends Thread {
         private volatile boolean helped;
 
@@ -73,7 +73,7 @@ final class SceneSums {
         System.out.println(HELPED + " " + lookout.helped);
     }
 
-    /** As many steps as are affordable, the same in every process. */
+    /** A duration with a limited number of steps, the same in every process. */
     static double duration(SceneDescription scene) {
         int particles = SceneBuilder.build(scene, new Overrides()).system().getParticles().count();
         double steps = Math.min(MOST_STEPS, Math.max(LEAST_STEPS, MOST_WORK / particles));

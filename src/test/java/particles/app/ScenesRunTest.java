@@ -23,10 +23,7 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 
-/**
- * Every scene of the repository through the program, for its first steps: all files are there, and nothing is said to
- * err.
- */
+/** Runs every scene for its first steps: all files are written, and nothing is printed to the error stream. */
 @Tag("slow")
 class ScenesRunTest {
     private static final Path SCENES = Path.of("scenes");
@@ -38,7 +35,7 @@ class ScenesRunTest {
 
     @ParameterizedTest
     @MethodSource("scenes")
-    void leavesAllFiles(Path file, @TempDir Path out) {
+    void everySceneWritesAllItsFiles(Path file, @TempDir Path out) {
         SceneDescription scene = SceneReader.read(file);
         double duration = Math.min(scene.duration(), STEPS * scene.deltaT());
         StringWriter lines = new StringWriter();

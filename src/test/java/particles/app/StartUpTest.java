@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What starting costs, in classes that are loaded: what a run does not use is not looked at. */
+/** The cost of starting, in loaded classes: unused ones are not loaded. */
 class StartUpTest {
     private static final String PICTURES =
             "java\\.awt\\..*|sun\\.(awt|java2d|font)\\..*|javax\\.imageio\\..*|org\\.(jfree|jcodec)\\..*";
@@ -62,15 +62,15 @@ class StartUpTest {
         assertEquals(List.of(), of(loaded, "javax\\.imageio\\..*|com\\.sun\\.imageio\\..*|org\\.jcodec\\..*"));
     }
 
-    /** Which Java would do by making code at run time: several per cent of a short run. */
+    /** A record's own equals makes Java generate code at run time, which takes several per cent of a short run. */
     @Test
-    void noRecordIsComparedByItsOwnMeans() throws IOException, InterruptedException {
+    void noRecordUsesItsGeneratedEquals() throws IOException, InterruptedException {
         assertEquals(List.of(), of(loaded(true), "java\\.lang\\.runtime\\.ObjectMethods.*"));
     }
 
-    /** Its options are found by reflection, which is not done for the others. */
+    /** Options are found by reflection, only for the named command. */
     @Test
-    void onlyTheNamedCommandIsMadeReady() throws IOException, InterruptedException {
+    void onlyTheNamedCommandIsPrepared() throws IOException, InterruptedException {
         List<String> loaded = loaded(false);
         assertTrue(loaded.contains("particles.app.run.RunCommand"));
         assertEquals(List.of(), of(loaded, "particles\\.(experiments\\.problems|teaching)\\..*"));

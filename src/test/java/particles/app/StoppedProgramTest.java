@@ -15,7 +15,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program as a process of its own that is told to end, as Ctrl-C and a system that shuts down do. */
+/** The program in a child process that is stopped by a signal, as by Ctrl-C or a shutdown. */
 class StoppedProgramTest {
     private static final long PATIENCE_SECONDS = 60;
 

@@ -21,7 +21,7 @@ import java.util.stream.Stream;
 import org.jcodec.common.io.ByteBufferSeekableByteChannel;
 import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
 
-/** The results of a run, looked at from outside: each file is whole, and folders have equal files. */
+/** Checks the result files of a run: each is complete, and folders have equal files. */
 final class WholeFiles {
     private static final byte[] PNG_END = {'I', 'E', 'N', 'D', (byte) 0xae, 0x42, 0x60, (byte) 0x82};
     private static final byte[] GIF_END = {0, 0x3b};
@@ -29,7 +29,7 @@ final class WholeFiles {
     private WholeFiles() {
     }
 
-    /** Looks at every file but the hidden parts that a killed program leaves; returns how many there are. */
+    /** Checks every file except hidden leftovers of a killed program; returns their number. */
     static int assertWhole(Path folder) throws IOException {
         int count = 0;
         for (Path file : files(folder)) {

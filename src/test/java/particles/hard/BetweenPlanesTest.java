@@ -59,14 +59,14 @@ class BetweenPlanesTest {
                     coefficient: 0.1}}
             """;
 
-    /** The lowest and the highest place in which the rules left the ball. */
+    /** The lowest and highest position of the ball after rules have acted. */
     private static final class Range implements Observer {
         private double low = Double.POSITIVE_INFINITY;
         private double high = Double.NEGATIVE_INFINITY;
 
         @Override
         public void moved(Motion motion) {
-            // between steps, before the rules: may be below a plane where impacts are clamped
+            // before the rules: with clamp the ball may be below a plane
         }
 
         @Override
@@ -81,14 +81,14 @@ class BetweenPlanesTest {
     }
 
     /**
-     * 20 s, about 140 impacts; sideways nothing acts. Measured: no place beyond the planes by more than rounding. The
-     * impacts keep the energy of 29.45 J. A method of order 1 is off by (g deltaT)&sup2;/2 at each of 600 steps, as it
-     * is without impacts: euler gains 32.08 J, and the other two lose, until the ball slides along the floor with 0.3
+     * 20 s, about 140 impacts; sideways nothing acts. Measured: never beyond the planes by more than round-off. The
+     * impacts conserve the energy of 29.45 J. A method of order 1 is off by (g deltaT)&sup2;/2 at each of 600 steps, as
+     * without impacts: euler gains 32.08 J, and the other two lose energy until the ball slides along the floor at 0.3
      * m/s.
      */
     @ParameterizedTest
     @MethodSource("solvers")
-    void clampedItStaysBetweenFloorAndCeiling(String solver) {
+    void withClampItStaysBetweenFloorAndCeiling(String solver) {
         Scene scene = scene(SLOT.formatted("clamp", "1"), solver, 1.0 / 30, 20);
         Range range = new Range();
         scene.simulation().addObserver(range);
@@ -105,7 +105,7 @@ class BetweenPlanesTest {
                 "measured: 4.3e-13 at most");
     }
 
-    /** A millimetre of room: at 7 m/s a step of 1/30 s would cross it 230 times. */
+    /** A slot of 1 mm: at 7 m/s a step of 1/30 s would cross it 230 times. */
     @ParameterizedTest
     @MethodSource("solvers")
     void aSlotMuchNarrowerThanAStepDoesNotLetItOut(String solver) {
@@ -115,10 +115,10 @@ class BetweenPlanesTest {
         assertTrue(y >= -1e-12 && y <= 0.501 + 1e-12, "y = " + y);
     }
 
-    /** Stopped at every impact, the energy is the method's: exact for a parabola from order 2 on. */
+    /** With exact impacts the energy error is the method's: 0 for a parabola from order 2 on. */
     @ParameterizedTest
     @MethodSource("solvers")
-    void stoppedAtEachImpactItKeepsItsEnergy(String solver) {
+    void exactImpactsConserveEnergy(String solver) {
         Scene scene = scene(SLOT.formatted("exact", "1"), solver, 1.0 / 30, 5);
         double start = scene.system().getEnergy(scene.system().getOwnState(), 0);
         assertFalse(run(scene.simulation()).failed());
@@ -131,13 +131,12 @@ class BetweenPlanesTest {
     }
 
     /**
-     * Clamped, it comes to the bottom and lies there, held by both planes. Not with euler: before a step it does not
-     * see how gravity will turn the motion, and meets the planes for ever with the speed gained in two steps, 2 g h
-     * (measured 0.97 of that), within a tenth of a millimetre of the bottom.
+     * With clamp it comes to rest at the bottom, held by both planes. Not with euler, which keeps hitting the planes
+     * with the speed gained in two steps, 2 g h (measured 0.97 of that), within 0.1 mm of the bottom.
      */
     @ParameterizedTest
     @MethodSource("solvers")
-    void clampedInAGrooveItLiesAtTheBottom(String solver) {
+    void withClampItComesToRestInTheGroove(String solver) {
         Scene scene = scene(GROOVE.formatted("clamp"), solver, 1.0 / 512, 12);
         assertFalse(run(scene.simulation()).failed());
         boolean euler = solver.equals("euler");
@@ -147,13 +146,12 @@ class BetweenPlanesTest {
     }
 
     /**
-     * Stopped at each impact, it comes to rest at the bottom, held by both planes, and stays: no speed at all. It
-     * bounces, slides and turns round on one plane alone, which is too steep to hold it: 23 to 60 events, and not one
-     * for ever.
+     * With exact impacts it comes to rest at the bottom, held by both planes, with speed 0. Before that it bounces,
+     * slides and reverses on each plane, which is too steep to hold it alone: 23 to 60 events.
      */
     @ParameterizedTest
     @MethodSource("solvers")
-    void stoppedAtEachImpactItLiesInTheGroove(String solver) {
+    void withExactImpactsItComesToRestInTheGroove(String solver) {
         for (double deltaT : new double[] {1.0 / 512, 0.001}) {
             Scene scene = scene(GROOVE.formatted("exact"), solver, deltaT, 12);
             End end = run(scene.simulation());

@@ -14,13 +14,13 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 
-/** Systems that several hard cases need, and what becomes of them. */
+/** Systems and runs shared by several hard cases. */
 final class HardSystems {
     private HardSystems() {
     }
 
     /**
-     * What became of a run.
+     * The end of a run.
      *
      * @param ended   the time until which it ran (s)
      * @param message why it stopped before its end; empty if it did not

@@ -37,7 +37,7 @@ class InvertedPendulumTest {
         return system;
     }
 
-    /** A minute is 170 e-folds: nobody may make a rounding out of nothing. Bit for bit. */
+    /** A minute is 170 e-folds: without any round-off the balance is kept bit for bit. */
     @ParameterizedTest
     @MethodSource("solvers")
     void theExactBalanceIsKeptForEver(String solver) {
@@ -55,7 +55,7 @@ class InvertedPendulumTest {
         "yoshida4, 4e-5", "radau, 4e-5", "verlet, 1e-3", "midpoint, 3e-3", "implicit-midpoint, 2e-3",
                 "symplectic-euler, 0.03",
         "euler, 0.2", "backward-euler, 0.25"})
-    void theLeastPushGrowsAsItShould(String solver, double relative) {
+    void aSmallDisplacementGrowsExponentially(String solver, double relative) {
         ParticleSystem system = standing(0x1p-30);
         assertFalse(run(system, solver, 1.0 / 128, 6, 1e9).failed());
         double grown = 0x1p-30 * StrictMath.cosh(6 * Math.sqrt(G));

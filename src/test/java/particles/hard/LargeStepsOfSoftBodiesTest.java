@@ -94,10 +94,7 @@ class LargeStepsOfSoftBodiesTest {
         assertTrue(end.ended() == 0 && end.message().contains("too stiff for this deltaT"), end.toString());
     }
 
-    /**
-     * It swings through, comes nearly to rest and hangs 2.02 m deep at most (measured), 2 m of cloth and its
-     * stretching.
-     */
+    /** It swings, comes nearly to rest and hangs at most 2.02 m deep (measured): 2 m of cloth plus its stretching. */
     @Test
     void theClothFallsAndHangsWithBackwardEuler() {
         Scene scene = scene(CLOTH, "backward-euler", FRAME, 10);
@@ -107,9 +104,9 @@ class LargeStepsOfSoftBodiesTest {
     }
 
     /**
-     * The limit of implicit-midpoint, documented: it damps nothing, springs turn inside out as in
-     * {@link StiffSpringsTest}, and the cloth gets hot: within the energy limit as long as it lasts (10.6 s were
-     * measured), then Newton's method says no.
+     * The documented limit of implicit-midpoint: it damps nothing, springs turn inside out as in {@link
+     * StiffSpringsTest}, and the cloth vibrates ever more, within the energy limit, until Newton's method fails (after
+     * 10.6 s, measured).
      */
     @Test
     void theClothStaysWithinTheLimitWithImplicitMidpoint() {
@@ -118,10 +115,10 @@ class LargeStepsOfSoftBodiesTest {
         assertTrue(extreme(scene, -1) > -4, "the lowest particle is at " + extreme(scene, -1));
     }
 
-    /** They take the steps that the cloth demands; the same place by all four, to a millimetre. */
+    /** Adaptive solvers take the steps that the cloth needs; all four agree within a millimetre. */
     @ParameterizedTest
     @ValueSource(strings = {"step-doubling", "dormand-prince", "bulirsch-stoer"})
-    void theClothIsFollowedByStepControl(String solver) {
+    void theClothIsFollowedByAdaptiveSolvers(String solver) {
         Scene scene = scene(CLOTH, solver, FRAME, 1);
         assertFalse(run(scene.simulation()).failed());
         assertEquals(-1.297, extreme(scene, -1), 1e-3);
@@ -144,7 +141,7 @@ class LargeStepsOfSoftBodiesTest {
                 : 5e-13), "speed " + fastest(scene.system()));
     }
 
-    /** The same for the two that are dearest, for one minute and for ten seconds. */
+    /** The same with the two most expensive solvers, for a minute and for ten seconds. */
     @ParameterizedTest
     @CsvSource({"yoshida4, 256, 60", "radau, 60, 10"})
     void theJellyLiesStill(String solver, double stepsASecond, double duration) {

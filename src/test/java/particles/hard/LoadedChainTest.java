@@ -48,7 +48,7 @@ class LoadedChainTest {
         return system.getOwnState()[6 * LINKS + 1];
     }
 
-    /** Every spring carries what hangs below it. */
+    /** The equilibrium of the load: every spring carries the weight below it. */
     private static double balance() {
         double y = 0;
         for (int i = 1; i <= LINKS; i++) {
@@ -66,7 +66,7 @@ class LoadedChainTest {
 
     /** Measured 7.0e-4 m from the balance of -5.51225 m after 20 s, and 3.4e-4 m/s. */
     @Test
-    void backwardEulerComesToTheBalanceInStepsOfAFrame() {
+    void backwardEulerReachesEquilibriumInStepsOfAFrame() {
         ParticleSystem system = chain(5);
         assertFalse(run(system, "backward-euler", FRAME, 20, 1e5).failed());
         assertEquals(balance(), load(system), 2e-3);
@@ -74,12 +74,13 @@ class LoadedChainTest {
     }
 
     /**
-     * The load bobs about its balance by the stretching it began with: measured -5.65194 m after 1 s by four methods.
+     * The load oscillates about its equilibrium with its initial stretching as amplitude: measured -5.65194 m after 1 s
+     * by four methods.
      */
     @ParameterizedTest
     @CsvSource({"step-doubling, 1e-5", "dormand-prince, 1e-5", "bulirsch-stoer, 1e-5", "implicit-midpoint, 5e-5",
         "backward-euler, 5e-3"})
-    void theLoadBobs(String solver, double bound) {
+    void theLoadOscillatesAboutItsEquilibrium(String solver, double bound) {
         ParticleSystem system = chain(0);
         assertFalse(run(system, solver, 1.0 / 512, 1, 1e5).failed());
         assertEquals(-5.651920, load(system), bound);
@@ -88,7 +89,7 @@ class LoadedChainTest {
     /** Below 2/omega_max, 1 ms, the explicit ones do as well: 4e-4 s are 0.8. */
     @ParameterizedTest
     @CsvSource({"rk4, 1e-5", "verlet, 1e-5", "yoshida4, 1e-5", "symplectic-euler, 1e-3"})
-    void shortExplicitStepsFollow(String solver, double bound) {
+    void shortExplicitStepsFollowTheLoad(String solver, double bound) {
         ParticleSystem system = chain(0);
         assertFalse(run(system, solver, 4e-4, 1, 1e5).failed());
         assertEquals(-5.651920, load(system), bound);

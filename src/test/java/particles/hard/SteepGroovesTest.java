@@ -44,7 +44,7 @@ class SteepGroovesTest {
     private static final int GROOVES = 40;
     private static final int SEED = 5;
 
-    /** All but euler, which gains energy in each flight: it bounces long, and in one of these grooves without end. */
+    /** All but euler, which gains energy in each flight, so that it bounces for ever in one of these grooves. */
     static List<String> solvers() {
         return SolverCatalog.names().stream().filter(name -> !name.equals("euler")).toList();
     }
@@ -58,7 +58,7 @@ class SteepGroovesTest {
                 Math.cos(left), restitution, mu, -Math.sin(right), Math.cos(right), restitution, mu);
     }
 
-    /** Each brings every ball to rest, in some 80 events at most as measured; none ends in an exception. */
+    /** Every ball comes to rest, after at most about 80 events (measured), without an exception. */
     @ParameterizedTest
     @MethodSource("solvers")
     void itComesToRestWithEverySolver(String solver) {

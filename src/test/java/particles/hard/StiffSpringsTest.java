@@ -55,10 +55,13 @@ class StiffSpringsTest {
         assertFalse(blowUp(weight(1e-3, 1, 0), solver).failed(), "omega h = 0.5");
     }
 
-    /** What decays by (1 + (omega h)^2)^(-1/2) a step hangs still after 64; measured 8.5e-7 of the energy at k = 1. */
+    /**
+     * The amplitude falls by (1 + (omega h)^2)^(-1/2) a step, so the weight is at rest after 64; measured 8.5e-7 of the
+     * energy at k = 1.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1e3, 1e6, 1e9})
-    void backwardEulerDampsWhatItCannotFollow(double stiffness) {
+    void backwardEulerDampsFastVibrations(double stiffness) {
         ParticleSystem system = weight(1e-3, stiffness, 0);
         double start = energy(system);
         assertFalse(blowUp(system, "backward-euler").failed());
@@ -67,10 +70,10 @@ class StiffSpringsTest {
 
     /**
      * The spring is linear only while it is not turned inside out. From omega h = 16 on, the step's equation has a
-     * second solution on the other side of the hook, which Newton's method finds when it begins straight on along the
-     * velocity, of up to 125 m/s: energy then went up to 2e5 times the start's. From the present place it finds the
-     * near one, always: energy is kept to rounding, and the spring, 1.125 m long at first, is never shorter than 0.875
-     * m.
+     * second solution on the other side of the hook. Newton's method finds that one if it starts from a prediction
+     * along the velocity of up to 125 m/s; energy then grew up to 2e5-fold. Starting from the present position it
+     * always finds the near one: energy is conserved to round-off, and the spring, 1.125 m long at first, is never
+     * shorter than 0.875 m.
      */
     @ParameterizedTest
     @ValueSource(doubles = {1e3, 1e4, 1e6, 1e9})
@@ -87,11 +90,12 @@ class StiffSpringsTest {
     }
 
     /**
-     * They follow every oscillation, 160 a second at k = 1e3 and 5,000 at 1e6, at a price; energy measured to 2.3e-2.
+     * They follow every oscillation, at the cost of 160 sub-steps a second at k = 1e3 and 5,000 at 1e6; energy measured
+     * within 2.3e-2.
      */
     @ParameterizedTest
     @CsvSource({"step-doubling, 2e6", "dormand-prince, 1.3e6", "bulirsch-stoer, 8e5", "radau, 2.6e6"})
-    void stepControlFollowsEveryOscillation(String solver, double evaluations) {
+    void adaptiveSolversFollowEveryOscillation(String solver, double evaluations) {
         for (double stiffness : new double[] {1, 1e3, 1e6}) {
             ParticleSystem system = weight(1e-3, stiffness, 0);
             double start = energy(system);
@@ -109,10 +113,7 @@ class StiffSpringsTest {
         assertTrue(end.ended() < 0.05 && end.message().contains("kinetic energy"), end.toString());
     }
 
-    /**
-     * Their last kick is solved by an iteration that converges below c h/m = 2 only; beyond, they refuse the first
-     * step.
-     */
+    /** The fixed-point iteration of their last kick converges only below c h/m = 2; above, the first step fails. */
     @ParameterizedTest
     @ValueSource(strings = {"verlet", "yoshida4"})
     void stiffDampingIsRefusedByLeapfrogs(String solver) {
@@ -121,7 +122,7 @@ class StiffSpringsTest {
         assertTrue(end.message().contains("drag or spring damping is too stiff for this deltaT"), end.message());
     }
 
-    /** It creeps back with k/c = 1e-4 a second: 1.1249875 after 1 s. */
+    /** The weight creeps back at the rate k/c = 1e-4 a second: 1.1249875 after 1 s. */
     @ParameterizedTest
     @ValueSource(strings = {"backward-euler", "implicit-midpoint", "radau"})
     void stiffDampingIsFollowedByImplicitSolvers(String solver) {

@@ -39,7 +39,7 @@ class UnevenMassesTest {
     /** Momentum is 0 and the centre of mass stays; measured 5e-14 kg m/s of 5, and 4e-18 m. */
     @ParameterizedTest
     @MethodSource("solvers")
-    void momentumAndCentreOfMassAreKept(String solver) {
+    void momentumAndCentreOfMassAreConserved(String solver) {
         ParticleSystem system = pair();
         assertFalse(run(system, solver, 1.0 / 128, 10, 1e9).failed());
         double[] s = system.getOwnState();
@@ -60,10 +60,10 @@ class UnevenMassesTest {
         assertEquals(1 + 0.5 * StrictMath.cos(OMEGA * 20), s[6] - s[0], 2 * measured);
     }
 
-    /** The two of first order: one ends at rest at the rest length, the other has its energy a million times over. */
+    /** Of the two first-order solvers one ends at rest at the rest length, the other has a million times its energy. */
     @ParameterizedTest
     @CsvSource({"backward-euler, 0, 1e-6", "euler, 5e5, 1e7"})
-    void firstOrderDampsOrGrows(String solver, double atLeast, double atMost) {
+    void firstOrderSolversDampOrGrow(String solver, double atLeast, double atMost) {
         ParticleSystem system = pair();
         double start = system.getEnergy(system.getOwnState(), 0);
         run(system, solver, 1.0 / 128, 20, 1e6 * start);

@@ -23,7 +23,7 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 
-/** The time to draw a frame of 1280 x 720 pixels, and to make a PNG picture of it. */
+/** Measures the time to draw a frame of 1280 x 720 pixels and to encode it as PNG. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)

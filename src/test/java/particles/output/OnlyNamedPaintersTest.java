@@ -28,7 +28,7 @@ import particles.view.RenderOptions;
 import particles.view.Scenery;
 import particles.view.Surface;
 
-/** What a picture does not show has no painter: all painters that a renderer holds after a frame are counted. */
+/** A renderer creates painters only for what a picture shows; all its painters are counted after a frame. */
 class OnlyNamedPaintersTest {
     private static final RenderOptions BALLS = look(ParticleStyle.Kind.BALLS, 1, 0);
     // seen from above
@@ -45,7 +45,7 @@ class OnlyNamedPaintersTest {
         }
     };
 
-    /** A picture, and the painters that it needs beside the one that knows as what particles are drawn. */
+    /** A picture, and the painters that it needs besides the particle painter. */
     private record Case(String what, RenderOptions look, Scenery scenery, boolean spring, Set<String> painters) {
     }
 
@@ -70,7 +70,7 @@ class OnlyNamedPaintersTest {
 
     @ParameterizedTest
     @MethodSource("cases")
-    void nothingElseIsBuilt(Case shown) throws IllegalAccessException {
+    void onlyNeededPaintersAreCreated(Case shown) throws IllegalAccessException {
         FrameRenderer renderer = renderer(FRONT, shown.look(), shown.scenery());
         FrameState state = state(0, 0, 0, 2, 0, 0, 0, 2, 0);
         if (shown.spring()) {
@@ -88,7 +88,7 @@ class OnlyNamedPaintersTest {
         assertEquals(expected, built, shown.what());
     }
 
-    /** Through all fields of our own objects, and what is in optional values and collections. */
+    /** Follows all fields of our own objects, optional values and collections. */
     private static void count(Object object, Map<String, Integer> painters, Set<Object> seen)
             throws IllegalAccessException {
         if (object instanceof Optional<?> optional) {

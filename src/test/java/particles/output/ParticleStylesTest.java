@@ -35,9 +35,9 @@ import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.Scenery;
 
-/** As what particles are drawn: areas, places and brightness that can be computed. */
+/** Styles of particles: areas, positions and brightness against computed values. */
 class ParticleStylesTest {
-    /** Seen along z, balls with their middles at z = 0 cover where their field in that plane is over the level. */
+    /** The area in which the field of balls at z = 0 exceeds the level, which is what they cover seen along z. */
     private static double analyticArea(double radius, double... xs) {
         double step = 0.005;
         double area = 0;
@@ -54,7 +54,7 @@ class ParticleStylesTest {
         return area;
     }
 
-    /** One ball, two that touch, two whose necks have just met, two that are apart. */
+    /** One ball, two that touch, two that have just merged, two that are apart. */
     @Tag("slow")
     @Test
     void blobsCoverTheLevelSetOfTheirField() {
@@ -75,9 +75,9 @@ class ParticleStylesTest {
         }
     }
 
-    /** Two drops are one where they are less than 2.54 radii apart, and two where they are more. */
+    /** Two drops merge if they are less than 2.54 radii apart. */
     @Test
-    void blobsFlowTogetherWhereTheyAreNear() {
+    void nearBlobsMerge() {
         for (boolean near : new boolean[] {true, false}) {
             BlobField field = new BlobField();
             double half = near ? 1.2 : 1.35;
@@ -153,9 +153,9 @@ class ParticleStylesTest {
         return light;
     }
 
-    /** A spot of light behind a ball is hidden by it, one in front is not. */
+    /** A ball hides a spot of light behind it, but not one in front. */
     @Test
-    void aGlowIsHiddenByWhatIsNearer() {
+    void aNearerBallHidesAGlow() {
         FrameRenderer renderer = renderer(FRONT, look(ParticleStyle.Kind.GLOW, 3, 0), Scenery.NONE);
         int[] alone = new int[2];
         for (int k = 0; k < 2; k++) {
@@ -167,9 +167,9 @@ class ParticleStylesTest {
         assertTrue(alone[0] < 45 && alone[1] > 95, alone[0] + " behind, " + alone[1] + " in front");
     }
 
-    /** In a perspective view, points are as large far away as near by; balls are not. */
+    /** In a perspective view points have the same size at any distance, unlike balls. */
     @Test
-    void pointsHaveOneSize() {
+    void pointsHaveTheSameSizeAtAnyDistance() {
         Camera camera = new Camera(new Vector3(0, 0, 10), Vector3.ZERO, new Vector3(0, 1, 0), true, 40, 0);
         double[][] areas = new double[2][2];
         for (ParticleStyle.Kind kind : List.of(ParticleStyle.Kind.POINTS, ParticleStyle.Kind.BALLS)) {
@@ -184,12 +184,9 @@ class ParticleStylesTest {
         assertTrue(areas[0][0] > 20 * areas[0][1], areas[0][0] + " and " + areas[0][1]);
     }
 
-    /**
-     * A particle that goes from left to right draws a line behind itself that fades out evenly, as long as it was asked
-     * for.
-     */
+    /** A moving particle has a trail that fades evenly over its duration. */
     @Test
-    void aTrailIsWhereTheParticleWasAndFades() {
+    void aTrailFollowsThePathAndFades() {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("ball", 1, new Vector3(-6, 0.525, 0), new Vector3(4, 0, 0), false);
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.003, 3, Double.POSITIVE_INFINITY);
@@ -228,7 +225,7 @@ class ParticleStylesTest {
         }
     }
 
-    /** Particles keep their own trails when others go and indices change. */
+    /** Particles keep their trails when others are removed and indices change. */
     @Test
     void trailsFollowParticlesNotIndices() {
         ParticleSystem system = new ParticleSystem();
@@ -256,10 +253,10 @@ class ParticleStylesTest {
                 "who wants no trails asks for no time");
     }
 
-    /** What blows up is drawn as long as it lasts, whatever it is drawn as. */
+    /** Particles of a blown-up run can be drawn in every style. */
     @Tag("slow")
     @Test
-    void anyNumbersCanBeDrawnAsAnything() {
+    void extremeNumbersCanBeDrawnInEveryStyle() {
         double huge = 1e200;
         for (ParticleStyle.Kind kind : ParticleStyle.Kind.values()) {
             FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0,

@@ -22,14 +22,11 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 
-/** Rods, wires and spheres are drawn as large, and where, as the camera sees them. */
+/** Sizes and positions of drawn rods, wires and spheres. */
 class SceneryStylesTest {
-    /**
-     * A ball of radius r at the distance d is seen under the angle asin(r/d); a bead on it makes it smaller by its own
-     * size.
-     */
+    /** A ball of radius r at distance d has the angular radius asin(r/d); it is drawn smaller by a bead's radius. */
     @Test
-    void aSphereIsAsLargeAsItIsSeen() {
+    void aSphereHasItsAngularSize() {
         Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), true, 60, 0);
         double focal = H / (2 * Math.tan(Math.PI / 6));
         FrameRenderer without = renderer(camera, look(ParticleStyle.Kind.BALLS, 0.2, 0), Scenery.NONE);
@@ -57,7 +54,7 @@ class SceneryStylesTest {
         return new Scenery(List.of(), List.of(), List.of(sphere), List.of());
     }
 
-    /** Rods are straight grey bars, whatever their length, and no scale of strain comes with them. */
+    /** Rods are straight grey bars at any length, without a strain scale. */
     @Test
     void rodsAreBars() {
         RenderOptions look = new RenderOptions(RenderOptions.Shown.NEVER, RenderOptions.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0,
@@ -89,9 +86,9 @@ class SceneryStylesTest {
         assertTrue(heights[1] > 380, "a spring is no bar");
     }
 
-    /** A ring of wire is seen where it is; an endless wire to the end of the picture. */
+    /** A ring of wire is drawn in its place; an infinite wire to the edge of the picture. */
     @Test
-    void wiresAreCurves() {
+    void wiresFollowTheirCurves() {
         CurveView ring = new CurveView() {
             @Override
             public Vector3 at(double u) {

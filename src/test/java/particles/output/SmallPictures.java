@@ -39,7 +39,7 @@ final class SmallPictures {
         return state;
     }
 
-    /** How many pixels of a picture something covers: those at its edge as a part. */
+    /** The number of pixels that differ from the empty picture; edge pixels count partly. */
     static double area(int[] picture, int[] empty) {
         int count = 0;
         for (int p = 0; p < picture.length; p++) {

@@ -47,7 +47,7 @@ public final class TestEffects {
         };
     }
 
-    /** No force until a time, and then none that is a number. */
+    /** No force until a time, then NaN. */
     public static Effect failingAt(double when) {
         return new Base("failing") {
             @Override

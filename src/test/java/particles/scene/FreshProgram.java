@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.api.Load;
 
 /**
@@ -60,6 +61,12 @@ final class FreshProgram extends URLClassLoader {
         } catch (InvocationTargetException e) {
             throw new AssertionError(e.getCause());
         }
+    }
+
+    /** The names of all loaded classes whose names begin with this. */
+    Set<String> loadedFrom(String beginning) {
+        return loaded.stream().filter(name -> name.startsWith(beginning))
+                .collect(Collectors.toCollection(TreeSet::new));
     }
 
     /** The names of all laws that were loaded: effects, reactions and rules, without the packages. */

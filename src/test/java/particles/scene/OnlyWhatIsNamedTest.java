@@ -99,6 +99,27 @@ class OnlyWhatIsNamedTest {
         }
     }
 
+    /**
+     * Not the laws' classes alone, but all that belongs to them, such as the cells of cohesion or the waves of
+     * turbulence: of a class that is not loaded no method runs and no object takes memory. What is loaded beside the
+     * springs is the list of effects with the keys that each declares, and two interfaces without code.
+     */
+    @Test
+    void ofLawsThatAreNotNamedOnlyTheKeysAreLoaded() throws Exception {
+        try (FreshProgram program = new FreshProgram()) {
+            program.run(SPRINGS);
+            Set<String> classes = new TreeSet<>();
+            List.of("particles.effects.", "particles.reactions.", "particles.rules.")
+                    .forEach(room -> classes.addAll(program.loadedFrom(room)));
+            classes.removeIf(name -> name.endsWith("$Keys") || name.startsWith("particles.effects.springs."));
+            assertEquals(Set.of("particles.effects.EffectCatalog", "particles.effects.EffectKind",
+                    "particles.effects.EffectContext", "particles.effects.SharedKeys", "particles.effects.Wind",
+                    "particles.reactions.wires.Curve"), classes);
+            program.run(SPRINGS + "effects:\n  - cohesion: {range: 2, depth: 1}\n");
+            assertTrue(program.loadedFrom("particles.effects.").contains("particles.effects.Cohesion"), "when named");
+        }
+    }
+
     private static Set<String> withSprings(Addition addition) {
         Set<String> all = new TreeSet<>(addition.laws());
         all.add("SpringForce");

@@ -150,7 +150,7 @@ final class Charts {
     /** Ticks at powers of ten; an axis that would show less than two of them is widened to whole decades. */
     private static ValueAxis logAxis(Range range) {
         LogAxis axis = new LogAxis();
-        axis.setBaseSymbol("10");
+        axis.setNumberFormatOverride(new PowerFormat());
         axis.setStandardTickUnits(new NumberTickUnitSource(true));
         axis.setSmallestValue(Double.MIN_NORMAL);
         if (range != null) {

@@ -59,9 +59,12 @@ final class SeriesRenderer {
         List<SolverStyle> looks = new ArrayList<>();
         for (int k = 0; k < data.series().size(); k++) {
             Series series = data.series().get(k);
-            SolverStyle look = SolverStyle.of(series.name()).orElse(new SolverStyle(SolverFamily.OWN,
-                    ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(firstLook + k), ChartStyle.stroke(firstLook + k),
-                    ChartStyle.shape(firstLook + k)));
+            int number = firstLook + k;
+            SolverStyle look = SolverStyle.of(series.name())
+                    .or(() -> EnergyColour.of(series.name()).map(colour -> new SolverStyle(SolverFamily.OWN, colour,
+                            ChartStyle.stroke(0), ChartStyle.shape(0))))
+                    .orElse(new SolverStyle(SolverFamily.OWN, ofSolvers ? ChartStyle.AXIS : ChartStyle.colour(number),
+                            ChartStyle.stroke(number), ChartStyle.shape(number)));
             boolean line = series.mark() == Mark.LINE || series.mark() == Mark.LINE_AND_POINTS
                     || series.mark() == Mark.LINE_AND_OPEN_POINTS;
             for (int n = 0; line && n < ChartStyle.STROKES && !series.name().equals(

@@ -101,9 +101,12 @@ final class KicksDiagnosis {
         }
         findings.add(new Finding(Kind.METHOD, "the measured order is " + String.format(Locale.ROOT, "%.2f", order)
                 + " with "
-                + step.v().length + " accelerations a step" + promise.map(name -> "; the name promises " + name.says()
-                + ", of order " + name.order()).orElse("") + ": the new velocity is "
-                + formula("v", step.v(), 1, " deltaT") + "; compare the coefficients with those of the book"));
+                + step.v().length + " accelerations a step"
+                + promise.map(name -> "; the name promises " + name.saysWithOrder())
+                .orElse("") + ": the new velocity is "
+                + formula("v", step.v(), 1, " deltaT") + (promise.isPresent() && nearest.v.length == step.v().length
+                ? "; " + nearest.name + " has " + formula("v", nearest.v, 1, " deltaT")
+                : "; compare the coefficients with those of the book")));
         return new Diagnosis("This is a method of one's own, but for what is wrong below.", findings);
     }
 

@@ -100,8 +100,12 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
         if (best == null) {
             return Optional.empty();
         }
-        boolean whole = lower.replaceFirst(longest, " ").replaceAll(NOISE, "").isBlank();
+        boolean whole = isNoise(lower, longest) || isNoise(lower, longest + "s");      // Heun's method
         return Optional.of(new NamePromise(best.says, best.order, best.methods, whole));
+    }
+
+    private static boolean isNoise(String name, String but) {
+        return name.replaceFirst(but, " ").replaceAll(NOISE, "").isBlank();
     }
 
     /** @return whether a method of this name and order may be called so */
@@ -109,10 +113,21 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
         return methods.contains(method) || itsOrder >= order && (methods.isEmpty() || !whole);
     }
 
+    /** @return what the name stands for, with its order */
+    String saysWithOrder() {
+        return says + (says.contains("order") ? "" : ", of order " + order);
+    }
+
+    /** @return whether the name stands for implicit methods only */
+    boolean isImplicit() {
+        return !methods.isEmpty() && IMPLICIT.containsAll(methods);
+    }
+
     /** @return the finding for a known method that the name does not stand for */
     String contradicts(String method) {
-        boolean implicit = !methods.isEmpty() && IMPLICIT.containsAll(methods) && !IMPLICIT.contains(method);
-        return "this is " + method + (implicit ? ", which is explicit," : "") + " and not " + says
+        boolean implicit = isImplicit() && !IMPLICIT.contains(method);
+        return "this is " + method + (implicit && !method.contains("explicit") ? ", which is explicit," : "")
+                + " and not " + says
                 + ", as its name says"
                 + (implicit ? ": the equation for the new state is not solved; an iteration has to go on until nothing "
                 + "changes" : "");

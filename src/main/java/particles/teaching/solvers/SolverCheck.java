@@ -208,7 +208,9 @@ public final class SolverCheck {
 
     /** Methods that cannot be read off. */
     private Diagnosis measured() {
-        return new Diagnosis(identity(false), clock().or(this::layout).or(this::poorOrder).stream().toList());
+        UnreadMethod method = new UnreadMethod(maker);
+        return new Diagnosis(identity(false), clock().or(method::entryByEntry).or(this::layout).or(this::poorOrder)
+                .or(method::unstable).stream().toList());
     }
 
     /** Whether the clock ends where the step does. */
@@ -221,7 +223,9 @@ public final class SolverCheck {
                 return Optional.of(new Finding(Kind.TIME, end == 0 ? "the clock never moves: incTime(deltaT) is missing"
                         : "the clock ends at " + Formula.time(end) + " after a step of deltaT = " + h
                         + " s and has to end at t + deltaT" + (Math.abs(end - 1) < 1e-6
-                        && source.getTime() == (float) h ? ": it is moved in float arithmetic" : "")));
+                        && source.getTime() == (float) h ? ": it is moved in float arithmetic" : end > 1
+                        && source.error() < SMALL_ERROR ? ", and the state is where the clock is: the last sub-step has"
+                        + " to be cut to what is left of deltaT" : "")));
             }
         }
         return Optional.empty();
@@ -245,12 +249,14 @@ public final class SolverCheck {
         if (vanishes && kept) {
             return Optional.empty();
         }
-        Optional<Finding> read = tableau(TINY).flatMap(found -> found.findings().stream().filter(Finding::isWrong)
-                .findFirst());
-        return read.or(() -> Optional.of(new Finding(Kind.METHOD, vanishes ? "the measured order is "
-                + String.format(Locale.ROOT, "%.2f", order) + "; the name promises " + promise.get().says()
-                + ", of order "
-                + promise.get().order() + ": compare the coefficients with those of the book, and the times of the "
+        Optional<String> far = vanishes ? Optional.empty() : new UnreadMethod(maker).elsewhere();
+        Optional<Finding> cause = far.or(() -> BackwardDifferences.wrong(maker))
+                .map(text -> new Finding(Kind.METHOD, text))
+                .or(() -> tableau(TINY).flatMap(found -> found.findings().stream().filter(Finding::isWrong)
+                .findFirst()));
+        return cause.or(() -> Optional.of(new Finding(Kind.METHOD, vanishes ? "the measured order is "
+                + String.format(Locale.ROOT, "%.2f", order) + "; the name promises " + promise.get().saysWithOrder()
+                + ": compare the coefficients with those of the book, and the times of the "
                 + "stages"
                 : "the error does not go to 0 with deltaT: over the same time it is " + text(1) + " with deltaT = "
                 + text(0)

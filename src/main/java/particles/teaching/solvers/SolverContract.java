@@ -47,6 +47,7 @@ final class SolverContract {
         if (contract.checkOwnCopy()) {
             contract.checkSizes();
             contract.checkTurns();
+            contract.checkObjects();
             contract.checkChangedDeltaT();
             contract.checkMany();
         }
@@ -193,6 +194,28 @@ final class SolverContract {
                     return;
                 }
             }
+        }
+    }
+
+    /** A search for an impact steps with a solver of its own, in between. */
+    private void checkObjects() {
+        WindyOscillators alone = new WindyOscillators(1);
+        WindyOscillators one = alone.copy();
+        WindyOscillators two = alone.copy();
+        two.incTime(3);
+        DESolver solver = maker.get();
+        DESolver first = maker.get();
+        DESolver second = maker.get();
+        for (int step = 0; step < STEPS; step++) {
+            solver.stepState(alone, H);
+        }
+        for (int step = 0; step < STEPS; step++) {
+            first.stepState(one, H);
+            second.stepState(two, H);
+        }
+        if (distance(alone.state(), one.state()) > SAME) {
+            wrong("two solvers of this class step in turn, each its own source, and one disturbs the other: something"
+                    + " is static, and shared by all of them");
         }
     }
 

@@ -89,6 +89,11 @@ final class TableauComparison {
             }
             return "This is " + method.name() + but;
         }
+        if (promise.isPresent() && promise.get().isImplicit() && end && clock) {
+            findings.add(0, new Finding(Kind.METHOD, promise.get().contradicts("an explicit method with " + b.length
+                    + " evaluations a step")));
+            return "This is an explicit method.";
+        }
         if (isTwoEulerSteps()) {
             findings.clear();
             wrong(Kind.METHOD, "two Euler steps of deltaT are made, and the clock moves by 2 deltaT; one is wanted");
@@ -134,8 +139,7 @@ final class TableauComparison {
         }
         double sum = MethodDifferences.sum(b);
         wrong(Kind.METHOD, Formula.same(sum, 1) ? "the order is " + Formula.number(order) + " with " + b.length
-                + " evaluations a step" + promise.map(p -> "; the name promises " + p.says() + ", of order "
-                + p.order()).orElse("")
+                + " evaluations a step" + promise.map(p -> "; the name promises " + p.saysWithOrder()).orElse("")
                 + ": compare the coefficients and the weights with those of the book"
                 : "the weights of the new state add up to " + Formula.number(sum) + "; they have to add up to 1");
         return "This is a method of one's own, but for what is wrong below.";

@@ -76,6 +76,12 @@ final class TableauDiagnosis {
                 && back.stream().allMatch(step -> Formula.sameTime(step.end() / step.h(), 1))) {
             return true;
         }
+        if (Formula.sameTime(end, 1) && Formula.sameTime(twice.end() / twice.h(), 1)) {
+            double clock = back.orElseThrow().end();
+            wrong(Kind.TIME, "with deltaT = " + Formula.number(-h) + " s the clock moves by " + Formula.number(clock)
+                    + " s" + (clock == h ? ": the sign of deltaT is lost, and a step back goes forward" : ""));
+            return false;
+        }
         if (step.clockMoves().isEmpty()) {
             wrong(Kind.TIME, "the clock never moves: incTime(deltaT) is missing");
             return false;

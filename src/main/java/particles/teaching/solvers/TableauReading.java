@@ -4,6 +4,7 @@ import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
@@ -45,6 +46,9 @@ final class TableauReading {
         try {
             ExtractedTableau step = ExtractedTableau.of(maker.get(), H, size);
             ExtractedTableau twice = ExtractedTableau.of(maker.get(), 2 * H, size);
+            if (takesDifferences(step, twice)) {
+                return Optional.of(differences());
+            }
             Optional<ExtractedTableau> back = back(size);
             if (step.stages() != twice.stages() || back.stream().anyMatch(other -> step.stages() != other.stages())
                     || step.wrongLengths().isEmpty() && !fits(step.misfit(maker.get(), size))) {
@@ -65,6 +69,31 @@ final class TableauReading {
         } catch (RuntimeException e) {
             return Optional.empty();                    // adaptive, or it wants positions and velocities
         }
+    }
+
+    /**
+     * Whether a stage lies a little ahead or behind, by the same length in state and clock whatever deltaT is, and
+     * enters with deltaT^2: a difference quotient of the derivative.
+     */
+    private static boolean takesDifferences(ExtractedTableau step, ExtractedTableau twice) {
+        for (int i = 1; i < Math.min(step.stages(), twice.stages()); i++) {
+            double ahead = MethodDifferences.sum(step.a()[i]);
+            if (ahead != 0 && Formula.same(MethodDifferences.sum(twice.a()[i]) / ahead, 1)
+                    && Math.abs(step.c()[i] - ahead) < DOUBLE_ROUNDING && Math.abs(twice.c()[i] - ahead)
+                    < DOUBLE_ROUNDING && step.b()[i] != 0 && Formula.same(twice.b()[i] / step.b()[i], 4)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private Diagnosis differences() {
+        double order = measured.getAsDouble();
+        int wanted = Math.max(2, promise.map(NamePromise::order).orElse(2));
+        List<Finding> found = order > wanted - 0.5 ? List.of() : List.of(new Finding(Kind.METHOD, String.format(
+                Locale.ROOT, "the measured order is %.2f and should be %d: compare the difference quotient and its"
+                + " factor, deltaT^2/2, with the Taylor series", order, wanted)));
+        return new Diagnosis("This is a method with a difference quotient for the second derivative.", found);
     }
 
     private Optional<ExtractedTableau> back(double size) {

@@ -4,9 +4,11 @@ import deSolvers.SecondOrderStateSource;
 
 /**
  * A probe with positions and velocities in turn: dx/dt is the velocity that stands in the state, the rest is as told.
+ * The acceleration does not depend on the velocity: asked again at the same positions and time, it is the same.
  */
 public final class SecondOrderProbe extends Probe implements SecondOrderStateSource {
     private final int dimension;
+    private double[] last = {};
 
     /**
      * @param start     the state
@@ -28,6 +30,27 @@ public final class SecondOrderProbe extends Probe implements SecondOrderStateSou
                 dSdt[k] = state[k + dimension];
             }
         }
+    }
+
+    @Override
+    protected void rates(double t, double[] s, double[] dSdt) {
+        if (recorded().isEmpty() || recorded().get(recorded().size() - 1).time() != t || hasMoved(s)) {
+            super.rates(t, s, dSdt);
+            last = dSdt.clone();
+        } else {
+            System.arraycopy(last, 0, dSdt, 0, Math.min(last.length, dSdt.length));
+        }
+    }
+
+    /** Whether a position is another one than at the last evaluation. */
+    private boolean hasMoved(double[] s) {
+        double[] before = recorded().get(recorded().size() - 1).state();
+        for (int k = 0; k < s.length; k++) {
+            if (k % (2 * dimension) < dimension && s[k] != before[k]) {
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override

@@ -25,12 +25,12 @@ import particles.output.files.OutputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** What a person meets at the command line: lines, exit codes, never a stack trace for what can be expected. */
+/** The command line: messages, exit codes, and no stack trace for expected failures. */
 class ProgramTest {
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
 
-    /** A command with an option of each kind; it prints them, or fails as it is told to. */
+    /** A command with an option of each kind that prints them, or fails on request. */
     @Command(name = "try", description = "Tries the options.")
     private static final class TryCommand extends ProgramCommand {
         @Option(names = "--deltaT", paramLabel = "SECONDS", description = "The time step.")
@@ -57,9 +57,9 @@ class ProgramTest {
 
     private final TryCommand command = new TryCommand();
 
-    /** As when the output is sent to a file on a full disk. */
+    /** As with output redirected to a full disk. */
     @Test
-    void whatCannotBePrintedIsNotLostInSilence() {
+    void outputThatCannotBePrintedIsAnError() {
         PrintWriter full = new PrintWriter(new Writer() {
             @Override
             public void write(char[] letters, int offset, int length) throws IOException {
@@ -100,13 +100,13 @@ class ProgramTest {
     }
 
     @Test
-    void aValueIsAValue() {
+    void valuesAreTakenLiterally() {
         assertEquals(ExitCode.DONE, execute(OptionStyle.SHELL, "try", "--scene=@/etc/passwd", "--frames=false"));
         assertEquals("deltaT=null frames=false scene=@/etc/passwd", out.toString().strip());
     }
 
     @Test
-    void unknownOptionIsRefusedWithWhatMayBeMeant() {
+    void unknownOptionIsRefusedWithASuggestion() {
         assertRefused(OptionStyle.GRADLE,
                 "unknown option -Pdeltat; did you mean -PdeltaT? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
                 "try", "--deltat=0.1");
@@ -127,12 +127,12 @@ class ProgramTest {
     }
 
     @Test
-    void optionWithoutLikenessIsRefusedWithWhatIsAllowed() {
+    void unknownOptionWithoutSuggestionListsTheAllowedOnes() {
         assertRefused(OptionStyle.SHELL, "unknown option --colour; allowed: --help", "solvers", "--colour=red");
     }
 
     @Test
-    void allThatIsWrongIsSaidAtOnce() {
+    void allErrorsAreReportedTogether() {
         assertRefused(OptionStyle.GRADLE, String.join(System.lineSeparator(),
                 "option -PdeltaT: 'soon' is not a double",
                 "unknown option -Pscne; did you mean -Pscene? allowed: -PdeltaT, -Pframes, -Pscene, -Phelp",
@@ -164,7 +164,7 @@ class ProgramTest {
     }
 
     @Test
-    void missingCommandIsSaid() {
+    void missingCommandIsRefused() {
         assertRefused(OptionStyle.SHELL, "a command is missing; commands: " + commands());
     }
 
@@ -228,7 +228,7 @@ class ProgramTest {
     }
 
     @Test
-    void causeOfAnIOExceptionIsSaid() {
+    void causeOfAnIOExceptionIsNamed() {
         assertEnds(ExitCode.TROUBLE, "cannot write frame-00000.png: No space left on device",
                 new IOException("cannot write frame-00000.png", new IOException("No space left on device")));
     }
@@ -264,7 +264,7 @@ class ProgramTest {
         assertTrue(err.toString().contains("java.lang.StackOverflowError: too deep"), err.toString());
     }
 
-    /** What was estimated before the start may still be too little: a line then, too, that says what can be done. */
+    /** The memory estimate may be too small: running out of memory is also one line that says what to do. */
     @Test
     void fullMemoryIsOneLineAndCode1() {
         long most = Runtime.getRuntime().maxMemory();
@@ -275,7 +275,7 @@ class ProgramTest {
     }
 
     @Test
-    void exitCodesAreThoseOfTheHandbook() {
+    void exitCodesAreThoseOfTheReadme() {
         assertEquals(List.of(0, 1, 2, 3), List.of(ExitCode.values()).stream().map(ExitCode::code).toList());
     }
 

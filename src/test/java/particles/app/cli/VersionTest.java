@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 class VersionTest {
     @Test
-    void buildHasTheSame() throws IOException {
+    void theBuildHasTheSameVersion() throws IOException {
         String wanted = "version = '" + Version.CURRENT + "'";
         assertTrue(Files.readAllLines(Path.of("build.gradle")).stream().anyMatch(line -> line.startsWith(wanted)),
                 wanted);

@@ -20,7 +20,7 @@ import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.run.StopRequest;
 
-/** Scenes in which nothing moves, nothing is left, or all is far away: every task that takes a scene bears them. */
+/** Every task that takes a scene handles scenes in which nothing moves, nothing is left, or everything is far away. */
 class EdgeScenesTest {
     private static final String HEAD = "title: Edge\nteaches: what tasks bear\nsolver: rk4\ndeltaT: 0.01\n"
             + "duration: 0.2\noutput: {width: 64, height: 48}\nparticles:\n";

@@ -23,13 +23,13 @@ import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.scene.SceneFiles;
 
-/** The gallery of scenes: its page says what the scenes say, and each scene has its picture. */
+/** The gallery of scenes: its page matches the scenes, and each scene has its picture. */
 class GalleryTest {
     private static final Path SCENES = Path.of("scenes");
     private static final long MOST_BYTES = 1_500_000;
 
     @Test
-    void thePageIsThatOfTheScenes() throws IOException {
+    void thePageMatchesTheScenes() throws IOException {
         assertEquals(GalleryPage.of(SCENES), Files.readString(SCENES.resolve(GalleryPage.FILE)),
                 "scenes/README.md is out of date; gradle gallery writes it again");
     }

@@ -18,7 +18,7 @@ import particles.law.Vector3;
 class ProgressTest {
     private final StringWriter out = new StringWriter();
 
-    /** A run of 100 steps that takes so long by the clock on the wall. */
+    /** Runs 100 steps with a fake clock of the given wall-clock time. */
     private List<String> linesOf(double seconds) {
         AtomicLong nanos = new AtomicLong(123);
         ParticleSystem system = new ParticleSystem();
@@ -41,7 +41,7 @@ class ProgressTest {
     }
 
     @Test
-    void aLongerRunSaysHowFarItIsNowAndThen() {
+    void aLongRunPrintsItsProgress() {
         List<String> lines = linesOf(20);
         assertEquals("t = 5 s of 50 s, 10 %, about 18 s to go", lines.get(0));
         assertEquals("t = 10 s of 50 s, 20 %, about 16 s to go", lines.get(1));
@@ -49,7 +49,7 @@ class ProgressTest {
     }
 
     @Test
-    void aVeryLongRunIsHeardOfEveryTenSeconds() {
+    void aVeryLongRunPrintsEveryTenSeconds() {
         List<String> lines = linesOf(1100);
         assertEquals(99, lines.size());         // a step takes 11 s, and after the last one there is nothing to say
     }

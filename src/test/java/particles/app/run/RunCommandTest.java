@@ -27,7 +27,7 @@ import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
 import particles.app.cli.Version;
 
-/** A run through the program: what is in the folder afterwards, what was printed, and how it ended. */
+/** Runs through the program: files, output and exit codes. */
 class RunCommandTest {
     /** A block on a spring, omega = 10 rad/s; pictures as small as they can be read. */
     private static final String SCENE = """
@@ -101,7 +101,7 @@ class RunCommandTest {
     private static final Set<String> NUMBERS_AND_PLOTS = Set.of("energy.png", "phase.png", "run.json",
             "trajectory.csv");
 
-    /** A million pictures are too many; a million seconds are not, where nothing is drawn. */
+    /** A million pictures are too many; a million seconds without pictures are not. */
     @Test
     void aLongRunIsRefusedOnlyForPicturesThatItDraws() throws IOException {
         Files.writeString(scenes.resolve("02-far.yaml"), """
@@ -121,7 +121,7 @@ class RunCommandTest {
     }
 
     @Test
-    void aRunLeavesWhatIsPromisedAndSaysWhere() throws IOException {
+    void aRunWritesItsFilesAndPrintsTheFolder() throws IOException {
         assertEnds(ExitCode.DONE, "");
         Set<String> expected = new TreeSet<>(NUMBERS_AND_PLOTS);
         expected.add("animation.gif");
@@ -149,7 +149,7 @@ class RunCommandTest {
     }
 
     @Test
-    void aFilmIsMadeWhereItIsAskedFor() throws IOException {
+    void aFilmIsMadeOnRequest() throws IOException {
         assertEnds(ExitCode.DONE, "", "--video=mp4");
         assertTrue(files().containsAll(Set.of("film.mp4", "animation.gif")), files().toString());
         assertTrue(lines.toString().contains("animation.gif, film.mp4, energy.png"), lines.toString());
@@ -165,7 +165,7 @@ class RunCommandTest {
     }
 
     @Test
-    void aFilmThatCannotBeIsOneLine() {
+    void anImpossibleFilmIsOneLine() {
         assertEnds(ExitCode.BAD_INPUT, "option -Pvideo: 'avi' is not a kind of film; allowed: none,"
                 + " mp4", "--video=avi");
         assertEnds(ExitCode.BAD_INPUT, "-Pvideo=mp4 needs pictures; remove -Pframes=false", "--video=mp4",
@@ -210,7 +210,7 @@ class RunCommandTest {
     }
 
     @Test
-    void optionsGoBeforeTheScene() throws IOException {
+    void optionsOverrideTheScene() throws IOException {
         assertEnds(ExitCode.DONE, "", "--frames=false", "--solver=euler", "--deltaT=0.004", "--duration=0.01");
         String json = Files.readString(out.resolve("run.json"));
         for (String part : List.of("\"solver\" : \"euler\"", "\"deltaT\" : 0.004", "\"duration\" : 0.01",
@@ -221,7 +221,7 @@ class RunCommandTest {
 
     @Tag("slow")
     @Test
-    void theTrajectoryIsThinnedByTheScenesWordOrByItsLength() throws IOException {
+    void theTrajectoryIsThinnedByTheScenesKeyOrItsLength() throws IOException {
         replaceInScene("{frameRate: 10", "{trajectoryStride: 20, frameRate: 10");
         run("--frames=false");
         List<Double> thinned = times().stream().map(Double::valueOf).toList();
@@ -274,7 +274,7 @@ class RunCommandTest {
     }
 
     @Test
-    void aFolderThatCannotBeIsOneLineAndCode1() throws IOException {
+    void anImpossibleFolderIsOneLineAndCode1() throws IOException {
         Files.writeString(out, "a file");
         assertEnds(ExitCode.TROUBLE, "cannot create the folder " + out + ": a file is where a folder should be");
         assertEnds(ExitCode.TROUBLE,
@@ -302,7 +302,7 @@ class RunCommandTest {
     }
 
     @Test
-    void aBlowUpKeepsWhatWasSeenAndEndsWithCode3() throws IOException {
+    void aBlowUpKeepsItsResultsAndEndsWithCode3() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--deltaT=0.5", "--duration=100"));
         assertEquals(3, errors.toString().lines().count(), errors.toString());
         assertTrue(files().containsAll(NUMBERS_AND_PLOTS) && files().contains("frames/frame-00000.png"),

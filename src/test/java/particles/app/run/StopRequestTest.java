@@ -12,12 +12,12 @@ class StopRequestTest {
     private final List<Integer> exits = new ArrayList<>();
 
     @Test
-    void aProgramThatNobodyStopsEndsWithItsOwnCode() {
+    void aProgramThatIsNotStoppedEndsWithItsOwnCode() {
         stop.end(ExitCode.BAD_INPUT, exits::add);
         assertEquals(List.of(2), exits);
     }
 
-    /** Once in thousands of stops Java took the program's 3 instead of 143 of SIGTERM. */
+    /** Without this, once in thousands of stops the exit code was 3 instead of SIGTERM's 143. */
     @Test
     void aSignalKeepsItsCode() {
         stop.request();

@@ -15,7 +15,7 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 
-/** What a run says of itself at its end. */
+/** The lines printed at the end of a run. */
 class SummaryTest {
 
     /** The lines for a mass on a spring, x'' = -x from x = 1: 0.5 J for ever. */
@@ -35,7 +35,7 @@ class SummaryTest {
 
     /** Euler multiplies the energy by 1 + h^2 in each step: 0.5 J (1.01)^100 = 1.352 J; 0.8524 J are its error. */
     @Test
-    void aGrowingRunTellsTheChangeAndTheErrorInJoulesAndWarns() throws IOException {
+    void aGrowingRunPrintsItsErrorAndAWarning() throws IOException {
         List<String> lines = lines("euler", 0.1, 10);
         assertEquals(5, lines.size(), lines.toString());
         assertEquals("energy: 0.5 J at the start, 1.35 J at the end; largest change 0.852 J", lines.get(2));
@@ -52,7 +52,7 @@ class SummaryTest {
     }
 
     @Test
-    void aStepThatIsCutShortIsSaid() throws IOException {
+    void aShortenedOnlyStepIsNamed() throws IOException {
         assertEquals("the run is shorter than deltaT: its only step was 0.2 s long", lines("rk4", 0.5, 0.2).get(2));
         assertEquals(4, lines("rk4", 0.2, 0.2).size(), "it is as long as deltaT");
     }

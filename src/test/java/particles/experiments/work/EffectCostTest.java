@@ -38,6 +38,7 @@ class EffectCostTest {
         assertEquals(16, chart.rows().size());
         assertEquals(16, EffectCost.table(costs).rows().size());
         assertEquals(1.0, (double) EffectCost.table(costs).rows().get(1).get(2));
+        assertEquals("2.00", EffectCost.overBound(costs));
     }
 
     /** Sorted whatever the order of measurement, on a logarithmic axis, from 1, with the value in the row's name. */

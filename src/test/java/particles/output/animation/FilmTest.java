@@ -26,7 +26,7 @@ import particles.output.files.OutputException;
 import particles.output.files.OutputFile;
 import particles.output.files.OutputFolder;
 
-/** What is read back from a film is what went into it. */
+/** A film read back has the frames that were written. */
 class FilmTest {
     private static final int W = 100;
     private static final int H = 58;
@@ -37,7 +37,7 @@ class FilmTest {
     private record Read(Size size, double duration, List<Picture> pictures, List<Double> times) {
     }
 
-    /** A red square on a ground of blue and green stripes that goes 2 pixels to the right from frame to frame. */
+    /** A red square on blue and green stripes that moves 2 pixels to the right per frame. */
     private static int[] frame(int width, int height, int index) {
         int[] rgb = new int[width * height];
         for (int y = 0; y < height; y++) {
@@ -92,7 +92,7 @@ class FilmTest {
     }
 
     @Test
-    void sizeFramesTimesAndColoursAreThose() throws IOException {
+    void sizeFramesTimesAndColoursReadBack() throws IOException {
         write(W, H, 25, 0, 30);
         Read film = read();
         assertEquals(W, film.size().getWidth());
@@ -136,7 +136,7 @@ class FilmTest {
         }
     }
 
-    /** A frame rate that is no whole number adds up no error, and a run may begin with any frame. */
+    /** A fractional frame rate accumulates no error, and a run may begin with any frame. */
     @Test
     void oddSizesAndRatesAreFilmedToo() throws IOException {
         write(W + 1, H + 1, 29.97, 7, 50);
@@ -154,7 +154,7 @@ class FilmTest {
         assertEquals(300, read().duration(), 1);
     }
 
-    /** Nothing of a film is seen before it is whole, and nothing is left of one that fails. */
+    /** A film appears only when it is complete, and a failed one leaves nothing. */
     @Test
     void aFilmIsWholeOrNotThere() throws IOException {
         try (OutputFolder folder = OutputFolder.open(top, Film.FILE)) {

@@ -27,7 +27,7 @@ import particles.view.Camera;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 
-/** The animation, read back by ImageIO and put together as a viewer does. */
+/** The animation, read back by ImageIO and composed as a viewer does. */
 class GifAnimationTest {
     private static final int W = 160;
     private static final int H = 120;
@@ -111,9 +111,9 @@ class GifAnimationTest {
         assertEquals(20, frames.stream().limit(frames.size() - 1).mapToInt(Frame::delay).sum(), 2);
     }
 
-    /** Each frame, put together from what changed, is the picture that was drawn, to within palette and dither. */
+    /** Each frame, composed from its changes, is the picture that was drawn, up to palette and dither. */
     @Test
-    void everyFrameIsThePictureThatWasDrawn() throws IOException {
+    void everyFrameReadsBackAsItsPicture() throws IOException {
         write(25, 11, W);
         List<Frame> frames = read();
         FrameRenderer renderer = renderer();

@@ -19,12 +19,14 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.DoubleStream;
 import javax.imageio.ImageIO;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.LegendItemCollection;
 import org.jfree.chart.axis.LogAxis;
 import org.jfree.chart.axis.SymbolAxis;
 import org.jfree.chart.axis.TickUnit;
+import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.CombinedDomainXYPlot;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.data.xy.XYDataset;
@@ -209,5 +211,28 @@ class ChartsTest {
         int text = g.getFontMetrics(axis.getTickLabelFont()).stringWidth("0.2");
         double room = axis.estimateMaximumTickLabelWidth(g, new DecimalTicks().getCeilingTickUnit(0.2));
         assertTrue(room > text && room < 3 * text, room + " for " + text);
+    }
+
+    /** Dampers' work has a fourth one, and two kinds of that differ in their dashes. */
+    @Test
+    void totalEnergyDrivenWorkAndErrorAreThreeColours() {
+        Set<Object> colours = new HashSet<>();
+        for (String name : List.of("total, from the lowest", "work: moving anchors", "numerical error",
+                "work: drag (dissipated)")) {
+            XYPlot plot = Charts.of(chart(false, series(name, 1, 2))).getXYPlot();
+            colours.add(plot.getRenderer().getSeriesPaint(0));
+        }
+        assertEquals(4, colours.size(), colours.toString());
+        XYPlot works = Charts.of(chart(false, series("work: drag (dissipated)", 1, 2),
+                series("work: springs (dissipated)", 1, 2))).getXYPlot();
+        assertNotEquals(works.getRenderer().getSeriesStroke(0), works.getRenderer().getSeriesStroke(1));
+    }
+
+    @Test
+    void exponentsHaveOneStyleOnAllAxes() {
+        assertEquals(List.of("100", "0.01", "1e-6", "1e7"), DoubleStream.of(100, 0.01, Math.pow(10, -6), 1e7)
+                .mapToObj(new PowerFormat()::format).toList());
+        ValueAxis axis = Charts.of(chart(true, series("y", 1e-8, 1))).getXYPlot().getRangeAxis();
+        assertInstanceOf(PowerFormat.class, ((LogAxis) axis).getNumberFormatOverride());
     }
 }

@@ -8,11 +8,11 @@ import java.math.MathContext;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** The digits of numbers: they read back as the same double, and no shorter ones do. */
+/** Shortest digits of numbers: they read back as the same double, and no shorter ones do. */
 class NumbersTest {
 
     @Test
-    void knownDigits() {
+    void knownNumbersHaveTheirShortestDigits() {
         assertEquals("0.1", Numbers.shortest(0.1));
         assertEquals("-0.0", Numbers.shortest(-0.0));
         assertEquals("1.0E-5", Numbers.shortest(1e-5));
@@ -23,7 +23,7 @@ class NumbersTest {
     }
 
     @Test
-    void readBackAsTheSameBitsAndAreShortest() {
+    void digitsReadBackToTheSameBitsAndAreShortest() {
         Random random = new Random(715);
         for (int i = 0; i < 20_000; i++) {
             double value = Double.longBitsToDouble(random.nextLong());

@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Files that come whole or not at all, in a folder where nobody else's file is harmed. */
+/** Output files are written whole or not at all, and other people's files are left alone. */
 class OutputFolderTest {
     @TempDir
     Path top;
@@ -125,7 +125,7 @@ class OutputFolderTest {
         assertEquals("first", Files.readString(top.resolve("run.json")));
         OutputFile third = folder.create("run.json");
         third.write("third".getBytes());
-        folder.close();                                             // as a program does that is being stopped
+        folder.close();                                             // as a stopping program does
         assertThrows(OutputException.class, third::commit);
         assertThrows(OutputException.class, () -> folder.create("late.txt"));
         assertEquals(new TreeSet<>(List.of(".desolver-made", "run.json")), filesOf(top));
@@ -163,7 +163,7 @@ class OutputFolderTest {
     }
 
     @Test
-    void aFolderThatCannotBeOrVanishesIsOneClearLine() throws IOException {
+    void anImpossibleOrDeletedFolderIsOneClearLine() throws IOException {
         Path file = Files.writeString(top.resolve("file"), "mine");
         OutputException e = assertThrows(OutputException.class, () -> OutputFolder.open(file));
         assertEquals("cannot create the folder " + file + ": a file is where a folder should be", e.getMessage());

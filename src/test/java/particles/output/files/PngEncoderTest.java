@@ -11,7 +11,7 @@ import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 
-/** What the encoder writes, read by another's decoder. */
+/** The encoder's pictures, decoded by ImageIO. */
 class PngEncoderTest {
 
     private static void assertReadsBack(PngEncoder encoder, int width, int height, IntBinaryOperator colour)
@@ -30,7 +30,7 @@ class PngEncoderTest {
         }
     }
 
-    /** Noise needs more room than the buffer has at first; the smooth pictures after it take both kinds of filter. */
+    /** Noise overflows the initial buffer; the smooth pictures after it use both filters. */
     @Test
     void everyPixelReadsBack() throws IOException {
         PngEncoder encoder = new PngEncoder(317, 211);

@@ -14,7 +14,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What run.json says, read back by a parser. */
+/** The contents of run.json, read back by a JSON parser. */
 class RunSummaryWriterTest {
     @TempDir
     Path top;
@@ -64,7 +64,7 @@ class RunSummaryWriterTest {
     }
 
     @Test
-    void whatIsNoNumberIsNull() throws IOException {
+    void nonFiniteNumbersAreNull() throws IOException {
         Map<String, String> values = readBack(new RunSummary("s", "h", "euler", 1, 1, 1, "1", 1, 1, 1, 0,
                 Double.POSITIVE_INFINITY, 1, Double.NaN, Map.of(), Double.NaN, Double.NaN));
         assertEquals("null", values.get("energy.end"));
@@ -73,7 +73,7 @@ class RunSummaryWriterTest {
     }
 
     @Test
-    void nothingThatMovesDriftsByNothing() {
+    void aSceneAtRestHasNoDrift() {
         assertEquals(0, new RunSummary("s", "h", "euler", 1, 1, 1, "1", 1, 1, 1, 3, 3, 0, 0, Map.of(), 0,
                 0).relativeDrift());
     }

@@ -23,7 +23,7 @@ import particles.SimulationException;
 import particles.law.Vector3;
 import particles.output.TestEffects;
 
-/** The trajectory file against what the solver's states were. */
+/** The trajectory file against the solver's states. */
 class TrajectoryWriterTest {
     private static final String HEADER = "time,particle,x,y,z,vx,vy,vz";
 
@@ -73,7 +73,7 @@ class TrajectoryWriterTest {
      * lines. Allowed are 5000 beside the first state and the last, of 1 and 1001 particles.
      */
     @Test
-    void staysAsSmallAsPromisedWhereParticlesAreBorn() throws IOException {
+    void theFileStaysBelowItsLimitWhenParticlesAreBorn() throws IOException {
         ParticleSystem system = new ParticleSystem();
         system.addParticle("p0", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
         Simulation simulation = new Simulation(system, new RK4Solver(), 0.125, 125, Double.POSITIVE_INFINITY);
@@ -102,7 +102,7 @@ class TrajectoryWriterTest {
     }
 
     @Test
-    void holdsTheSolversOwnStatesBitForBit() throws IOException {
+    void theFileHasTheSolversStatesBitForBit() throws IOException {
         List<double[]> states = new ArrayList<>();
         List<Double> times = new ArrayList<>();
         Simulation simulation = thrown(0.55, false);
@@ -168,7 +168,7 @@ class TrajectoryWriterTest {
         assertEquals("5.0", fields[6]);
     }
 
-    /** Byte for byte the same, whatever else looks on. */
+    /** The file is byte for byte the same with and without other observers. */
     @Test
     void otherObserversChangeNoByte() throws IOException {
         linesOf(thrown(0.55, true), 1, "alone");

@@ -29,7 +29,7 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 
-/** Frames at regular times, drawn by another thread. */
+/** Frames at regular times, drawn in another thread. */
 class FrameObserverTest {
     private static final int W = 64;
     private static final int H = 400;
@@ -37,7 +37,7 @@ class FrameObserverTest {
     @TempDir
     Path top;
 
-    /** Notes each frame's number and the height of the ball in it, in pixels from the top. */
+    /** Records each frame's number and the ball's height in it (pixels from the top). */
     private static final class Notes implements FrameSink {
         private final List<Integer> frames = new ArrayList<>();
         private final List<Double> heights = new ArrayList<>();
@@ -92,7 +92,7 @@ class FrameObserverTest {
     }
 
     @Test
-    void framesStandAtTheirTimesWhateverTheSteps() {
+    void framesHaveTheirTimesAtAnyStep() {
         for (double deltaT : new double[] {0.001, 0.03, 0.7}) {
             Notes notes = watch(thrown(deltaT, 2), 25);
             assertEquals(IntStream.rangeClosed(0, 50).boxed().toList(), notes.frames, "deltaT " + deltaT);
@@ -113,7 +113,7 @@ class FrameObserverTest {
         assertEquals(1, watch(thrown(0.01, 0), 10).frames.size());
     }
 
-    /** The clock ends a rounding error early; a frame that is really still to come is not drawn. */
+    /** The clock may end early by round-off; a frame that is due later is not drawn. */
     @Test
     void theLastFrameIsDrawnDespiteRounding() {
         for (double end : new double[] {Math.nextDown(1.0), 0.999}) {
@@ -139,7 +139,7 @@ class FrameObserverTest {
     }
 
     @Test
-    void whatFailsOnTheThreadReachesTheCallerOnce() {
+    void aFailureOfTheDrawingThreadReachesTheCallerOnce() {
         Notes notes = new Notes();
         notes.failure = new OutputException(top.resolve("frame"), "write", "the disk is full", null);
         OutputException thrown = assertThrows(OutputException.class, () -> {
@@ -209,7 +209,7 @@ class FrameObserverTest {
     }
 
     @Test
-    void noStepIsKeptAfterAllHasLeftThePicture() {
+    void noStepIsKeptAfterEverythingLeftThePicture() {
         Simulation simulation = thrown(0.01, 3);        // falls below y = -5 m at t = 1 + sqrt(5)/2 = 2.118 s
         LastSteps last = lastSteps(simulation);
         simulation.run();

@@ -18,7 +18,7 @@ import particles.view.RenderOptions;
 import particles.view.Scenery;
 import particles.view.Surface;
 
-/** Pictures by what can be computed of them: where things are, what hides what, where shadows fall. */
+/** Pictures against computed values: positions, visibility and shadows. */
 class FrameRendererTest {
     private static final int W = 320;
     private static final int H = 200;
@@ -49,7 +49,7 @@ class FrameRendererTest {
 
     /** A ball of radius 0.5 m at (2, 1) m: its pixels are a disc of 10 pixels around (200, 80). */
     @Test
-    void aBallIsWhereItIsAndAsLargeAsItIs() {
+    void aBallHasItsPositionAndSize() {
         int[] rgb = renderer(FRONT, LOOK, List.of(), List.of()).render(state(2, 1, 0));
         int count = 0;
         double x = 0;
@@ -67,7 +67,7 @@ class FrameRendererTest {
     }
 
     @Test
-    void theNearerHidesTheFarther() {
+    void aNearerBallHidesAFartherOne() {
         FrameState state = state(0, 0, 1, 0, 0, 0);
         state.fixed[1] = true;
         int[] rgb = renderer(FRONT, LOOK, List.of(), List.of()).render(state);
@@ -115,9 +115,7 @@ class FrameRendererTest {
         assertTrue(middle[1][0] > 1.5 * middle[1][1], "stretched is red");
     }
 
-    /**
-     * A ball at rest lies on the ground that is drawn; one below is hidden; where the lamp does not shine is shadow.
-     */
+    /** A ball at rest touches the drawn ground, one below is hidden, and shadows fall on the ground. */
     @Test
     void theGroundHidesAndCarriesShadows() {
         Camera above = new Camera(new Vector3(0, 20, 20), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
@@ -143,7 +141,7 @@ class FrameRendererTest {
 
     /** A closed surface hides the springs inside, and those that begin on it; an open one those that it contains. */
     @Test
-    void surfacesStandForWhatTheyContain() {
+    void surfacesHideTheirOwnSprings() {
         RenderOptions beside = RenderOptions.STANDARD;
         VisibilityFilter open = new VisibilityFilter(beside, List.of(new Surface(new int[] {0, 1, 2}, false)));
         assertTrue(!open.particle(0) && open.particle(3));
@@ -156,9 +154,9 @@ class FrameRendererTest {
         assertTrue(all.particle(0) && all.spring(0, 1));
     }
 
-    /** A run that blows up is drawn as long as it lasts. */
+    /** Frames of a blown-up run can be drawn. */
     @Test
-    void anyNumbersCanBeDrawn() {
+    void extremeNumbersCanBeDrawn() {
         double huge = 1e200;
         FrameState state = state(huge, -huge, huge, Double.NaN, 0, 0, Double.MAX_VALUE, 0, 1e9, 0, 0, 0, 1e12, 0, -3);
         state.springs = 4;
@@ -201,7 +199,7 @@ class FrameRendererTest {
     }
 
     @Test
-    void sizesHaveBounds() {
+    void drawnSizesAreLimited() {
         FrameSetup stage = new FrameSetup(FRONT, LOOK, Scenery.NONE, "", "");
         assertThrows(IllegalArgumentException.class, () -> new FrameRenderer(stage, 0, 100, 2));
         assertThrows(IllegalArgumentException.class, () -> new FrameRenderer(stage, 100_000, 100_000, 2));

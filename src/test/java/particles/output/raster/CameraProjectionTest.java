@@ -13,7 +13,7 @@ import particles.law.Plane;
 import particles.law.Vector3;
 import particles.view.Camera;
 
-/** Where points of space come to lie in the picture. */
+/** Projection of points into the picture. */
 class CameraProjectionTest {
     private static final Vector3 UP = new Vector3(0, 1, 0);
 
@@ -49,7 +49,7 @@ class CameraProjectionTest {
     }
 
     @Test
-    void theLineOfSightThroughAPointsPlaceMeetsThePoint() {
+    void theRayThroughAProjectedPointMeetsThePoint() {
         Random random = new Random(715);
         for (int k = 0; k < 200; k++) {
             Camera camera = new Camera(random(random).times(9), random(random), UP, k % 2 == 0, 50, 3);
@@ -66,7 +66,7 @@ class CameraProjectionTest {
     }
 
     @Test
-    void whatIsBehindTheCameraIsNotInFront() {
+    void pointsBehindTheCameraAreNotDrawn() {
         CameraProjection view = new CameraProjection(camera(true), 100, 100);
         assertTrue(view.isInFront(view.depth(0, 0, 0)));
         assertFalse(view.isInFront(view.depth(0, 0, 4)));
@@ -77,7 +77,7 @@ class CameraProjectionTest {
     }
 
     @Test
-    void aCameraThatCannotBeIsRefused() {
+    void invalidCamerasAreRefused() {
         Vector3 back = new Vector3(0, 0, 1);
         for (Camera camera : List.of(new Camera(UP, UP, UP, true, 50, 0), new Camera(UP, Vector3.ZERO, UP, true, 50, 0),
                 new Camera(back, Vector3.ZERO, UP, true, 180, 0), new Camera(back, Vector3.ZERO, UP, false, 50, 0))) {
@@ -85,9 +85,9 @@ class CameraProjectionTest {
         }
     }
 
-    /** Every corner is in the picture, and one of them is near its edge: not farther away than need be. */
+    /** Every corner is in the picture, and one is near its edge: the camera is no farther away than needed. */
     @Test
-    void framingShowsAllAndNotMuchMore() {
+    void framingShowsEverythingAndLittleMore() {
         Random random = new Random(715);
         for (int k = 0; k < 100; k++) {
             Vector3 low = random(random).times(20);
@@ -108,7 +108,7 @@ class CameraProjectionTest {
     }
 
     @Test
-    void framingKnowsWhatPointsMayDo() {
+    void framingLeavesRoomForSwingingAndFalling() {
         ParticleSystem pendulum = new ParticleSystem();
         pendulum.addParticle("peg", 1, Vector3.ZERO, Vector3.ZERO, true);
         pendulum.addParticle("bob", 1, new Vector3(1, 0, 0), Vector3.ZERO, false);

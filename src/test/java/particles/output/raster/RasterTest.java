@@ -14,7 +14,7 @@ class RasterTest {
         return raster.colour[y * raster.width + x] >> 16;
     }
 
-    /** A grid with its inner corners moved at random covers its square without a hole. */
+    /** Triangles of a randomly distorted grid cover its square without a hole. */
     @Test
     void neighboursLeaveNoHoles() {
         Random random = new Random(715);
@@ -65,7 +65,7 @@ class RasterTest {
     }
 
     @Test
-    void theNearerOneIsSeenInWhateverOrder() {
+    void theNearerTriangleWinsInAnyOrder() {
         for (int order = 0; order < 2; order++) {
             Raster raster = new Raster(50, 50);
             for (int k = 0; k < 2; k++) {
@@ -80,7 +80,7 @@ class RasterTest {
     }
 
     @Test
-    void whatIsFarOutsideOrNoNumberIsNotDrawn() {
+    void farOrNonFiniteShapesAreNotDrawn() {
         Raster raster = new Raster(50, 50);
         int[] rgb = {-1, -1, -1};
         raster.triangle(0, 1, 2, new double[] {1e300, -1e300, 0}, new double[] {1e300, 0, -1e300}, NEAR, rgb);

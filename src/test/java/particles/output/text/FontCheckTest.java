@@ -27,12 +27,12 @@ import particles.view.ChartData;
 import particles.view.RenderOptions;
 import particles.view.Scenery;
 
-/** A machine without any font: frames without words, and one clear line for a chart. */
+/** On a machine without fonts, frames have no text and a chart is one clear error. */
 class FontCheckTest {
     @TempDir
     Path top;
 
-    /** What runs in a Java of its own: fonts are looked for once in the life of one. */
+    /** The program of a child process: a JVM looks for fonts only once. */
     public static final class Drawing {
         private Drawing() {
         }

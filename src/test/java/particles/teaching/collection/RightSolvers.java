@@ -466,7 +466,11 @@ final class RightSolvers {
         }
 
         boolean goesOn(DEStateSource source, double deltaT) {
-            return source == last && time == source.getTime() && length == deltaT && Arrays.equals(left, state(source));
+            return length == deltaT && goesOnWithAnyDeltaT(source);
+        }
+
+        final boolean goesOnWithAnyDeltaT(DEStateSource source) {
+            return source == last && time == source.getTime() && Arrays.equals(left, state(source));
         }
 
         double[] weights(double[] all) {

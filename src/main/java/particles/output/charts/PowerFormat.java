@@ -1,0 +1,30 @@
+package particles.output.charts;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.text.FieldPosition;
+import java.text.NumberFormat;
+import java.text.ParsePosition;
+import particles.output.text.DecimalTicks;
+
+/** Powers of ten on a logarithmic axis, written as all numbers are: 100, 0.01, 1e-6. */
+final class PowerFormat extends NumberFormat {
+    private static final long serialVersionUID = 1L;
+    /** A power of ten comes with rounding errors. */
+    private static final MathContext DIGITS = new MathContext(6);
+
+    @Override
+    public StringBuffer format(double number, StringBuffer text, FieldPosition position) {
+        return text.append(Double.isFinite(number) ? DecimalTicks.label(new BigDecimal(number).round(DIGITS)) : "");
+    }
+
+    @Override
+    public StringBuffer format(long number, StringBuffer text, FieldPosition position) {
+        return format((double) number, text, position);
+    }
+
+    @Override
+    public Number parse(String text, ParsePosition position) {
+        throw new UnsupportedOperationException("an axis writes numbers and reads none");
+    }
+}

@@ -1,0 +1,117 @@
+package particles.teaching.solvers;
+
+import deSolvers.DESolver;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.Supplier;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.Formula;
+import particles.teaching.sources.NonlinearOscillators;
+import particles.teaching.sources.Probe;
+import particles.teaching.sources.StiffDecay;
+import particles.teaching.sources.WindyOscillators;
+
+/** Mistakes that show in methods without fixed coefficients: how they ask for derivatives, and how far they go. */
+final class UnreadMethod {
+    private static final double H = 1.0 / 16;
+    private static final int SIZE = 12;
+    private static final int MOST = 4 * SIZE;
+    /** A stiff decay may be damped little or not at all, but not grow. */
+    private static final double GROWS = 1.5;
+    /** Times that are tried, in parts of deltaT: all tenths, eighths and twelfths are among them. */
+    private static final int PARTS = 120;
+    private static final double MUCH_BETTER = 0.05;
+
+    private final Supplier<DESolver> maker;
+
+    UnreadMethod(Supplier<DESolver> maker) {
+        this.maker = maker;
+    }
+
+    /** @return what is wrong where the derivative is asked for while the state is being written; empty if it is not */
+    Optional<Finding> entryByEntry() {
+        double[] start = new double[SIZE];
+        Random random = new Random(7);
+        Probe probe = new Probe(start, 0, (evaluation, dSdt) -> {
+            for (int k = 0; k < SIZE; k++) {
+                dSdt[k] = 1 + random.nextDouble();
+            }
+        }, MOST);
+        try {
+            maker.get().stepState(probe, H);
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // it wants another source, or evaluates without end
+        }
+        List<Probe.Evaluation> made = probe.recorded();
+        boolean[] moved = new boolean[SIZE];
+        for (int j = 1; j < made.size(); j++) {
+            int changed = 0;
+            for (int k = 0; k < SIZE; k++) {
+                if (made.get(j).state()[k] != made.get(j - 1).state()[k]) {
+                    if (moved[k]) {
+                        return Optional.empty();        // a stage, or an iteration
+                    }
+                    moved[k] = true;
+                    changed++;
+                }
+            }
+            if (changed == 0) {
+                return Optional.empty();
+            }
+        }
+        return made.size() < 3 ? Optional.empty() : Optional.of(new Finding(Kind.STATE, "getStateDerivative is called "
+                + made.size() + " times in a step, between setting parts of the state: later entries move along the"
+                + " derivative of a state that is half new. All entries have to be computed from one derivative;"
+                + " setState belongs behind the loop"));
+    }
+
+    /** @return what is wrong with a method that solves with a matrix, and is not stable; empty if it is */
+    Optional<Finding> unstable() {
+        try {
+            if (evaluations(2) < evaluations(1) + SIZE / 2) {
+                return Optional.empty();                // no matrix of differences
+            }
+            StiffDecay decay = new StiffDecay();
+            maker.get().stepState(decay, 1);
+            return decay.size() <= GROWS ? Optional.empty() : Optional.of(new Finding(Kind.METHOD, "it evaluates the"
+                    + " derivative once more for each entry, as methods that solve with a matrix do, and is not stable"
+                    + " as they are: a step of 1 s multiplies y in y' = -" + Formula.number(StiffDecay.RATE) + " y by "
+                    + Formula.number(decay.size()) + ". Check the signs in the matrix, such as I - deltaT J"));
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // it refuses, which is no mistake
+        }
+    }
+
+    private long evaluations(int particles) {
+        NonlinearOscillators source = new NonlinearOscillators(particles);
+        maker.get().stepState(source, H);
+        return source.evaluations();
+    }
+
+    /** @return where the state is after a step, if that is another time than t + deltaT; a sentence */
+    Optional<String> elsewhere() {
+        WindyOscillators source = new WindyOscillators(1);
+        try {
+            maker.get().stepState(source, H);
+        } catch (RuntimeException e) {
+            return Optional.empty();
+        }
+        double here = error(source, PARTS);
+        int best = PARTS;
+        for (int part = 0; part <= 2 * PARTS; part++) {
+            best = error(source, part) < error(source, best) ? part : best;
+        }
+        return error(source, best) > MUCH_BETTER * here ? Optional.empty() : Optional.of("after a step of " + H
+                + " s the state is that of " + Formula.time((double) best / PARTS) + ": either the weights add up to "
+                + Formula.number((double) best / PARTS) + " and not to 1, or " + (best > PARTS
+                ? "a sub-step too many is made (count them with an int, as sums of fractions are rounded)"
+                : "a part of the step is missing"));
+    }
+
+    private static double error(WindyOscillators source, int part) {
+        source.incTime(H * part / PARTS - source.getTime());
+        return source.error();
+    }
+}
