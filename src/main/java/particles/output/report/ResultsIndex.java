@@ -87,7 +87,8 @@ public final class ResultsIndex {
 
     private static String html(List<Entry> entries) {
         StringBuilder html = new StringBuilder("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
-                + "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+                + "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\""
+                + " content=\"width=device-width, initial-scale=1\"/>\n"
                 + "<title>Results</title>\n<style>\n" + STYLE + "</style>\n</head>\n<body>\n"
                 + "<h1>Results</h1>\n<main>\n");
         for (Entry entry : entries) {
