@@ -40,12 +40,14 @@ public final class EnergyLedger implements Observer {
     private static final class Account {
         private final String name;
         private final Power power;
+        private final boolean changesBetweenSteps;
         private double powerBefore;
         private double work;
 
-        Account(String name, Power power) {
+        Account(String name, Power power, boolean changesBetweenSteps) {
             this.name = name;
             this.power = power;
+            this.changesBetweenSteps = changesBetweenSteps;
         }
     }
 
@@ -70,19 +72,19 @@ public final class EnergyLedger implements Observer {
         for (Effect effect : system.getEffects()) {
             if (effect.getTraits().contains(Trait.DISSIPATIVE)) {
                 accounts.add(new Account(effect.getName() + " (dissipated)",
-                        (s, state, time) -> -effect.getDissipatedPower(state, time)));
+                        (s, state, time) -> -effect.getDissipatedPower(state, time), false));
             }
             if (effect.getTraits().contains(Trait.DRIVING)) {
                 accounts.add(new Account(effect.getName() + " (driven)",
-                        (s, state, time) -> effect.getDrivenPower(state, time)));
+                        (s, state, time) -> effect.getDrivenPower(state, time), false));
             }
         }
         for (Reaction reaction : system.getReactions()) {
             accounts.add(new Account(reaction.getName(), (s, state, time) -> reaction.isActive()
-                    ? reaction.getPower(state, time, effectForces(s, state, time)) : 0));
+                    ? reaction.getPower(state, time, effectForces(s, state, time)) : 0, true));
         }
         if (system.getMovingAnchors().length > 0) {
-            accounts.add(new Account("moving anchors", this::anchorPower));
+            accounts.add(new Account("moving anchors", this::anchorPower, false));
         }
         energy = system.getEnergy(system.getOwnState(), system.getTime());
         startEnergy = energy;
@@ -104,7 +106,8 @@ public final class EnergyLedger implements Observer {
         boolean meanKnown = false;
         largestKinetic = Math.max(largestKinetic, system.getKineticEnergy(motion.getStartState()));
         for (Account account : accounts) {
-            double before = powersKnown ? account.powerBefore : account.power.at(system, motion.getStartState(), t0);
+            double before = powersKnown && !account.changesBetweenSteps ? account.powerBefore
+                    : account.power.at(system, motion.getStartState(), t0);
             double after = account.power.at(system, motion.getEndState(), t1);
             double trapezoid = (t1 - t0) / 2 * (before + after);
             double work = (trapezoid + 2 * (t1 - t0) * account.power.at(system, middle, half)) / 3;     // Simpson's

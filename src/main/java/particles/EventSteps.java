@@ -89,7 +89,8 @@ final class EventSteps {
             if (!stopped) {
                 observers.reportMotion(motion);
                 solver.reset();
-                rules.forEach(rule -> rule.beforeStep(system));
+                double rest = end - system.getTime();
+                rules.forEach(rule -> rule.beforeStep(system, rest));
             }
             note = true;
             left = end - system.getTime();

@@ -26,8 +26,9 @@ public interface Rule {
      * Called before each step.
      *
      * @param system the system; read only
+     * @param deltaT the length of the step (s); an event may end it earlier
      */
-    default void beforeStep(ParticleSystem system) {
+    default void beforeStep(ParticleSystem system, double deltaT) {
     }
 
     /**

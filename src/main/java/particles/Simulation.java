@@ -124,7 +124,7 @@ public final class Simulation {
 
     private void step(double h) {
         for (Rule rule : rules) {
-            rule.beforeStep(system);
+            rule.beforeStep(system, h);
         }
         double end = system.getTime() + h;
         boolean observed = eventSteps.areLookedFor() || audience.isInterested(end + ROUNDING * deltaT);

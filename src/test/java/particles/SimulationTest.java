@@ -134,7 +134,7 @@ class SimulationTest {
             }
 
             @Override
-            public void beforeStep(ParticleSystem system) {
+            public void beforeStep(ParticleSystem system, double deltaT) {
                 calls.add("before");
             }
 

@@ -77,13 +77,13 @@ final class ContactRows {
         return normal[3 * k] * vectors[i] + normal[3 * k + 1] * vectors[i + 1] + normal[3 * k + 2] * vectors[i + 2];
     }
 
-    /** Whether a particle with friction is at rest but about to slide, so that its velocity has no direction. */
+    /** Whether friction on any particle depends on the force, as it is at rest and about to slide, or may stop. */
     boolean isAnyAboutToMove(double[] state) {
         for (int k = 0; k < count; k++) {
             int v = STRIDE * particle[k] + 3;
-            if (friction(k).law() == Friction.Law.COULOMB
-                    && state[v] - rate[k] * normal[3 * k] == 0 && state[v + 1] - rate[k] * normal[3 * k + 1] == 0
-                    && state[v + 2] - rate[k] * normal[3 * k + 2] == 0) {
+            if (friction(k).law() == Friction.Law.COULOMB && (contacts.sliding().mayStop(particle[k])
+                    || state[v] - rate[k] * normal[3 * k] == 0 && state[v + 1] - rate[k] * normal[3 * k + 1] == 0
+                    && state[v + 2] - rate[k] * normal[3 * k + 2] == 0)) {
                 return true;
             }
         }

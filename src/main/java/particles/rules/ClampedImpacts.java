@@ -32,7 +32,8 @@ import particles.reactions.contact.ContactSurface;
  *
  * <p>A particle that would leave slower than the surface's rest speed, or slower than the speed it gained within the
  * step (a bounce too short for deltaT), stays in contact. There it slides; it sticks once it is slower than the
- * friction's threshold or has reversed within a step, if static friction can hold it.
+ * friction's threshold or has reversed within a step, if static friction can hold it. In a step in which Coulomb
+ * friction may stop it, friction acts as an impulse, see {@link RestingContacts#stopWithinStep}.
  */
 public final class ClampedImpacts implements Rule {
     private static final int STRIDE = Particles.STRIDE;
@@ -61,7 +62,7 @@ public final class ClampedImpacts implements Rule {
     /** Particles that begin on a surface with no normal velocity rest on it from the start. */
     @Override
     public void start(ParticleSystem system) {
-        beforeStep(system);
+        beforeStep(system, 0);
         double[] state = system.getOwnState();
         for (int p = 0; p < contacts.getSurfaces().size(); p++) {
             ContactSurface surface = contacts.getSurfaces().get(p);
@@ -84,8 +85,9 @@ public final class ClampedImpacts implements Rule {
     }
 
     @Override
-    public void beforeStep(ParticleSystem system) {
+    public void beforeStep(ParticleSystem system, double deltaT) {
         contacts.beginStep(system);
+        contacts.stopWithinStep(system, deltaT);
         before = contacts.getStepBegin();
         forceKnown = false;
     }
@@ -241,13 +243,7 @@ public final class ClampedImpacts implements Rule {
             modes.setWhereTouching(i, Mode.SLIDING);
             return true;
         }
-        boolean stopping = now.dot(velocity(before, i)) <= 0;
-        for (int p = 0; p < contacts.getSurfaces().size(); p++) {
-            if (modes.get(p, i) != Mode.FREE) {
-                stopping |= now.length() <= contacts.getSurfaces().get(p).friction().threshold();
-            }
-        }
-        if (!stopping || !canHold(system, i, state)) {
+        if (!contacts.hasStopped(i, now) || !canHold(system, i, state)) {
             return false;
         }
         moveAlong(now, state, STRIDE * i + 3, -1);

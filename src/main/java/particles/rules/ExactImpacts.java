@@ -78,7 +78,7 @@ public final class ExactImpacts implements EventRule {
     }
 
     @Override
-    public void beforeStep(ParticleSystem system) {
+    public void beforeStep(ParticleSystem system, double deltaT) {
         contacts.beginStep(system);
     }
 

@@ -110,6 +110,21 @@ final class ContactDerivative {
             return;
         }
         double[] t = sliding.direction;
+        normal[0] = normals[p].x();
+        normal[1] = normals[p].y();
+        normal[2] = normals[p].z();
+        double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
+        if (sliding.isTowardsStop()) {                  // the direction depends on the force, not on the velocity
+            for (int row = 0, e = 0; row < 3; row++) {
+                for (int column = 0; column < 3; column++, e++) {
+                    total[e] -= factor * ((row == column ? 1 : 0) - normal[row] * normal[column]
+                            - (sliding.stops() ? 0 : t[row] * t[column] / square));
+                }
+            }
+            if (sliding.stops()) {
+                return;                                 // the normal force has no influence
+            }
+        }
         for (int row = 0; row < 3; row++) {
             for (int column = 0; column < 3; column++) {
                 total[3 * row + column] -= factor / push[p] * t[row] * pushByForce[p][column];
@@ -122,10 +137,6 @@ final class ContactDerivative {
         if (sliding.isIndependentOfVelocity()) {
             return;
         }
-        normal[0] = normals[p].x();
-        normal[1] = normals[p].y();
-        normal[2] = normals[p].z();
-        double square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
         double[] m = sliding.mirrored;
         double mt = (m[0] * t[0] + m[1] * t[1] + m[2] * t[2]) / square;
         for (int row = 0, e = 0; row < 3; row++) {

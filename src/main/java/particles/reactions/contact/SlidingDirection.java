@@ -1,6 +1,8 @@
 package particles.reactions.contact;
 
+import java.util.Arrays;
 import particles.ParticleSystem;
+import particles.law.Particles;
 import particles.law.Vector3;
 
 /**
@@ -18,17 +20,43 @@ public final class SlidingDirection {
     final double[] mirrored = new double[3];
     private final double[] beginning = new double[3];
     private double[] stepBegin = {};                    // the state at the beginning of the step
+    private double[] stopping = {};                     // m/deltaT of a particle that may stop in the step, or 0 (kg/s)
     private boolean independent;
+    private boolean towardsStop;
+    private boolean stops;
 
     public void beginStep(ParticleSystem system) {
         if (stepBegin.length != system.getStateSize()) {
             stepBegin = new double[system.getStateSize()];
         }
         System.arraycopy(system.getOwnState(), 0, stepBegin, 0, stepBegin.length);
+        Arrays.fill(stopping, 0);
+    }
+
+    /**
+     * Lets friction act on a particle as an impulse over the step that begins, see {@link #find}.
+     *
+     * @param particle its index
+     * @param rate     its mass divided by the length of the step (kg/s)
+     */
+    public void stopWithinStep(int particle, double rate) {
+        if (stopping.length * Particles.STRIDE != stepBegin.length) {
+            stopping = new double[stepBegin.length / Particles.STRIDE];
+        }
+        stopping[particle] = rate;
+    }
+
+    /**
+     * @param particle its index
+     * @return whether friction acts on it as an impulse in the present step
+     */
+    public boolean mayStop(int particle) {
+        return particle < stopping.length && stopping[particle] > 0;
     }
 
     public void forget() {
         stepBegin = new double[0];
+        stopping = new double[0];
     }
 
     public double[] getStepBegin() {
@@ -40,8 +68,21 @@ public final class SlidingDirection {
         return independent;
     }
 
+    /** Whether the last friction was that of an impulse over the step. */
+    boolean isTowardsStop() {
+        return towardsStop;
+    }
+
+    /** Whether that is strong enough for a stop. */
+    boolean stops() {
+        return stops;
+    }
+
     /**
-     * Finds the direction and the factor of friction.
+     * Finds the direction and the factor of friction. A particle that may stop within the step gets the constant force
+     * that stops it at the end of the step, minus (F_t + m v_0/deltaT), or where that is more than mu N, as much of it
+     * as mu N. This does not depend on the present velocity, whose direction turns the faster the slower it is, so that
+     * any solver can follow it. The error is O(deltaT), as that of the time of the stop.
      *
      * @param push     the normal force (N)
      * @param pressing the force on the particle before (N)
@@ -50,6 +91,7 @@ public final class SlidingDirection {
      */
     public double find(Friction law, Vector3 normal, double push, double[] pressing, double[] state, int v) {
         independent = false;
+        towardsStop = false;
         mirrored[0] = 0;
         mirrored[1] = 0;
         mirrored[2] = 0;
@@ -57,6 +99,9 @@ public final class SlidingDirection {
             return 0;
         }
         double factor = push * law.coefficient();
+        if (law.law() == Friction.Law.COULOMB && mayStop(v / Particles.STRIDE)) {
+            return findStop(factor, normal, pressing, v);
+        }
         along(normal, state, v, direction);
         if (law.law() == Friction.Law.COULOMB) {
             followBeginning(normal, v);
@@ -70,6 +115,19 @@ public final class SlidingDirection {
             }
         }
         return factor;
+    }
+
+    private double findStop(double most, Vector3 normal, double[] pressing, int v) {
+        along(normal, pressing, 0, direction);
+        along(normal, stepBegin, v, beginning);
+        for (int c = 0; c < 3; c++) {
+            direction[c] += stopping[v / Particles.STRIDE] * beginning[c];
+        }
+        double needed = length(direction);
+        independent = true;
+        towardsStop = true;
+        stops = needed <= most;
+        return stops ? 1 : most / needed;
     }
 
     /**
