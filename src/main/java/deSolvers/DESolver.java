@@ -4,25 +4,25 @@ package deSolvers;
  * A method that advances a system of ordinary differential equations ds/dt = f(s, t) in time: the abstract class of
  * the course from which all solvers are subclassed. Writing a solver means writing {@link #stepState}.
  *
- * <p><b>The contract</b> that every solver of this project keeps (and that the project's tests hold them to):
+ * <p><b>What a solver must do</b>: read state and derivative, compute, and leave the source at state s(t + deltaT) and
+ * time t + deltaT. A student's solver need do no more.
+ *
+ * <p><b>What the solvers of this project keep besides</b>, and are tested for; {@link FixedStepSolver} keeps it for a
+ * solver that writes only its formula:
  * <ul>
  * <li>The source is a cursor (s, t). A solver may move it while it works - {@code setState(trial)},
- *     {@code incTime(deltaT / 2)}, backwards too - and leaves it at (s(t + deltaT), t + deltaT), the clock exactly
- *     there if deltaT is a sum of few powers of two, such as 0.25, and within one unit in the last place
- *     otherwise.</li>
+ *     {@code incTime(deltaT / 2)}, backwards too. At the end the clock is at t + deltaT, to the last digit if deltaT is
+ *     0.25, 0.5 or the like, and else up to round-off.</li>
  * <li>On an exception, its own or the source's, it puts back the state and the time that it found and lets the
  *     exception reach the caller. The solver may be used again.</li>
  * <li>Arrays handed to the source are exactly {@link DEStateSource#getStateSize()} long.</li>
- * <li>One solver may step any number of sources, of equal or different sizes, in turn. What it remembers of the last
- *     step serves only while source, time, state and deltaT are bit for bit what it left; anything else restarts
- *     it. If the equations change while the state stays the same,
- *     {@link #reset()} makes the solver forget earlier steps.</li>
+ * <li>One solver may step any number of sources, of equal or different sizes, in turn. A solver that remembers its last
+ *     step uses it only if source, time, state and deltaT are bit for bit as they were left. If the equations change
+ *     while the state stays the same, {@link #reset()} makes it forget.</li>
  * <li>A step allocates no memory once the work arrays have the source's size.</li>
  * <li>{@code deltaT = 0} changes nothing; a negative deltaT integrates backwards; a state of size 0 still moves the
  *     clock. A deltaT, time, state or derivative that is not finite ends in a {@link DESolverException}.</li>
  * </ul>
- * {@link FixedStepSolver} keeps this contract for a solver that writes only its formula. A student's solver need not
- * do without new arrays, nor put back the state after an exception.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Interface to DE Solver"; {@link #reset()} is an addition to the slide.
  */

@@ -2,6 +2,7 @@ package deSolvers;
 
 /**
  * The Euler method: one straight step along the derivative, s(t + h) = s(t) + h f(s(t), t).
+ * (The package {@code deSolvers} explains the symbols and the small table.)
  * <pre>
  *    0 |
  *   ---+---

@@ -27,6 +27,10 @@ public abstract class FixedStepSolver extends DESolver {
      */
     protected abstract void step(DEStateSource source, double[] s, double deltaT);
 
+    /**
+     * Reads the state, calls {@link #step}, writes the new state and sets the clock to t + deltaT. If anything fails,
+     * the transaction puts back the state and the time that it found.
+     */
     @Override
     public final void stepState(DEStateSource source, double deltaT) {
         try (StepTransaction guarded = transaction.begin(source, deltaT)) {
@@ -35,7 +39,7 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
                 if (asksForLastStep) {
-                    lastStep.keep(guarded, s);          // before finish, which gives the array away
+                    lastStep.keep(guarded, s);          // before finish, which hands the array over
                 }
             }
             arrays.replaceFirst(guarded.finish(s));
@@ -89,6 +93,8 @@ public abstract class FixedStepSolver extends DESolver {
     }
 
     /**
+     * A copy of an array.
+     *
      * @param a an array; length n
      * @return a copy of it
      */
@@ -110,7 +116,7 @@ public abstract class FixedStepSolver extends DESolver {
         return lastStep.continuesFrom(transaction);
     }
 
-    /** @return the step that is being made, for helpers that may have to fail it or need more of the source */
+    /** @return the step that is being made; solvers with a Jacobian or another interface need it, yours does not */
     protected final StepTransaction getTransaction() {
         return transaction;
     }

@@ -52,13 +52,17 @@
  *     <td>the four Euler steps of RK4; they include the factor deltaT</td></tr>
  * <tr><td>k<sub>ij</sub>, l<sub>ij</sub>, k<sub>d</sub></td>
  *     <td>{@code stiffness}, {@code restLength}, {@code damping}</td><td>a spring's constants</td></tr>
- * <tr><td>r, k<sub>f</sub>, N</td><td>{@code restitution}, {@code friction}, {@code normal}</td>
- *     <td>what a plane does to a particle</td></tr>
+ * <tr><td>r, of planes</td><td>{@code restitution}</td><td>a bounce turns the normal velocity v into -r v</td></tr>
+ * <tr><td>k<sub>f</sub></td><td>{@code coefficient} of the friction law {@code slide}</td>
+ *     <td>friction for each unit of normal force and of sliding speed (s/m)</td></tr>
+ * <tr><td>N</td><td>{@code NormalForces}; {@code normal} is its direction</td>
+ *     <td>the force with which a plane pushes back (N)</td></tr>
+ * <tr><td>r, of springs</td><td>{@code r}</td><td>the vector x<sub>j</sub> - x<sub>i</sub> along the spring</td></tr>
  * </table>
  *
  * <h2>Where the code differs from the slides</h2>
  * <ul>
- * <li>Friction has the sign that dissipates: the contact force is N - k<sub>f</sub> v<sub>t</sub>.</li>
+ * <li>Friction has the sign that dissipates: its force is -k<sub>f</sub> |N| v<sub>t</sub>.</li>
  * <li>The relative velocity in the damped spring is v<sub>j</sub> - v<sub>i</sub>.</li>
  * <li>The interface has {@code getStateSize}, {@code getTime} and {@code reset} besides the calls on the Euler solver's
  *     slide.</li>

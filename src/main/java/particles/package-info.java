@@ -7,7 +7,8 @@
  * classes are called:
  *
  * <ol>
- * <li>{@link particles.Simulation} lets {@link particles.EventSteps} make a step, or several shorter ones if there are
+ * <li>{@link particles.Simulation} tells each {@link particles.Rule} that a step begins;</li>
+ * <li>it lets {@link particles.EventSteps} make a step, or several shorter ones if there are
  * events in it;</li>
  * <li>the solver's {@link deSolvers.DESolver#stepState} asks for the derivative as often as its method needs;</li>
  * <li>{@link particles.ParticleSystem#getStateDerivative} hands the state to the engine;</li>
@@ -17,7 +18,7 @@
  * <li>{@link particles.Observers} shows the motion to each {@link particles.Observer}: frames, plots, the
  * {@link particles.EnergyLedger};</li>
  * <li>each {@link particles.Rule} may change the state, adding or removing particles and springs too, and observers
- * are told of each change;</li>
+ * are told of each change; if one did, the solver is {@linkplain deSolvers.DESolver#reset reset};</li>
  * <li>{@link particles.EnergyLimit} ends a run that has blown up.</li>
  * </ol>
  *

@@ -135,7 +135,7 @@ class ArchitectureTest {
             particles.scene.parts:         particles particles.effects particles.effects.springs particles.law
                                            particles.reactions particles.reactions.contact particles.reactions.wires
                                            particles.rules particles.spec particles.spec.messages particles.view
-            particles.spec:                particles.law particles.spec.messages org.snakeyaml
+            particles.spec:                deSolvers.catalog particles.law particles.spec.messages org.snakeyaml
             particles.spec.documents:      particles.spec particles.spec.messages com.fasterxml.jackson
             particles.spec.messages:       deSolvers.catalog org.snakeyaml
             particles.teaching:

@@ -6,29 +6,25 @@ import deSolvers.rungeKutta.RungeKuttaStages;
 
 /**
  * The slides' adaptive step: "take two steps of &Delta;t, one step of 2 &Delta;t, compare results", with RK4 for both.
+ * Here h is the length of a sub-step, the slide's 2 &Delta;t:
  * <pre>
- *   s2 = two steps of RK4,  s1 = one of twice the length:   error of s2 is about (s2 - s1) / 15
+ *   s1 = one RK4 step of h,  s2 = two RK4 steps of h/2:     error of s2 is about (s2 - s1) / 15
  * </pre>
- * since one long step errs by 2<sup>5</sup> and two short ones by 2 times a short step's error. The result of the two
- * steps is kept, as on the slide. (Many codes keep s2 + (s2 - s1)/15 instead, <i>local extrapolation</i>. Its order is
- * 5, but it is stable nowhere on the imaginary axis: more accurate is not more stable.)
+ * since the long step errs by 2<sup>5</sup> times, and the two short ones together by 2 times, the error of a short
+ * step. The result of the two short steps is kept, as on the slide. (Many codes keep s2 + (s2 - s1)/15 instead,
+ * <i>local extrapolation</i>. Its order is 5, but it is stable nowhere on the imaginary axis: more accurate is not more
+ * stable.)
  *
- * <p>For s' = lambda s and z = h lambda that estimate is 0 by chance at z = -10.98 and z = -2.51 &plusmn; 9.93 i, where
- * both results are far too large (436 times at the first), so that alone it takes such steps without end. A second one
- * is made of the four slopes that are there for the time of the middle,
- * <pre>
- *   (k2 + k3 of the long step + 4 k4 of the first short one - 6 f(s at the middle)) h / 240
- * </pre>
- * It is O(h<sup>5</sup>) as well, z<sup>5</sup>/15360, which is 0 nowhere else and an eighth of the first for small z:
- * it decides only where the first is 0 by chance. The larger of the two counts.
+ * <p>At a few step lengths, far beyond the stability limit, the two results agree by accident although both are wrong.
+ * A second estimate, from slopes that are known in the middle of the sub-step, catches these; in small steps it decides
+ * nothing and may be skipped by the reader.
  *
  * <p><b>Order</b> 4.<br>
- * <b>Evaluations</b> 11 a double step (the first is shared), 10 for one that is tried again.<br>
- * <b>Stability</b> per double step z of the two RK4 steps, R(z) = R4(z/2)<sup>2</sup>: h |lambda| &le; 5.5706 on the
- * negative real axis, h omega &le; 5.6569 on the imaginary one.
- * A part of the solution that is too fast for the
- * steps, and has decayed, may come back to many times its tolerance (150 were measured, 19 with
- * {@code dormand-prince}).<br> <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about
+ * <b>Evaluations</b> 11 a sub-step (the two methods share the first), 10 for one that is tried again.<br>
+ * <b>Stability</b> a sub-step has R(z) = R4(z/2)<sup>2</sup>, with R4 that of RK4: h |lambda| &le; 5.5706 on the
+ * negative real axis, h omega &le; 5.6569 on the imaginary one. A fast vibration that has died out may reappear, with
+ * up to 150 times the tolerance in our tests (19 with {@code dormand-prince}).<br>
+ * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about
  * half the evaluations for the same error.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "Adaptive Stepsizes"; W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,
  * section 16.2; the second estimate is our own.
@@ -57,7 +53,7 @@ public final class StepDoublingSolver extends AdaptiveSolver {
     }
 
     /**
-     * @param relativeTolerance error allowed for an entry of the state in one double step, relative to its size
+     * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
      * @param absoluteTolerance error allowed besides, in the entry's unit
      * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
      */
@@ -78,14 +74,14 @@ public final class StepDoublingSolver extends AdaptiveSolver {
     @Override
     protected double attempt(StepTransaction source, double[] state, double[] slope, double offset, double h,
                              double[] newState) {
-        rk4(source, state, slope, offset, h, once);                             // one step of 2 deltaT
+        rk4(source, state, slope, offset, h, once);                             // one long step
         noteMiddle(stages.slope(1), stages.slope(2));
-        rk4(source, state, slope, offset, h / 2, middle);                       // the first of two steps of deltaT
+        rk4(source, state, slope, offset, h / 2, middle);                       // the first short step
         source.setState(middle);
         source.setOffset(offset + h / 2);
         source.getStateDerivative(middleSlope);
         compareMiddle(stages.slope(3), h);
-        rk4(source, middle, middleSlope, offset + h / 2, h / 2, newState);      // the second
+        rk4(source, middle, middleSlope, offset + h / 2, h / 2, newState);      // the second short step
         for (int i = 0; i < error.length; i++) {
             error[i] = Math.max(Math.abs(newState[i] - once[i]) / 15, Math.abs(middleError[i]));
         }
@@ -100,7 +96,9 @@ public final class StepDoublingSolver extends AdaptiveSolver {
     }
 
     /**
-     * Completes the second estimate by k4 of the first short step, which is at the middle's time too, and by f there.
+     * The second estimate, (k2 + k3 of the long step + 4 k4 of the first short one - 6 f(s at the middle)) h / 240,
+     * from four slopes at the same time. For s' = lambda s and z = h lambda it is z^5/15360, an eighth of the first
+     * where z is small. The first is 0 by accident at z = -10.98 and z = -2.51 +- 9.93 i; this one is not.
      */
     private void compareMiddle(double[] k4, double h) {
         for (int i = 0; i < middleError.length; i++) {

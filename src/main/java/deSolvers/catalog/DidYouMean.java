@@ -8,14 +8,15 @@ import java.util.function.UnaryOperator;
 
 /** Finds the name that was probably meant, for every message about an unknown one. */
 public final class DidYouMean {
+    private static final int LONGEST_BEGINNING = 5;
+
     private DidYouMean() {
     }
 
     /**
      * @param found a name that is not known
      * @param known the names that are
-     * @return the known name that is nearest, if one is near: a slip of the finger in every three letters, or a
-     *         beginning
+     * @return the known name that is nearest, if one is near: one wrong letter in three, or the same first letters
      */
     public static Optional<String> nearest(String found, Collection<String> known) {
         String lower = found.toLowerCase(Locale.ROOT);
@@ -23,8 +24,9 @@ public final class DidYouMean {
         Optional<String> nearest = known.stream().min(byDistance)
                 .filter(name -> distance(lower, name.toLowerCase(Locale.ROOT))
                         <= Math.max(1, Math.min(lower.length(), name.length()) / 3));
+        String beginning = lower.substring(0, Math.min(lower.length(), LONGEST_BEGINNING));
         return nearest.isPresent() || lower.length() < 2 ? nearest
-                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(lower))
+                : known.stream().filter(name -> name.toLowerCase(Locale.ROOT).startsWith(beginning))
                 .min(Comparator.naturalOrder());
     }
 

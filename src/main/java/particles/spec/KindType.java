@@ -130,8 +130,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
 
     private Optional<Chosen<K>> bare(K kind, Node node, Reading in) {
         if (!kind.keys().mayBeEmpty()) {
-            in.problem(node, "'" + kind.name() + "' alone is not enough; after a colon it needs "
-                    + kind.keys().describe());
+            in.problem(node, "'" + kind.name() + "' needs a value for at least one key: write '- "
+                    + kind.name() + ": " + kind.keys().example() + "'");
             return Optional.empty();
         }
         return Optional.of(new Chosen<>(kind, new Values(in.place(node)), in.place(node)));

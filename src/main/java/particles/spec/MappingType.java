@@ -1,5 +1,6 @@
 package particles.spec;
 
+import deSolvers.catalog.DidYouMean;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
@@ -74,11 +76,12 @@ public final class MappingType extends Type<Values> {
             return Optional.of(values);
         }
         Set<String> seen = new HashSet<>();
+        Set<String> misspelt = new HashSet<>();
         for (NodeTuple tuple : ((MappingNode) node).getValue()) {
-            readEntry(tuple.getKeyNode(), tuple.getValueNode(), seen, values, in);
+            readEntry(tuple.getKeyNode(), tuple.getValueNode(), seen, misspelt, values, in);
         }
         for (Key<?> key : keys) {
-            if (key.required() && !values.isGiven(key)) {
+            if (key.required() && !values.isGiven(key) && !misspelt.contains(key.name())) {
                 in.problem(node, name + " needs '" + key.name() + "': " + key.type().describe());
             }
         }
@@ -91,7 +94,8 @@ public final class MappingType extends Type<Values> {
         return Optional.of(values);
     }
 
-    private void readEntry(Node keyNode, Node valueNode, Set<String> seen, Values values, Reading in) {
+    private void readEntry(Node keyNode, Node valueNode, Set<String> seen, Set<String> misspelt, Values values,
+                           Reading in) {
         if (!(keyNode instanceof ScalarNode)) {
             in.problem(keyNode, "a key of " + name + " is " + Wording.describe(keyNode) + "; it has to be one of "
                     + names(keys));
@@ -101,6 +105,7 @@ public final class MappingType extends Type<Values> {
         Optional<Key<?>> key = keys.stream().filter(k -> k.name().equals(text)).findFirst();
         if (key.isEmpty()) {
             List<String> known = keys.stream().map(Key::name).toList();
+            DidYouMean.nearest(text, known).ifPresent(misspelt::add);
             in.problem(keyNode, NumberType.parse(keyNode).isPresent() && known.stream().allMatch(MappingType::isWord)
                     ? "a number where a key of " + name
                     + " should be; numbers have a decimal point, not a comma, and several"
@@ -152,8 +157,21 @@ public final class MappingType extends Type<Values> {
 
     @Override
     public String describe() {
-        return (shortFor.isPresent() ? shortFor.get().type().describe() + "; or " : "") + "a mapping with keys of "
-                + String.join(", ", keys.stream().map(Key::name).toList());
+        return (shortFor.isPresent() ? shortFor.get().type().describe() + "; or " : "") + "keys with values, such as "
+                + example() + (keys.size() == necessary().size() ? "" : "; keys: "
+                + String.join(", ", keys.stream().map(Key::name).toList()));
+    }
+
+    /** @return how a short mapping is written, such as {@code {coefficient: ...}} */
+    String example() {
+        return necessary().stream().map(key -> key.name() + ": ...").collect(Collectors.joining(", ", "{", "}"));
+    }
+
+    /** The keys without which it does not do; the first where it does without any. */
+    private List<Key<?>> necessary() {
+        List<Key<?>> found = new ArrayList<>(keys.stream().filter(Key::required).toList());
+        found.addAll(exactlyOneOf.stream().limit(1).toList());
+        return found.isEmpty() ? keys.subList(0, Math.min(1, keys.size())) : found;
     }
 
     @Override

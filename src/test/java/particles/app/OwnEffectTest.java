@@ -194,8 +194,8 @@ class OwnEffectTest {
                 + " angularVelocity", "exercises.Coriolis: {angularVelocty: [0, 0, 1], angularVelocity: [0, 0, 1]}");
         assertRefused("43: 'angularVelocity' is 3; it has to be three numbers [x, y, z] (rad/s)",
                 "exercises.Coriolis: {angularVelocity: 3}");
-        assertRefused("5: 'exercises.Coriolis' alone is not enough; after a colon it needs a mapping with keys of"
-                + " angularVelocity",
+        assertRefused("5: 'exercises.Coriolis' needs a value for at least one key: write"
+                + " '- exercises.Coriolis: {angularVelocity: ...}'",
                 "exercises.Coriolis");
     }
 

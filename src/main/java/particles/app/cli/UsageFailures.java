@@ -71,9 +71,14 @@ final class UsageFailures {
             return "option " + name(option) + " was given twice";
         }
         if (e.getArgSpec() instanceof OptionSpec option && e.getCause() instanceof TypeConversionException wrong) {
-            return "option " + name(option) + ": " + wrong.getMessage();
+            return "option " + name(option) + (isYesOrNo(option)
+                    ? " has to be true or false, not '" + e.getValue() + "'" : ": " + wrong.getMessage());
         }
         return e.getMessage();
+    }
+
+    private static boolean isYesOrNo(OptionSpec option) {
+        return option.type() == boolean.class || option.type() == Boolean.class;
     }
 
     private String name(OptionSpec option) {

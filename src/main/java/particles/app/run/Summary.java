@@ -46,8 +46,9 @@ final class Summary {
         List<String> lines = new ArrayList<>();
         lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
                 + " s");
-        lines.add(Digits.few(record.endTime()) + " s" + (record.endTime() < record.duration() * (1 - 1e-9)
-                ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
+        boolean endedEarly = record.endTime() < record.duration() * (1 - 1e-9);
+        lines.add(Digits.few(record.endTime()) + " s"
+                + (endedEarly ? " of " + Digits.few(record.duration()) + " s" : "") + " simulated in "
                 + counted(record.steps(), "step") + " with " + counted(record.evaluations(), "evaluation")
                 + " of the derivative; run time "
                 + Digits.few(Math.round(100 * record.secondsTaken()) / 100.0) + " s");
@@ -59,7 +60,7 @@ final class Summary {
         double error = record.largestRelativeNumericalError();
         lines.add("numerical error: at most " + joules(record.largestNumericalError()) + " (" + Digits.few(error)
                 + " of the energy scale, " + joules(record.energyScale()) + ")");
-        if (error > LARGE_ERROR) {
+        if (error > LARGE_ERROR && !endedEarly) {           // a run that blew up says more of itself
             lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
                     + " this motion. Try a smaller deltaT or another solver.");
         }

@@ -208,7 +208,8 @@ public final class SceneChecks {
         }
         for (Chosen<EffectKind> effect : effects) {
             List<String> needs = effect.kind().needs();
-            if (!needs.isEmpty() && needs.stream().noneMatch(named::containsKey)) {
+            if (!needs.isEmpty() && scene.isIntact(SceneFormat.EFFECTS)     // else the missing one may be misspelt
+                    && needs.stream().noneMatch(named::containsKey)) {
                 problems.add(effect.place(), "'" + effect.kind().name() + "' only acts together with '"
                         + String.join("' or '", needs)
                         + "', which is missing; add '- " + needs.get(0) + ": ...' to 'effects'");

@@ -50,10 +50,11 @@ final class AdaptiveStep extends NumericExercise {
                         "The cube root belongs to a method of order 2; RK4's error of one step goes with the fifth "
                                 + "power."),
                 new CommonMistake(next(h, RICHARDSON * factor, 1.0 / ERROR_ORDER),
-                        "The fifteenth of the difference is the error of the better result; asked is the difference "
+                        "The fifteenth of the difference is the error of the better result; the question asks for "
+                                + "the difference "
                                 + "itself."),
                 new CommonMistake(2 * next(h, factor, 1.0 / ERROR_ORDER),
-                        "This is 2 deltaT; asked is deltaT, the length of the short steps."),
+                        "This is 2 deltaT; the question asks for deltaT, the length of the short steps."),
                 new CommonMistake(next(h, bound / difference("midpoint", m, k, x, v, h), 1.0 / ERROR_ORDER),
                         "The steps are those of the midpoint method; RK4's are wanted."),
                 new CommonMistake(next(h, bound / difference("rk4", 1, k, x, v, h), 1.0 / ERROR_ORDER),

@@ -46,7 +46,8 @@ final class CostOfRK4 extends NumericExercise {
                         + "and one of RK4 four."),
                 new CommonMistake(4 * ratio, "The weights are the wrong way round: midpoint has two evaluations a "
                         + "step, RK4 four."),
-                new CommonMistake(1 / ratio, "This is RK4's cost over midpoint's; asked is midpoint's over RK4's."),
+                new CommonMistake(1 / ratio, "This is RK4's cost over midpoint's; "
+                        + "the question asks for midpoint's over RK4's."),
                 new CommonMistake(0.5, "This compares one step with one step; for the same accuracy RK4 may take far "
                 + "longer ones."),
                 new CommonMistake(StrictMath.pow(HUNDRED, 0.25) * ratio,

@@ -11,7 +11,7 @@ import particles.teaching.marking.Question;
 final class EulerSpiral extends NumericExercise {
 
     EulerSpiral() {
-        super("Why Euler spirals: the energy that steps add", 1.1, 400000,
+        super("Why Euler spirals: the energy that steps add", 1.1, 1000,
                 "What does one step make of x^2 + (v/omega)^2? Draw the step in state space, and then think of all "
                         + "steps.");
     }
@@ -31,15 +31,16 @@ final class EulerSpiral extends NumericExercise {
                 new CommonMistake(Math.sqrt(growth), "This is the factor of the amplitude; energy goes with its "
                         + "square."),
                 new CommonMistake(growth * growth,
-                        "This is squared once too often: 1 + (deltaT omega)^2 is the factor of the energy already."),
+                        "This is squared once too often: Pythagoras gives the square of the radius, which is "
+                                + "the energy."),
                 new CommonMistake(ratio(m, k, h, 1), "This is what one step does; each step multiplies again."),
                 new CommonMistake(1 + steps * squared,
                         "What the steps add is itself multiplied by later steps: take the power, not the multiple."),
                 new CommonMistake(ratio(1, k, h, steps), "The mass is missing: omega^2 = k/m."),
                 new CommonMistake(StrictMath.pow(1 + h * Math.sqrt(k / m), 2 * steps),
-                        "An undamped spring turns in state space: its step is at right angles"
-                        + " to the radius. Pythagoras gives 1 + (deltaT omega)^2, not (1 + deltaT omega)^2."),
-                new CommonMistake(1, "In truth the energy stays; wanted is what Euler makes of it.")));
+                        "An undamped spring turns in state space: its step is at right angles to the radius, so that "
+                                + "Pythagoras says how far out it ends, and not a sum."),
+                new CommonMistake(1, "In truth the energy stays; the question asks for Euler's result.")));
     }
 
     private static double ratio(double m, double k, double h, int steps) {

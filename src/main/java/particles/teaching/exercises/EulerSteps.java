@@ -41,7 +41,7 @@ final class EulerSteps extends NumericExercise {
                         "This is one step of three times deltaT; the derivative has to be evaluated anew after each "
                                 + "step."),
                 new CommonMistake(new Spring(m, k, 0, x, v).after("euler", STEPS, h).v(),
-                        "This is the velocity; asked is the place."),
+                        "This is the velocity; the question asks for the place."),
                 new CommonMistake(new Spring(1, k, 0, x, v).after("euler", STEPS, h).x(),
                         "The mass is missing: a = F/m = -(k/m) x."),
                 new CommonMistake(new Spring(m, -k, 0, x, v).after("euler", STEPS, h).x(),
@@ -49,6 +49,6 @@ final class EulerSteps extends NumericExercise {
                 new CommonMistake(new Spring(m, k, 0, x, v).after("midpoint", STEPS, h).x(),
                         "This is the midpoint method; Euler evaluates the derivative once, at the start of the step."),
                 new CommonMistake(new Spring(m, k, 0, x, v).truly(STEPS * h).x(),
-                        "This is the exact motion; wanted is what Euler makes of it.")));
+                        "This is the exact motion; the question asks for Euler's result.")));
     }
 }

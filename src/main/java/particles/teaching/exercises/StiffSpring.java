@@ -46,10 +46,10 @@ final class StiffSpring extends NumericExercise {
                 new CommonMistake(new Spring(1, k, c, x, v).after("backward-euler", 1, h).v(),
                         "The mass is missing: a = F/m."),
                 new CommonMistake(new Spring(m, k, c, x, v).after("backward-euler", 1, h).x(),
-                        "This is the position; asked is the velocity."),
+                        "This is the position; the question asks for the velocity."),
                 new CommonMistake(new Spring(m, k, c, x, v).after("backward-euler", 2, h).v(),
                         "These are two steps; one is wanted."),
                 new CommonMistake(new Spring(m, k, c, x, v).truly(h).v(),
-                        "This is the exact motion; wanted is what backward Euler makes of it.")));
+                        "This is the exact motion; the question asks for backward Euler's result.")));
     }
 }

@@ -39,7 +39,8 @@ final class SymplecticEnergy extends NumericExercise {
                                 + "axis."),
                 new CommonMistake(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its "
                         + "square."),
-                new CommonMistake(answer - 1, "This is what comes on top; asked is the multiple of the energy at the "
+                new CommonMistake(answer - 1, "This is what comes on top; the question asks for the multiple of the "
+                        + "energy at the "
                         + "start, 1 plus that."),
                 new CommonMistake(1 + half, "This is right for short steps only: the higher powers of deltaT omega "
                         + "count too."),

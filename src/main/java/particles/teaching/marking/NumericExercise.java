@@ -58,7 +58,7 @@ public abstract class NumericExercise implements Exercise {
     public final String text(Draw draw) {
         Question question = question(draw);
         return question.text() + "\n" + (question.tolerance() <= FOUR_DIGITS ? "Give four significant digits"
-                : "Give three significant digits") + ": right is what is off by no more than "
+                : "Give three significant digits") + "; accepted within "
                 + Draw.text(100 * question.tolerance()) + " %. "
                 + (question.unit().isEmpty() ? "The answer is a pure number." : "The unit is " + question.unit() + ".")
                 + " It lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";

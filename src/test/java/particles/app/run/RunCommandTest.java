@@ -252,7 +252,7 @@ class RunCommandTest {
         assertEnds(ExitCode.BAD_INPUT, "-PdeltaT: the value is 0; it has to be a number over 0 (s)", "--deltaT=0");
         assertEnds(ExitCode.BAD_INPUT, "-Pthreads: the value is 0; it has to be a whole number from 1 to 64",
                 "--threads=0");
-        assertEnds(ExitCode.BAD_INPUT, "option -Pframes: 'maybe' is not a boolean", "--frames=maybe");
+        assertEnds(ExitCode.BAD_INPUT, "option -Pframes has to be true or false, not 'maybe'", "--frames=maybe");
         assertEnds(ExitCode.BAD_INPUT, "-Pout needs a folder name", "--out= ");
         assertEquals(ExitCode.BAD_INPUT, run("--solver=rk5"));
         assertTrue(errors.toString().startsWith("-Psolver: unknown solver 'rk5'; did you mean 'rk4'? known: euler,"),

@@ -92,6 +92,17 @@ class ThousandStudentsTest {
         });
     }
 
+    /** A wrong answer that no typical mistake explains gets a hint where to begin, and no formula. */
+    @Test
+    void hintsGiveNoFormulaAway() {
+        for (int n : new int[] {6, 7, 8}) {
+            NumericExercise exercise = (NumericExercise) Exercises.all().get(n - 1);
+            String hint = String.join(" ", exercise.mark(new Draw("a", n), "123456").lines());
+            assertTrue(hint.startsWith("This is not right yet. "), hint);
+            assertFalse(hint.matches(".*[=^/*].*|.*(sqrt|omega).*"), hint);
+        }
+    }
+
     @Test
     void whatLooksLikeTheAnswerIsNotClear() {
         assertTrue(new Question("", "", 1e-3, 1, 0, List.of(new CommonMistake(1.01, ""), new CommonMistake(1.02, "")))
