@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import particles.view.DataTable;
 
-/** What solvers take, as tables. */
+/** Tables of measured times. */
 public final class BenchmarkTables {
     private static final double MICRO = 1e3;
     private static final String COMPARISON = "comparison";
@@ -16,8 +16,8 @@ public final class BenchmarkTables {
     }
 
     /**
-     * @param plans   what was compared
-     * @param found   with which settings, in the same order
+     * @param plans   the comparisons
+     * @param found   their settings, in the same order
      * @param medians the time of each run (ns)
      */
     static DataTable comparison(List<Comparison.Plan> plans, List<Comparison> found, Map<Run, Double> medians) {
@@ -70,7 +70,7 @@ public final class BenchmarkTables {
 
     /**
      * @param tables as measured
-     * @return what they say, in a sentence
+     * @return the finding, in a sentence
      */
     public static String finding(List<DataTable> tables) {
         List<String> parts = new ArrayList<>();

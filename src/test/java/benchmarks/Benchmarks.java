@@ -13,7 +13,7 @@ import particles.law.Effect;
 import particles.output.FrameBenchmark;
 import particles.view.DataTable;
 
-/** All that is measured, each under a name by which it can be chosen, as tables. */
+/** The list of all benchmarks, which can be chosen by name. */
 public final class Benchmarks {
     private static final int STEPS = 16;
     private static final double MICRO = 1e3;
@@ -27,9 +27,9 @@ public final class Benchmarks {
     private int begun;
 
     /**
-     * @param included of which names
-     * @param times    how each is measured
-     * @param progress hears how far it is
+     * @param included selects names
+     * @param times    measures a benchmark
+     * @param progress receives the progress
      */
     public Benchmarks(Predicate<String> included, Measurement times, ProgressListener progress) {
         this(included, (Stopwatch) times, progress);
@@ -41,7 +41,7 @@ public final class Benchmarks {
         this.progress = progress;
     }
 
-    /** @return the names of all that can be measured */
+    /** @return the names of all benchmarks */
     public static List<String> names() {
         List<String> names = new ArrayList<>();
         Comparison.plans().forEach(plan -> names.add(plan.toString()));
@@ -66,7 +66,7 @@ public final class Benchmarks {
         return "solver " + run.workload() + " " + run.method();
     }
 
-    /** @return a table for each kind of thing that was measured, the comparison first */
+    /** @return a table for each kind of benchmark, the comparison first */
     public List<DataTable> measure() {
         List<DataTable> tables = new ArrayList<>();
         List<Comparison> comparisons = new ArrayList<>();

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.view.DataTable;
 
-/** The tables, with a stopwatch that always shows the same: 1 ms, and 3 ms for Hipparchus. */
+/** Tests the tables with a fake stopwatch: always 1 ms, and 3 ms for Hipparchus. */
 class BenchmarksTest {
     private final List<Double> parts = new ArrayList<>();
 
@@ -41,7 +41,7 @@ class BenchmarksTest {
     }
 
     @Test
-    void theRatioIsTheirTimeOverOurs() {
+    void theRatioIsTheTimeOfHipparchusOverOurs() {
         List<DataTable> tables = tables("comparison oscillator");
         assertEquals(List.of("comparison"), tables.stream().map(DataTable::name).toList());
         assertEquals(7, tables.get(0).rows().size());
@@ -57,7 +57,7 @@ class BenchmarksTest {
     }
 
     @Test
-    void whatIsNotIncludedIsNotMeasured() {
+    void onlyIncludedBenchmarksAreMeasured() {
         List<DataTable> tables = tables("effect gravity");
         assertEquals(List.of(List.of("gravity", 1600, 1e3, 1e6 / 1600)), tables.get(0).rows());
         assertEquals(List.of(0.0), parts);
@@ -65,7 +65,7 @@ class BenchmarksTest {
     }
 
     @Test
-    void progressGoesFromNothingToAll() {
+    void progressGoesFromZeroToOne() {
         assertEquals(List.of("scenes", "frames"),
                 List.of(tables("scene ").get(0).name(), tables("frame ").get(0).name()));
         parts.clear();
@@ -74,9 +74,7 @@ class BenchmarksTest {
         assertEquals(List.of(0.0, 0.0, 1.0 / 3, 2.0 / 3), parts);
     }
 
-    /**
-     * JMH refuses a class that is not public, or a benchmark without a state: here, and not in the middle of a night.
-     */
+    /** JMH refuses a class that is not public, or a benchmark without a state; this test finds that early. */
     @Tag("slow")
     @Test
     void jmhTakesTheBenchmarks(@TempDir Path folder) throws IOException {

@@ -5,8 +5,8 @@ import java.util.List;
 
 /**
  * One of our solvers beside one of Hipparchus' integrators, both on one workload: either the same method with the same
- * steps, so that the evaluations are equal and what differs is what is done between them; or each with the coarsest
- * setting that reaches an error of {@value #ERROR}, so that it counts too how well steps are chosen.
+ * steps, which compares the overhead between equal evaluations; or each with the coarsest setting that reaches an error
+ * of {@value #ERROR}, which also compares step-size control.
  */
 record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome theirsFound) {
     static final double ERROR = 1e-6;
@@ -17,10 +17,10 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
     private static final int MOST_STEPS = 1 << 16;
 
     /**
-     * What is to be compared.
+     * A planned comparison.
      *
-     * @param equalError whether at an equal error; else at equal evaluations
-     * @param workload   on what
+     * @param equalError whether at equal error, otherwise at equal evaluations
+     * @param workload the problem
      * @param ours       our solver
      * @param theirs     their integrator
      */
@@ -51,7 +51,7 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
         return plans;
     }
 
-    /** Finds the settings that make the two comparable. */
+    /** Finds the settings at which the two are comparable. */
     static Comparison of(Plan plan) {
         Workload workload = Workload.of(plan.workload());
         double duration = plan.equalError() ? workload.duration() : STEPS * workload.deltaT();
@@ -69,8 +69,8 @@ record Comparison(Run ours, Run.Outcome oursFound, Run theirs, Run.Outcome their
     }
 
     /**
-     * The loosest tolerance: by half decades, and then by halving; errors of adaptive methods jump, so nothing finer
-     * means much.
+     * The loosest tolerance, by half decades and then by bisection; errors of adaptive methods jump, so a finer search
+     * is useless.
      */
     private static Run byTolerance(Workload workload, String method, double[] reference) {
         double loose = Math.log10(LOOSEST);

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 
-/** What the comparison rests on: the counts and errors, which do not depend on the machine. */
+/** Counts and errors behind the comparison, which do not depend on the machine. */
 class ComparisonTest {
     static final List<Comparison.Plan> EQUAL_EVALUATIONS = Comparison.plans().stream()
             .filter(plan -> !plan.equalError())
@@ -54,7 +54,7 @@ class ComparisonTest {
     }
 
     @Test
-    void oneStepLessIsNotEnough() {
+    void oneStepFewerMissesTheError() {
         Comparison pair = Comparison.of(EQUAL_ERROR.get(0));
         Run less = Run.steps("oscillator", "rk4", pair.ours().duration(), pair.ours().steps() - 1);
         Workload workload = Workload.of("oscillator");
@@ -64,14 +64,14 @@ class ComparisonTest {
 
     /** Against the exact solution (cos t, -sin t): measured 3.0e-13 at t = 20. */
     @Test
-    void theReferenceIsFarBetterThanWhatItJudges() {
+    void theReferenceIsFarMoreAccurateThanTheRuns() {
         double[] end = Workload.of("oscillator").reference(20);
         assertEquals(StrictMath.cos(20), end[0], 2e-12);
         assertEquals(-StrictMath.sin(20), end[1], 2e-12);
     }
 
     @Test
-    void aRunIsReadAsItIsWritten() {
+    void aRunReadsBackFromItsText() {
         for (Run run : List.of(Run.steps("chain", "rk4", 0.5, 160), Run.tolerance("cloth", "radau", 1 / 3.0, 1e-7))) {
             assertEquals(run, Run.parse(run.toString()));
         }

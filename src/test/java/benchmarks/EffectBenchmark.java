@@ -12,7 +12,7 @@ import org.openjdk.jmh.annotations.State;
 import particles.ParticleSystem;
 import particles.law.Effect;
 
-/** The time for an effect's forces, of all its particles or springs. */
+/** Measures the time of an effect's forces on all its particles or springs. */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)

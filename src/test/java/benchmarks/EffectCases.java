@@ -10,7 +10,7 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 
-/** A cloth of 40 x 40 particles with one effect, each so that it acts on all of them; the air acts through drag. */
+/** Cases for {@link EffectBenchmark}: a cloth of 40 x 40 particles with one effect that acts on all of them. */
 final class EffectCases {
     private static final String DRAG = "drag: {coefficient: 0.01}";
     private static final String SPRINGS = "springs";
@@ -59,12 +59,12 @@ final class EffectCases {
                 new Overrides()).system();
         double[] state = system.getStateArray();
         for (int i = 0; i < state.length; i++) {
-            state[i] += 1e-3 * (i * 7919 % 101);            // at rest neither air nor springs push
+            state[i] += 1e-3 * (i * 7919 % 101);            // moved, so that drag and springs exert forces
         }
         return system;
     }
 
-    /** The one that the case is about: the springs come first, and after them stands one effect at most. */
+    /** The effect of a case: the last one, or the springs if there is no other. */
     static Effect effect(String name, ParticleSystem system) {
         return system.getEffects().get(name.equals(SPRINGS) ? 0 : 1);
     }

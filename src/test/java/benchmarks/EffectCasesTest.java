@@ -16,7 +16,7 @@ import particles.law.Effect;
 import particles.law.Particles;
 import particles.scene.format.SceneFormat;
 
-/** Every effect that a scene can name is timed, and at work. */
+/** Every effect that a scene can name has a case in which it acts. */
 class EffectCasesTest {
 
     static List<String> names() {

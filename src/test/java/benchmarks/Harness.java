@@ -13,9 +13,8 @@ import org.openjdk.jmh.generators.reflection.RFGeneratorSource;
 import particles.output.FrameBenchmark;
 
 /**
- * Writes and compiles what JMH runs: a class around each benchmark with its loop and clock. Usually an annotation
- * processor does it while everything is compiled; done in a step of its own it costs nobody anything who does not
- * measure.
+ * Generates and compiles the JMH harness: a class around each benchmark with its loop and clock. Usually an annotation
+ * processor does this in every build; as a separate step it costs nothing in other builds.
  */
 final class Harness {
     static final List<Class<?>> BENCHMARKS = List.of(SolveBenchmark.class, EffectBenchmark.class, SceneBenchmark.class,
@@ -25,8 +24,8 @@ final class Harness {
     }
 
     /**
-     * @param folder where classes and lists go, to be put on the class path of who measures
-     * @throws IllegalStateException if a class is no benchmark as it should be
+     * @param folder the output folder, which must be on the class path of the benchmarks
+     * @throws IllegalStateException if a class is not a valid benchmark
      */
     static void write(Path folder) throws IOException {
         Path sources = Files.createTempDirectory("benchmarks");

@@ -10,7 +10,7 @@ import org.openjdk.jmh.results.IterationResult;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.format.OutputFormat;
 
-/** Of all that JMH says, what is being measured; and what a benchmark prints when it fails. */
+/** Listens to JMH's output: which benchmark is running, and the text of a failure. */
 final class Heard implements OutputFormat {
     private final Consumer<String> begun;
     private final StringBuilder lines = new StringBuilder();
@@ -25,7 +25,7 @@ final class Heard implements OutputFormat {
         begun.accept(params.getParam("what"));
     }
 
-    /** What JMH said since the last benchmark began, for a report of what went wrong. */
+    /** JMH's output since the last benchmark began, for error messages. */
     String lines() {
         return lines.toString();
     }

@@ -13,22 +13,23 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 
 /**
- * How long and how often JMH measures.
+ * JMH's settings: forks, iterations and their length.
  *
- * @param forks      how many processes one after the other, each with a compiler that begins anew
- * @param iterations in each of them, after as many that do not count
- * @param seconds    that each lasts
+ * @param forks      the number of processes, run one after another
+ * @param iterations measured iterations in each, after as many for warm-up
+ * @param seconds    the length of an iteration (s)
  */
 public record Measurement(int forks, int iterations, double seconds) implements Stopwatch {
     /**
-     * The collector that scripts start the program with; and the compiler at once, so that few iterations warm it up.
+     * The garbage collector of the start scripts, and compilation in the foreground, so that few iterations are enough
+     * for warm-up.
      */
     private static final String[] JVM = {"-XX:+UseSerialGC", "-Xbatch"};
 
     @Override
     public Map<String, Double> medians(Class<?> benchmark, List<String> what, Consumer<String> begun) {
         TimeValue time = TimeValue.nanoseconds((long) (seconds * TimeUnit.SECONDS.toNanos(1)));
-        System.setProperty("jmh.ignoreLock", "true");           // another user's lock would stop us for ever
+        System.setProperty("jmh.ignoreLock", "true");           // another user's lock would block for ever
         Options options = new OptionsBuilder().include("^" + benchmark.getName().replace(".", "\\.") + "\\.")
                 .param("what", what.toArray(String[]::new)).forks(forks).shouldFailOnError(true).jvmArgsAppend(JVM)
                 .warmupIterations(iterations).warmupTime(time).measurementIterations(iterations).measurementTime(time)

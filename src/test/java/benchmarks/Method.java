@@ -11,12 +11,12 @@ import org.hipparchus.ode.nonstiff.EulerIntegrator;
 import org.hipparchus.ode.nonstiff.GraggBulirschStoerIntegrator;
 import org.hipparchus.ode.nonstiff.MidpointIntegrator;
 
-/** One of our solvers, or of Hipparchus' integrators, as something that solves a workload. */
+/** One of our solvers or of Hipparchus' integrators, applied to a workload. */
 interface Method {
-    /** Those that make steps of a given length. */
+    /** Integrators with a fixed step. */
     Map<String, Fixed> HIPPARCHUS_FIXED = Map.of("Euler", EulerIntegrator::new, "Midpoint", MidpointIntegrator::new,
             "ClassicalRungeKutta", ClassicalRungeKuttaIntegrator::new);
-    /** Those that hold a tolerance. Adams-Moulton of three steps is of order 4, as ours. */
+    /** Adaptive integrators. Adams-Moulton with three steps has order 4, as ours. */
     Map<String, Adaptive> HIPPARCHUS_ADAPTIVE = Map.of("DormandPrince54", DormandPrince54Integrator::new,
             "GraggBulirschStoer", GraggBulirschStoerIntegrator::new, "AdamsMoulton",
             (least, most, absolute, relative) -> new AdamsMoultonIntegrator(3, least, most, absolute, relative));
@@ -32,16 +32,16 @@ interface Method {
         ODEIntegrator create(double shortest, double longest, double absoluteTolerance, double relativeTolerance);
     }
 
-    /** From the workload's start. */
+    /** Solves the workload from its start. */
     void solve(Workload workload);
 
-    /** @return whether the method holds a tolerance, and steps of a given length are not enough */
+    /** @return whether the method is adaptive and needs a tolerance */
     static boolean isAdaptive(String name) {
         return HIPPARCHUS_ADAPTIVE.containsKey(name) || SolverCatalog.names().contains(name)
                 && SolverCatalog.info(name).adaptive();
     }
 
-    /** What it does is done again and again by the same object, as by any program that makes more than one run. */
+    /** Makes the method of a run; its solver is reused for repeated runs. */
     static Method of(Run run) {
         if (HIPPARCHUS_FIXED.containsKey(run.method())) {
             return hipparchus(HIPPARCHUS_FIXED.get(run.method()).create(run.duration() / run.steps()), run.duration());

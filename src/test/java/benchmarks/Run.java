@@ -3,21 +3,21 @@ package benchmarks;
 import java.util.Locale;
 
 /**
- * One way to solve a workload.
+ * A run: a workload, a method and its settings.
  *
- * @param workload  which
+ * @param workload the workload's name
  * @param method    a solver of our catalogue or an integrator of Hipparchus
- * @param duration  how far (s)
- * @param steps     how many steps that takes; 1 where the method chooses them itself
- * @param tolerance relative and absolute; NaN for the method's own, or none
+ * @param duration  the simulated time (s)
+ * @param steps     the number of steps; 1 for adaptive methods
+ * @param tolerance relative and absolute tolerance; NaN for the default or none
  */
 record Run(String workload, String method, double duration, int steps, double tolerance) {
 
     /**
-     * What came of it.
+     * The result of a run.
      *
      * @param evaluations of the derivative
-     * @param error       at the end, over the largest entry of the state
+     * @param error       the error at the end, relative to the largest entry of the state
      */
     record Outcome(long evaluations, double error) {
     }

@@ -17,34 +17,37 @@ import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 
 /**
- * Implicit against explicit, where it matters: a cloth of 64 x 64 particles that has to move by one frame of 1/60 s,
- * for ever stiffer springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth,
- * found by power iteration; backward Euler takes one step.
+ * Compares an implicit with an explicit solver on one frame (1/60 s) of a cloth of 64 x 64 particles with ever stiffer
+ * springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by power
+ * iteration; backward Euler takes one step.
  */
 final class StiffCloth {
     static final double FRAME = 1.0 / 60;
     private static final int EDGE = 64;
     private static final double MASS = 0.01;
     private static final double RK4_LIMIT = 2.8284;
-    /** Steps of RK4 that are timed; all cost the same. */
+    /** The number of RK4 steps that are timed; all cost the same. */
     private static final int TIMED = 40;
-    /** Solvers whose first step is timed, and further steps of each; of both the medians count. */
+    /** The number of solvers whose first and further steps are timed; medians are used. */
     private static final int SOLVERS = 5;
     private static final int FURTHER = 3;
-    /** For stiffer cloths a step that is iterated to tolerance takes up to a minute. */
+    /**
+     * The largest number of RK4 steps for which Newton's method is timed; for stiffer cloths a step takes up to a
+     * minute.
+     */
     private static final long NEWTON_UNTIL = 10;
 
     /**
-     * What a frame costs.
+     * The cost of a frame.
      *
      * @param stiffness  of every spring (N/m)
      * @param rk4Steps   that RK4 needs to be stable
      * @param rk4        time of these (s)
-     * @param first      median time of solvers' first steps, backward Euler with one linear solve, which find out what
-     *                   the cloth's springs join (s)
+     * @param first      median time of first steps of backward Euler with one linear solve, which include the symbolic
+     *                   factorisation (s)
      * @param linearised median time of further such steps (s)
-     * @param newton     time of a step that is iterated to tolerance (s); NaN where it is not measured
-     * @param work       what the linearised step did
+     * @param newton     time of a step iterated to tolerance (s); NaN if not measured
+     * @param work       the work of the linearised step
      */
     record Row(double stiffness, long rk4Steps, double rk4, double first, double linearised, double newton,
             ImplicitWork work) {
@@ -74,7 +77,7 @@ final class StiffCloth {
             direction[x] = x % 6 < 3 ? (x * 7919 % 101) - 50 : 0;
         }
         double eigenvalue = 0;
-        for (int i = 0; i < 200; i++) {                 // from below, to a percent or so: enough for a count of steps
+        for (int i = 0; i < 200; i++) {                 // converges to 1 %, enough to count steps
             double length = 0;
             for (double value : direction) {
                 length += value * value;
@@ -135,7 +138,7 @@ final class StiffCloth {
 
     /** Prints the sweep, the stiffest cloth last. */
     static void print(PrintStream out, long[] rk4Steps) {
-        for (int i = 0; i < 3; i++) {                   // for the compiler
+        for (int i = 0; i < 3; i++) {                   // warm-up
             measure(stiffnessFor(2));
             measure(stiffnessFor(100));
         }

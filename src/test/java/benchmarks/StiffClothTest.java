@@ -7,17 +7,18 @@ import deSolvers.linear.ImplicitWork;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The counts behind the table: they do not depend on the machine. */
+/** Counts behind the table, which do not depend on the machine. */
 @Tag("slow")
 class StiffClothTest {
     private static final double SPRINGS = 23_938;
     /**
-     * From where rk4 needs two steps to 5,000: conjugate gradients up to 6, where they need most, and then elimination.
+     * Steps that rk4 needs, from 2 to 5,000: conjugate gradients are used up to 6, where they need most iterations, and
+     * elimination from then on.
      */
     private static final long[] SWEEP = {2, 5, 6, 7, 100, 1000, 5000};
 
     @Test
-    void aLinearisedStepCostsMuchTheSameHoweverManyStepsRk4Needs() {
+    void theCostOfALinearisedStepHardlyDependsOnStiffness() {
         double least = Double.POSITIVE_INFINITY;
         double most = 0;
         for (long steps : SWEEP) {
@@ -37,7 +38,7 @@ class StiffClothTest {
     }
 
     @Test
-    void theStiffestClothIsCheaperByFarWithOneImplicitStepAndASoftOneWithRk4() {
+    void implicitStepsAreCheaperForStiffClothAndRk4ForSoftCloth() {
         double stiff = StiffCloth.linearisedWork(StiffCloth.stiffnessFor(5000)).blockOperations();
         // A product costs no more than a spring's force. Measured 60 times as many forces at 5,000 steps of RK4 ...
         assertTrue(4 * 5000 * SPRINGS > 25 * stiff, stiff + " products of blocks");

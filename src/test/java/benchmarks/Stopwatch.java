@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** Tells how long benchmarks take. */
+/** Measures the times of benchmarks. */
 interface Stopwatch {
 
     /**
      * @param benchmark one of {@link Harness#BENCHMARKS}
      * @param what      the values of its parameter
-     * @param begun     hears each before it is measured
-     * @return for each the median of all iterations (ns)
+     * @param begun     called before each measurement
+     * @return the median of all iterations of each (ns)
      */
     Map<String, Double> medians(Class<?> benchmark, List<String> what, Consumer<String> begun);
 }

@@ -17,9 +17,9 @@ import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 
 /**
- * What is solved, from one start again and again: the lecture's oscillator behind the simple interface, a chain of 100
- * particles and a cloth of 12 x 12, both particle systems as scenes build them. The same object is our solvers' source
- * and Hipparchus' equation.
+ * A problem for benchmarks, solved repeatedly from the same start: the lecture's oscillator behind the simple
+ * interface, a chain of 100 particles, or a cloth of 12 x 12. The same object is our solvers' source and Hipparchus'
+ * equation.
  */
 final class Workload implements OrdinaryDifferentialEquation {
     static final List<String> NAMES = List.of("oscillator", "chain", "cloth");
@@ -30,9 +30,9 @@ final class Workload implements OrdinaryDifferentialEquation {
     private final DEStateSource source;
     private final LongSupplier evaluations;
     private final double[] start;
-    /** Seconds: three turns of the oscillator or so; a swing of chain and cloth that is well resolved. */
+    /** The duration (s): about three periods of the oscillator, or a well-resolved swing of chain and cloth. */
     private final double duration;
-    /** A step at which every solver is stable for a while (s). */
+    /** A step at which every solver stays stable for the duration (s). */
     private final double deltaT;
 
     private Workload(String name, DEStateSource source, LongSupplier evaluations, double duration, double deltaT) {
@@ -92,7 +92,7 @@ final class Workload implements OrdinaryDifferentialEquation {
         return deltaT;
     }
 
-    /** How often its derivative was evaluated so far, by whomever. */
+    /** The number of evaluations of its derivative so far. */
     long evaluations() {
         return evaluations.getAsLong();
     }
@@ -106,7 +106,7 @@ final class Workload implements OrdinaryDifferentialEquation {
         source.incTime(-source.getTime());
     }
 
-    /** Takes over what another library found. */
+    /** Stores a result of Hipparchus. */
     void end(double time, double[] state) {
         source.setState(state);
         source.incTime(time - source.getTime());
@@ -121,7 +121,7 @@ final class Workload implements OrdinaryDifferentialEquation {
     public double[] computeDerivatives(double t, double[] state) {
         double[] dSdt = new double[state.length];
         source.incTime(t - source.getTime());
-        if (source instanceof ArrayStateSource arrays) {        // nothing is copied for Hipparchus either
+        if (source instanceof ArrayStateSource arrays) {        // avoids copies for Hipparchus too
             arrays.getStateDerivative(state, dSdt);
         } else {
             source.setState(state);
@@ -130,14 +130,14 @@ final class Workload implements OrdinaryDifferentialEquation {
         return dSdt;
     }
 
-    /** Where it is in truth: Hipparchus' pair of order 8, which takes no part in any comparison, at 1e-13. */
+    /** The reference solution: Hipparchus' pair of order 8 at 1e-13, which is not part of any comparison. */
     double[] reference(double time) {
         restart();
         return new DormandPrince853Integrator(SHORTEST, time, STRICT, STRICT).integrate(this, start(),
                 time).getPrimaryState();
     }
 
-    /** The largest deviation of an entry of the state, over the largest entry. */
+    /** The largest deviation of an entry of the state, relative to the largest entry. */
     double error(double[] reference) {
         double[] state = new double[start.length];
         source.getState(state);

@@ -1,14 +1,14 @@
 /**
- * Programs that measure time. Tasks of their own run them, never the tests; tests hold the counts they rest on.
+ * Programs that measure time, run by their own tasks and never by tests; tests check the counts behind them.
  *
- * <h2>All that is timed: {@code gradle benchmark}</h2>
- * Every solver, effect, reading a scene and drawing a frame, and solvers beside Hipparchus, by JMH, in three
- * minutes. {@code -Pinclude=chain} measures a part; {@code -Pforks=3 -Piterations=10} gives closer medians; {@code
- * -Pseconds} is the length of an iteration. Results go to {@code build/out/benchmark}.
+ * <h2>All benchmarks: {@code gradle benchmark}</h2>
+ * Every solver, effect, reading a scene and drawing a frame, and solvers beside Hipparchus, by JMH, in three minutes.
+ * {@code -Pinclude=chain} measures a part; {@code -Pforks=3 -Piterations=10} gives closer medians; {@code -Pseconds} is
+ * the length of an iteration. Results go to {@code build/out/benchmark}.
  *
- * <p>The table says how many times as long as ours Hipparchus takes on the same sources. At equal evaluations both
- * make the same steps of the same method; at equal error each has the coarsest steps or the loosest tolerance that
- * ends within 1e-6 of a reference.
+ * <p>The table says how many times as long as ours Hipparchus takes on the same sources. At equal evaluations both make
+ * the same steps of the same method; at equal error each has the coarsest steps or the loosest tolerance that ends
+ * within 1e-6 of a reference.
  * <table>
  * <caption>time of Hipparchus 4.0.3 over ours</caption>
  * <tr><th>equal</th><th>ours, Hipparchus</th><th>oscillator</th><th>chain of 100</th><th>cloth of 12 x 12</th></tr>
@@ -27,16 +27,14 @@
  *
  * <h2>Stiff cloth: {@code gradle stiffCloth}</h2>
  * Prints the CPU time of a frame of 1/60 s of ever stiffer cloth of 64 x 64 particles: RK4, with up to 5,000 steps,
- * against one step of backward Euler. That step takes as long as some 60 steps of {@code rk4}: a cloth for which
- * {@code rk4} needs fewer is cheaper with it, and one for which it needs 5,000 takes 85 times as long with it. Over
- * all of that the implicit step's own time varies by a factor of 3.7 (medians of fifteen steps, on the same
- * machine).
+ * against one step of backward Euler. That step takes as long as some 60 steps of {@code rk4}: a cloth for which {@code
+ * rk4} needs fewer is cheaper with it, and one for which it needs 5,000 takes 85 times as long with it. Over all of
+ * that the implicit step's own time varies by a factor of 3.7 (medians of fifteen steps, on the same machine).
  *
  * <h2>Pictures and starting up</h2>
- * A thread of its own draws and writes the pictures of a run: for a cloth of 64 x 64 particles at 1280 x 720
- * pixels, 32 a second on two cores with the simulation running beside it, and 27 with the animation. A film is
- * compressed in pure Java, some tenths of a second for a frame of that size. The installed program takes 2.5 s of
- * CPU time, user and system, for {@code run --scene=2 --frames=false} with its two charts: the median of five
- * starts, without other work.
+ * A thread of its own draws and writes the pictures of a run: for a cloth of 64 x 64 particles at 1280 x 720 pixels, 32
+ * a second on two cores with the simulation running beside it, and 27 with the animation. A film is compressed in pure
+ * Java, some tenths of a second for a frame of that size. The installed program takes 2.5 s of CPU time, user and
+ * system, for {@code run --scene=2 --frames=false} with its two charts: the median of five starts, without other work.
  */
 package benchmarks;

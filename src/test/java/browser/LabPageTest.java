@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.logging.LogType;
 
-/** What somebody does in the lab's page, and sees. */
+/** Use of the lab's page in a browser: clicks, keys, and what is shown. */
 class LabPageTest {
     private Browser page;
 

@@ -21,7 +21,7 @@ import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.spec.ClassNames;
 
-/** What is computed in the page and what Java computes from the same scene. */
+/** The page and Java compute the same results from the same scene. */
 class SameResultsTest {
     private static final double SECONDS = 2;
     /** Scenes that need only + - * / and square roots, and others that happen to have the same bits. */

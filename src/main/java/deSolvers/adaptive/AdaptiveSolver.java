@@ -11,17 +11,17 @@ import deSolvers.StepTransaction;
  * sub-step, takes it or makes it smaller, and chooses the next length. A step that continues the last one begins with
  * the length found there.
  *
- * <p>A method says what one sub-step gives ({@link #attempt}) and with what power of its length the error falls
+ * <p>A method implements one sub-step ({@link #attempt}) and gives the power of its length with which the error falls
  * ({@link #errorExponent}).
  */
 public abstract class AdaptiveSolver extends DESolver {
-    /** What is allowed for each entry of the state where nothing else is asked for, relative to it. */
+    /** The default error allowed for an entry of the state, relative to its size. */
     public static final double RELATIVE_TOLERANCE = 1e-6;
-    /** What is allowed besides, in the unit of the state's entries. */
+    /** The default error allowed besides, in the entry's unit. */
     public static final double ABSOLUTE_TOLERANCE = 1e-9;
-    /** With a relative tolerance over this what is too fast for the method may grow without end; see the package. */
+    /** With a larger relative tolerance, motion too fast for the method may grow without bound; see the package. */
     public static final double LOOSEST_TOLERANCE = 1e-3;
-    /** After so many sub-steps, taken or rejected, a step is given up. */
+    /** The largest number of sub-steps, taken or rejected, in a step. */
     public static final int MOST_SUB_STEPS = 500_000;
 
     private static final double SAFETY = 0.9;
@@ -36,7 +36,7 @@ public abstract class AdaptiveSolver extends DESolver {
     private double[] slope = {};
     private double[] newSlope = {};
     private boolean slopeKnown;
-    private double subStep;                             // what to try next, > 0 (s)
+    private double subStep;                             // length of the next sub-step, > 0 (s)
     private boolean rejected;
 
     /**
@@ -55,14 +55,14 @@ public abstract class AdaptiveSolver extends DESolver {
      */
     protected abstract void resize(int n);
 
-    /** Forgets what a method keeps from sub-step to sub-step; called before the first of a new course. */
+    /** Clears a method's memory of earlier sub-steps; called when a step does not continue the last one. */
     protected void restart() {
     }
 
     /**
      * Tries one sub-step.
      *
-     * @param source   the step's source; may be anywhere, and be left anywhere
+     * @param source   the step's source, in any state; may be left in any state
      * @param state    the state at the beginning; not to be changed
      * @param slope    the derivative there; not to be changed
      * @param offset   where the sub-step begins, from the beginning of the step (s)
@@ -77,7 +77,7 @@ public abstract class AdaptiveSolver extends DESolver {
     protected abstract int errorExponent();
 
     /**
-     * Gives the derivative at the end of the sub-step just tried, where the method knows it.
+     * Returns the derivative at the end of the sub-step just tried, if the method knows it.
      *
      * @param newSlope receives it
      * @return whether it is known; otherwise newSlope is unchanged
@@ -109,7 +109,7 @@ public abstract class AdaptiveSolver extends DESolver {
         return StrictMath.exp(StrictMath.log(x) / exponent);
     }
 
-    /** @return what is allowed */
+    /** @return the tolerance */
     protected final Tolerance tolerance() {
         return tolerance;
     }
@@ -141,7 +141,7 @@ public abstract class AdaptiveSolver extends DESolver {
         }
     }
 
-    /** The first sub-step of a new course: the derivative there, and a guess from it. */
+    /** Starts a new run: evaluates the derivative and guesses the first sub-step. */
     private void begin(StepTransaction source, double deltaT) {
         restart();
         rejected = false;
@@ -151,7 +151,7 @@ public abstract class AdaptiveSolver extends DESolver {
         subStep = FirstSubStep.guess(source, tolerance, errorExponent(), state, slope, deltaT, newState, newSlope);
     }
 
-    /** Sub-steps from the beginning to exactly deltaT. Lengths are positive here; the direction is a factor. */
+    /** Makes sub-steps from 0 to exactly deltaT. Lengths are positive here; the direction is a factor. */
     private void cover(StepTransaction source, double deltaT) {
         double direction = Math.signum(deltaT);
         double length = Math.abs(deltaT);
@@ -174,7 +174,7 @@ public abstract class AdaptiveSolver extends DESolver {
                 double end = h == remaining ? length : done + h;
                 accept();
                 done = end;
-                // A sub-step that was cut short to meet the end and shows no trouble does not shorten what was planned.
+                // An accepted sub-step that was shortened to end at deltaT keeps the planned length.
                 boolean cut = h < subStep && next >= 2 * h;
                 subStep = cut ? Math.max(subStep, next) : rejected ? Math.min(next, h) : next;
                 rejected = false;
@@ -194,7 +194,7 @@ public abstract class AdaptiveSolver extends DESolver {
         source.requireFinite(result);
     }
 
-    /** The new state becomes the state. */
+    /** Makes the new state the current one. */
     private void accept() {
         boolean known = endSlope(newSlope);
         double[] oldState = state;
@@ -206,12 +206,12 @@ public abstract class AdaptiveSolver extends DESolver {
         slopeKnown = known;
     }
 
-    /** The shortest sub-step that clock and sum can tell from none (s); only deltaT itself may be shorter. */
+    /** The shortest sub-step that changes the clock and the sum (s); only deltaT itself may be shorter. */
     private static double resolution(StepTransaction source, double done) {
         return 4 * Math.max(Math.ulp(source.getStartTime()), Math.ulp(done));
     }
 
-    /** For a sub-step that was rejected and cannot become shorter. */
+    /** The exception for a rejected sub-step that cannot become shorter. */
     private DESolverException tooShort(StepTransaction source, double h, double done, double resolution) {
         int entry = tolerance.worstEntry();
         String failure = entry < 0 ? "cannot be made even so"

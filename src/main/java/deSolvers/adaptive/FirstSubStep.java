@@ -3,8 +3,8 @@ package deSolvers.adaptive;
 import deSolvers.StepTransaction;
 
 /**
- * A guess for the first sub-step of a new course, from the size of the first two derivatives of the solution (Hairer,
- * N&oslash;rsett, Wanner, section II.4): an Euler step is tried to see how fast the derivative changes.
+ * Guesses the first sub-step from the first two derivatives of the solution (Hairer, N&oslash;rsett, Wanner, section
+ * II.4); a trial Euler step shows how fast the derivative changes.
  */
 final class FirstSubStep {
     private FirstSubStep() {
@@ -15,7 +15,7 @@ final class FirstSubStep {
      * @param exponent e if a sub-step's error is O(h<sup>e</sup>)
      * @param state    the state at the beginning
      * @param slope    the derivative there
-     * @param deltaT   all that is to be covered (s)
+     * @param deltaT   the whole step (s)
      * @param trial    work space
      * @param change   work space
      * @return a length, &gt; 0 and at most that of deltaT (s)
@@ -33,7 +33,7 @@ final class FirstSubStep {
             euler = 1 / speed;                          // as far as the tolerance reaches
         }
         if (!(euler >= Double.MIN_NORMAL)) {
-            return length;                              // too short to see a change; the first attempt will tell
+            return length;                              // too short for a trial
         }
         double h = Math.copySign(euler, deltaT);
         for (int i = 0; i < state.length; i++) {
@@ -48,6 +48,6 @@ final class FirstSubStep {
         double fastest = Math.max(speed, tolerance.size(change, state));
         double byChange = fastest > 0 ? AdaptiveSolver.root(0.01 / fastest, exponent) : length;
         double guess = Math.min(length, Math.min(100 * slow, byChange));
-        return guess > 0 ? guess : euler;               // also where the trial went where nothing is finite
+        return guess > 0 ? guess : euler;               // also if the trial gave NaN
     }
 }

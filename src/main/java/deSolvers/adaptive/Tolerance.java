@@ -1,6 +1,6 @@
 package deSolvers.adaptive;
 
-/** How far off an entry of the state may be after a sub-step: absolute + relative times its size. */
+/** The error allowed for an entry of the state in a sub-step: absolute + relative times its size. */
 public final class Tolerance {
     private final double relative;
     private final double absolute;
@@ -31,7 +31,7 @@ public final class Tolerance {
     }
 
     /**
-     * The largest error in units of what is allowed.
+     * The largest error relative to the tolerance.
      *
      * @param error  estimated error of every entry
      * @param before the state before the sub-step
@@ -56,13 +56,13 @@ public final class Tolerance {
         return largest;
     }
 
-    /** Without an absolute tolerance an entry that is 0 before and after has to be exact, and is. */
+    /** Without an absolute tolerance, an entry that is 0 before and after has an error of 0. */
     private static double ratio(double error, double allowed) {
         return error == 0 ? 0 : Math.abs(error) / allowed;
     }
 
     /**
-     * The size of a vector in units of what is allowed for the state.
+     * The size of a vector relative to the tolerance of the state.
      *
      * @param vector any numbers
      * @param state  the state

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 
-/** Finds the name that was probably meant, for every message about an unknown one. */
+/** Suggests the known name that was probably meant, for messages about unknown names. */
 public final class DidYouMean {
     private static final int LONGEST_BEGINNING = 5;
 

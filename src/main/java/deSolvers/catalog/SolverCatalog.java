@@ -24,9 +24,7 @@ import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.function.Supplier;
 
-/**
- * The one list of all solvers. {@code create("rk4")} makes one; a fully-qualified class name makes a student's own.
- */
+/** The list of all solvers. {@code create("rk4")} creates one; a fully-qualified class name creates a student's own. */
 public final class SolverCatalog {
     private static final double NONE = Double.NaN;
     private static final double UNLIMITED = Double.POSITIVE_INFINITY;
@@ -92,7 +90,7 @@ public final class SolverCatalog {
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
 
-    /** A solver that steps positions and velocities apart. */
+    /** A solver that steps positions and velocities separately. */
     private static Entry symplectic(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
                                     String family, String evaluations, double imaginaryLimit, double dampedLimit,
                                     String sentence) {
@@ -124,21 +122,21 @@ public final class SolverCatalog {
         return Collections.unmodifiableMap(byName);
     }
 
-    /** @return what there is to know of every solver, in the order in which they are taught */
+    /** @return the data of all solvers, in teaching order */
     public static List<SolverInfo> all() {
         List<SolverInfo> all = new ArrayList<>();
         ENTRIES.values().forEach(entry -> all.add(entry.info()));
         return all;
     }
 
-    /** @return the names of all solvers, in the order in which they are taught */
+    /** @return the names of all solvers, in teaching order */
     public static List<String> names() {
         return List.copyOf(ENTRIES.keySet());
     }
 
     /**
      * @param name a catalogue name
-     * @return what there is to know of that solver
+     * @return the data of that solver
      * @throws NoSuchElementException if no solver has this name
      */
     public static SolverInfo info(String name) {
@@ -158,7 +156,7 @@ public final class SolverCatalog {
      *             constructor
      * @return a new solver
      * @throws NoSuchElementException   if there is neither a solver nor a class of this name
-     * @throws IllegalArgumentException if the class is no {@link DESolver} or cannot be made
+     * @throws IllegalArgumentException if the class is not a {@link DESolver} or cannot be created
      */
     public static DESolver create(String name) {
         Entry entry = ENTRIES.get(name);
@@ -197,7 +195,7 @@ public final class SolverCatalog {
         try {
             Class<?> found = Class.forName(name, true, Thread.currentThread().getContextClassLoader());
             if (!DESolver.class.isAssignableFrom(found)) {
-                throw new IllegalArgumentException("class " + name + " is no solver: it has to extend "
+                throw new IllegalArgumentException("class " + name + " is not a solver: it has to extend "
                         + DESolver.class.getName());
             }
             Class<?>[] types = new Class<?>[tolerances.length];
@@ -206,12 +204,12 @@ public final class SolverCatalog {
         } catch (ClassNotFoundException e) {
             throw new NoSuchElementException("no class is called '" + name + "', and no solver; known solvers: "
                     + String.join(", ", names()), e);
-        } catch (LinkageError e) {                      // a static field fails; at the second time there is no cause
+        } catch (LinkageError e) {                      // a static initialiser failed; no cause the second time
             throw new IllegalArgumentException("class " + name + " cannot be loaded: "
                     + (e.getCause() == null ? e : e.getCause()), e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException e) {
             throw new IllegalArgumentException("class " + name
-                    + " cannot be made: it has to be public, not abstract, and"
+                    + " cannot be created: it has to be public, not abstract, and"
                     + " have a public constructor " + (tolerances.length == 0 ? "without parameters"
                     : "of two doubles"), e);
         } catch (InvocationTargetException e) {

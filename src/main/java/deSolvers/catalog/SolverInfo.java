@@ -1,21 +1,21 @@
 package deSolvers.catalog;
 
 /**
- * What the catalogue says of a solver.
+ * The catalogue's data of a solver.
  *
  * @param name           the name in scenes and on command lines, such as {@code rk4}
  * @param className      the fully-qualified name of its class
  * @param order          the order p: over a given time the error falls as deltaT<sup>p</sup>; of a pair the higher one
- * @param family         what kind of method it is, in a word or two
- * @param evaluations    calls of the derivative for a step, or what decides them
+ * @param family         the kind of method, in a word or two
+ * @param evaluations    calls of the derivative per step, in words
  * @param adaptive       whether it chooses its own sub-steps and takes tolerances
  * @param secondOrder    whether it needs a {@link deSolvers.SecondOrderStateSource}
- * @param realLimit      the largest stable h |lambda| on the negative real axis; infinite where there is none,
- *                       NaN where it does not apply
+ * @param realLimit      the largest stable h |lambda| on the negative real axis; infinite where there is none, NaN
+ *                       where it does not apply
  * @param imaginaryLimit the largest stable h omega on the imaginary axis, for undamped springs; 0 if it always grows
  * @param dampedLimit    the largest stable h omega for a critically damped spring, of methods that step positions and
  *                       velocities apart; NaN for others, whose limit there is realLimit
- * @param sentence       what to know of it, in one sentence
+ * @param sentence       a description in one sentence
  */
 public record SolverInfo(String name, String className, int order, String family, String evaluations, boolean adaptive,
                          boolean secondOrder, double realLimit, double imaginaryLimit, double dampedLimit,

@@ -12,26 +12,25 @@ import deSolvers.adaptive.AdaptiveSolver;
  *   T_10  T_11              T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / ((n_j / n_j-k)^2 - 1)
  *   T_20  T_21  T_22        the last entry of a line is the result, the last two differ by its error
  * </pre>
- * How many lines, and how long the stretch, is chosen for the least work.
+ * The number of lines and the length of the stretch are chosen for the least work.
  *
  * <p>On a stretch that is too long for a fast part of the solution the last two entries may agree by chance, and both
- * be far too large: with five lines, for s' = lambda s, at h lambda = -9.1 and 17 times. So what Gragg's smoothing
- * changes in every T_j0 is extrapolated too. Where the table converges about a third of the estimate is left of it;
- * where it does not, on the negative real axis, more than the result itself. A quarter of what is left counts as an
- * error as well. That costs no evaluation, only the table twice.
+ * be far too large: with five lines, for s' = lambda s, at h lambda = -9.1 and 17 times. So the change of every T_j0 by
+ * Gragg's smoothing is extrapolated too. If the table converges, about a third of the estimate remains of it; if not,
+ * on the negative real axis, more than the result itself. A quarter of the remainder counts as an error as well. That
+ * costs no evaluation, only a second table.
  *
- * <p><b>Order</b> variable, 2 k + 2 for k + 1 lines, up to 18.<br>
- * <b>Evaluations</b> 2 + 6 + 10 + ... a sub-step, and 1 at its beginning.<br>
- * <b>Stability</b> that of an explicit method, with another R(z) for every number of lines: 2 to 9 are stable for h
- * |lambda| &le; 5.02, 7.36, 6.39, 7.28, 8.25, 9.26, 10.29, 11.33 on the negative real axis. A part that is too fast for
- * the stretches, and has decayed, may come back to many times its tolerance (25 were measured, 19 with
- * {@code dormand-prince}). An undamped vibration may grow by its tolerance in every stretch: with 1e-3 one grew
- * 2.6-fold in 640 periods. A stiff system makes it crawl, dearer than {@code dormand-prince} does.<br>
- * <b>When to use</b> smooth motion to high accuracy, errors of 1e-8 and below; not where bounces or contacts interrupt
- * the motion, since its strength is long strides, nor where an error of 1e-5 will do, for which {@code dormand-prince}
- * is cheaper.<br>
- * <b>Source</b> R. Bulirsch, J. Stoer, Numer. Math. 8 (1966) 1-13; W. B. Gragg, SIAM J. Numer. Anal. 2 (1965) 384-403;
- * P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); the check by the smoothing is our own.
+ * <p><b>Order</b> variable, 2 k + 2 for k + 1 lines, up to 18.<br> <b>Evaluations</b> 2 + 6 + 10 + ... a sub-step, and
+ * 1 at its beginning.<br> <b>Stability</b> that of an explicit method, with another R(z) for every number of lines: 2
+ * to 9 are stable for h |lambda| &le; 5.02, 7.36, 6.39, 7.28, 8.25, 9.26, 10.29, 11.33 on the negative real axis. A
+ * part that is too fast for the stretches, and has decayed, may come back to many times its tolerance (25 were
+ * measured, 19 with {@code dormand-prince}). An undamped vibration may grow by its tolerance in every stretch: with
+ * 1e-3 one grew 2.6-fold in 640 periods. A stiff system makes it crawl, at a higher cost than {@code
+ * dormand-prince}.<br> <b>When to use</b> smooth motion to high accuracy, errors of 1e-8 and below; not where bounces
+ * or contacts interrupt the motion, since its strength is long strides, nor where an error of 1e-5 will do, for which
+ * {@code dormand-prince} is cheaper.<br> <b>Source</b> R. Bulirsch, J. Stoer, Numer. Math. 8 (1966) 1-13; W. B. Gragg,
+ * SIAM J. Numer. Anal. 2 (1965) 384-403; P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); the check by
+ * the smoothing is our own.
  */
 public final class BulirschStoerSolver extends AdaptiveSolver {
     private final OrderControl control = new OrderControl();
@@ -87,7 +86,10 @@ public final class BulirschStoerSolver extends AdaptiveSolver {
         return verdict == OrderControl.Verdict.ACCEPT ? ratio : Double.POSITIVE_INFINITY;
     }
 
-    /** What the last column changed, or a quarter of what is left of the smoothing, whichever is more. */
+    /**
+     * The error estimate: the change by the last column, or a quarter of the extrapolated smoothing, whichever is
+     * larger.
+     */
     static void estimate(ExtrapolationTable results, ExtrapolationTable smoothings, double[] error) {
         double[] correction = results.correction();
         double[] smoothing = smoothings.result();

@@ -7,7 +7,7 @@ import deSolvers.StepTransaction;
  * <pre>
  *   y_0 = s,   y_1 = s + h f_0,   y_{i+1} = y_{i-1} + 2 h f_i,   result = (y_{n-1} + y_n + h f_n) / 2
  * </pre>
- * The result is a mean of y_n and what f_n leads to, which smooths the zigzag between even and odd y.
+ * The final average smooths the zigzag between even and odd y (Gragg's smoothing).
  */
 final class ModifiedMidpoint {
     private double[] last = {};                         // y_{i-1}
@@ -22,7 +22,7 @@ final class ModifiedMidpoint {
 
     /**
      * @param slope     f_0
-     * @param offset    where the stretch begins, from the beginning of the step (s)
+     * @param offset    the beginning of the stretch, from that of the step (s)
      * @param length    H (s)
      * @param n         substeps; even
      * @param result    receives s(H), with an error in even powers of 1/n

@@ -3,19 +3,19 @@ package deSolvers.extrapolation;
 import static deSolvers.adaptive.AdaptiveSolver.root;
 
 /**
- * Chooses how many results to extrapolate and over what stretch, so that the evaluations for a unit of time are fewest
- * (Hairer, N&oslash;rsett, Wanner, section II.9, "order and step size control"). Results are counted as columns from 0;
- * column k is expected to be good enough, k - 1 and k + 1 are accepted too.
+ * Order and step-size control: chooses how many results to extrapolate over what stretch, with the fewest evaluations
+ * per unit of time (Hairer, N&oslash;rsett, Wanner, section II.9, "order and step size control"). Columns of the table
+ * are counted from 0. The target column k is expected to be accurate enough; k - 1 and k + 1 are accepted too.
  */
 final class OrderControl {
     static final int COLUMNS = 9;
 
-    /** What to do after a column. */
+    /** The decision after a column. */
     enum Verdict { CONTINUE, ACCEPT, REJECT }
 
     private static final double SAFETY = 0.94;
     private static final double ERROR_AIM = 0.65;
-    private static final double EDGE = 0.02;            // how far the stretch may change, to the power 1/(2k+1)
+    private static final double EDGE = 0.02;            // limits changes of the stretch, to the power 1/(2k+1)
     private static final double MOST_SHRINKING = 4;
     private static final double ONE_DOWN = 0.8;         // a lower column is taken if it costs so much less
     private static final double ONE_UP = 0.9;
@@ -40,7 +40,7 @@ final class OrderControl {
         return 4 * column + 2;
     }
 
-    /** A new course: the target from the tolerance, about one column for 1.7 digits. */
+    /** Sets the first target from the tolerance: about one column per 1.7 digits. */
     void restart(double relativeTolerance) {
         double digits = relativeTolerance > 0 ? -StrictMath.log10(relativeTolerance) : 12;
         target = (int) Math.max(1, Math.min(COLUMNS - 3, Math.floor(0.6 * digits - 0.5)));
@@ -53,7 +53,7 @@ final class OrderControl {
     }
 
     /**
-     * Takes note of a column's error.
+     * Decides by a column's error.
      *
      * @param k     the column, 1 or more
      * @param error in units of the tolerance; infinite if something is not finite
@@ -78,7 +78,7 @@ final class OrderControl {
         return k <= target && k + 1 < COLUMNS && error <= hope(k) ? Verdict.CONTINUE : reject(k);
     }
 
-    /** The largest error in column k with which the last column allowed, target + 1, can be expected to be good. */
+    /** The largest error in column k with which the last allowed column, target + 1, can be expected to be accepted. */
     private double hope(int k) {
         double hope = 1;
         for (int j = k + 1; j <= Math.min(target + 1, COLUMNS - 1); j++) {

@@ -46,8 +46,8 @@ public class LinearPair extends ReferenceProblem {
     }
 
     /**
-     * @return by how much the third copy is not the sum of the two others, relative to the largest entry; 0 if all are
-     *         0
+     * @return the deviation of the third copy from the sum of the two others, relative to the largest entry; 0 if all
+     *         are 0
      */
     double nonlinearity() {
         double[] state = state();
@@ -69,7 +69,7 @@ public class LinearPair extends ReferenceProblem {
         return -matrix[3];
     }
 
-    /** Longer arrays are no matter here: how a solver treats arrays is checked with other sources. */
+    /** Accepts longer arrays: other sources check how a solver treats arrays. */
     @Override
     protected int checkLength(double[] array) {
         return 2 * COPIES;

@@ -3,8 +3,8 @@ package deSolvers.problems;
 import deSolvers.DEStateSource;
 
 /**
- * An initial value problem: its law, the state and the clock, and a count of the evaluations of its derivative. Where
- * the exact solution is known, it tells that too. Refuses arrays that are not exactly as long as the state.
+ * An initial value problem with a count of evaluations and, if known, the exact solution. It refuses arrays that are
+ * not exactly as long as the state.
  */
 public abstract class ReferenceProblem implements DEStateSource {
     private final double[] start;
@@ -41,7 +41,7 @@ public abstract class ReferenceProblem implements DEStateSource {
     }
 
     /**
-     * Puts the cursor on the exact solution and the count of evaluations to 0.
+     * Moves to the exact solution at a time and sets the count of evaluations to 0.
      *
      * @param t the time (s)
      */

@@ -4,16 +4,15 @@ import java.util.Arrays;
 
 /**
  * A stiff, strongly damped chain: three masses of 1 kg on a line, each on a spring and a damper to the one before, the
- * first to a wall that moves as sin t. From the start on it swings as the wall does, since every other motion dies away
- * at once; only an integrator sees how stiff the springs are.
+ * first to a wall that moves as sin t. It follows the wall from the start, since every other motion decays at once;
+ * only an integrator notices the stiff springs.
  *
  * <p>The shaken wall makes each spring the problem of A. Prothero and A. Robinson (Math. Comp. 28, 1974): a slow motion
- * that attracts all others. Implicit Runge-Kutta methods have there the order of their stages, not their own, as long
- * as deltaT is long against 1/omega (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section
- * IV.15).
+ * that attracts all others. Implicit Runge-Kutta methods have only the order of their stages there, as long as deltaT
+ * is much longer than 1/omega (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section IV.15).
  */
 public final class ShakenChain extends SecondOrderProblem {
-    /** Steps longer than this see the springs as stiff: ten times 1/omega of the slowest vibration, 1407/s. */
+    /** The springs are stiff for steps longer than this: ten times 1/omega of the slowest vibration, 1407/s. */
     public static final double STIFF_DELTA_T = 0.0071;
 
     private static final int MASSES = 3;

@@ -51,7 +51,7 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
         return new StepMatrix(m[0], m[1], m[2], m[3], source.nonlinearity());
     }
 
-    /** @return by how much it multiplies areas in state space */
+    /** @return the determinant: the factor of areas in state space */
     public double determinant() {
         return xx * vv - xv * vx;
     }
@@ -63,19 +63,19 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
         return discriminant < 0 ? Math.sqrt(determinant()) : Math.abs(half) + Math.sqrt(discriminant);
     }
 
-    /** @return whether the steps leave every state as it was */
+    /** @return whether the steps change no state */
     public boolean isIdentity() {
         return xx == 1 && xv == 0 && vx == 0 && vv == 1;
     }
 
-    /** @return how far it is from multiplying x + i v by one complex number, as a part of the largest entry */
+    /** @return the distance from a multiplication of x + i v by one complex number, relative to the largest entry */
     public double distinction() {
         return new StepMatrix(xx, -vx, vx, xx, 0).difference(this);
     }
 
     /**
      * @param other another matrix
-     * @return the largest difference of the entries, as a part of the largest
+     * @return the largest difference of the entries, relative to the largest entry
      */
     public double difference(StepMatrix other) {
         double largest = Math.max(Math.max(Math.abs(xx), Math.abs(xv)), Math.max(Math.abs(vx), Math.abs(vv)));

@@ -2,8 +2,8 @@ package deSolvers.problems;
 
 /**
  * Two masses of 1/2 kg on a line: each on a soft spring of 1/2 N/m, and a spring of k between them. Their centre swings
- * with omega = 1 whatever k is; the spring between them vibrates with omega = sqrt(1 + 4 k), and is at rest but for a
- * seed.
+ * with omega = 1 for any k; the spring between them vibrates with omega = sqrt(1 + 4 k), at first with a tiny
+ * amplitude.
  */
 public final class StiffSpringPair extends SecondOrderProblem {
     /** The amplitude of the stiff vibration at the start: far below 1 %, far above rounding (m). */
@@ -34,7 +34,7 @@ public final class StiffSpringPair extends SecondOrderProblem {
         return Math.sqrt(1 + 4 * stiffness);
     }
 
-    /** @return where the centre is (m); cos t, exactly */
+    /** @return the position of the centre (m); cos t in the exact solution */
     public double centre() {
         double[] s = state();
         return (s[0] + s[1]) / 2;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The coefficients of an explicit Runge-Kutta method, read from the shape in which they are printed:
+ * The coefficients of an explicit Runge-Kutta method, read from a printed Butcher tableau:
  * <pre>
  *    0  |
  *   1/2 | 1/2
@@ -105,7 +105,7 @@ public final class ButcherTableau {
     /**
      * @param stage 0 to stages - 1
      * @param of    an earlier stage
-     * @return a, what the earlier stage's slope counts in this stage's state
+     * @return a, the weight of the earlier stage's slope in this stage's state
      */
     public double coefficient(int stage, int of) {
         return a[stage][of];

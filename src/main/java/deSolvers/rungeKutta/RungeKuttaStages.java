@@ -3,7 +3,7 @@ package deSolvers.rungeKutta;
 import deSolvers.StepTransaction;
 import java.util.Arrays;
 
-/** The one loop over the stages of an explicit Runge-Kutta method, with the work arrays that it needs. */
+/** The loop over the stages of any explicit Runge-Kutta method, with its work arrays. */
 public final class RungeKuttaStages {
     private final ButcherTableau tableau;
     private final double[][] k;

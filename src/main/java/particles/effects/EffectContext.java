@@ -5,7 +5,7 @@ import particles.law.Obstacle;
 import particles.law.Particles;
 import particles.law.Vector3;
 
-/** What an effect can use of the scene that is being built. */
+/** The scene under construction, as needed to build an effect. */
 public interface EffectContext {
 
     /** @return the particles */

@@ -96,6 +96,7 @@ public final class Anchors {
         }
     }
 
+    /** Updates the anchors' indices after particles were removed. */
     public void reindex(int[] newIndex) {
         anchors.removeIf(anchor -> newIndex[anchor.particle()] < 0);
         anchors.replaceAll(anchor -> new Anchor(newIndex[anchor.particle()], anchor.motion()));

@@ -23,6 +23,7 @@ public final class ForceSum {
     private final List<Effect> others = new ArrayList<>();
     private int sorted;                                 // how many effects are in the two lists
 
+    /** Keeps the lists, which may grow later. */
     public ForceSum(Particles particles, List<Effect> effects, List<Reaction> reactions) {
         this.particles = particles;
         this.effects = effects;
@@ -105,6 +106,7 @@ public final class ForceSum {
         }
     }
 
+    /** @return whether any effect or reaction depends on velocities */
     public boolean dependOnVelocity() {
         boolean depend = false;
         for (int e = 0; e < effects.size(); e++) {
@@ -116,6 +118,7 @@ public final class ForceSum {
         return depend;
     }
 
+    /** Adds the forces of all active reactions. */
     public void addReactions(double[] state, double time, double[] force) {
         for (int r = 0; r < reactions.size(); r++) {
             Reaction reaction = reactions.get(r);

@@ -17,6 +17,7 @@ public final class Particles {
     private double[] birthTimes = new double[8];
     private double[] deathTimes = new double[8];
 
+    /** Makes an empty set. */
     public Particles() {
     }
 
@@ -41,6 +42,7 @@ public final class Particles {
         }
     }
 
+    /** Adds a particle and returns its index. */
     public int add(String id, double mass, boolean fixed, double birthTime) {
         if (!(mass > 0) || !(mass <= Double.MAX_VALUE) || !(1 / mass <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException("particle '" + id + "' has mass " + mass
@@ -71,11 +73,13 @@ public final class Particles {
         deathTimes[to] = deathTimes[from];
     }
 
+    /** Sets the times of birth and death of particle i (s). */
     public void setLife(int i, double birthTime, double deathTime) {
         birthTimes[i] = birthTime;
         deathTimes[i] = deathTime;
     }
 
+    /** Removes all particles from this index on. */
     public void shrinkTo(int count) {
         Arrays.fill(ids, count, this.count, null);
         this.count = count;

@@ -1,2 +1,2 @@
-/** What people are told of a run that cannot go on, and the numbers in it. */
+/** Messages about a run that cannot go on, and the format of numbers in messages. */
 package particles.messages;

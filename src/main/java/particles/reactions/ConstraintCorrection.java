@@ -47,7 +47,7 @@ final class ConstraintCorrection {
             }
             if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
                 throw new SimulationException(time, -1,
-                        String.format(Locale.ROOT, "rods and wires cannot be kept at t = %s"
+                        String.format(Locale.ROOT, "no positions satisfy the rods and wires at t = %s"
                         + " s: after %d iterations the relative error of their lengths"
                         + " is still %.2g", time, iteration,
                         error),

@@ -64,6 +64,7 @@ public final class ListType<T> extends Type<List<T>> {
         return bareAllowed ? new LinkedHashMap<>(Map.of("anyOf", List.of(element.schema(), list))) : list;
     }
 
+    /** @return the type of the elements */
     public Type<T> element() {
         return element;
     }

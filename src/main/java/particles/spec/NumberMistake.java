@@ -53,7 +53,7 @@ final class NumberMistake {
         if (OTHER_MINUS.matcher(text).find()) {
             String mended = OTHER_MINUS.matcher(text).replaceAll("-");
             return PLAIN.matcher(mended).matches()
-                    ? Optional.of("its minus sign is another character than the one on the keyboard; write " + mended)
+                    ? Optional.of("its minus sign is not an ordinary hyphen; write " + mended)
                     : Optional.empty();
         }
         Matcher comma = COMMA.matcher(text);
@@ -75,7 +75,7 @@ final class NumberMistake {
     }
 
     private static Optional<String> result(double value) {
-        return Double.isFinite(value) ? Optional.of("nothing is calculated here; write " + Wording.number(value))
+        return Double.isFinite(value) ? Optional.of("expressions are not calculated; write " + Wording.number(value))
                 : Optional.empty();
     }
 
@@ -87,10 +87,10 @@ final class NumberMistake {
         String found = match.group(2).strip();
         Double factor = found.equals(unit) ? Double.valueOf(1) : FACTORS.get(found + " " + unit);
         if (factor == null) {
-            return Optional.of("a number stands without a unit" + (unit.isEmpty() ? "" : "; here it is in " + unit));
+            return Optional.of("write the number without a unit" + (unit.isEmpty() ? "" : "; here it is in " + unit));
         }
         double value = Double.parseDouble(match.group(1)) * factor;
         double rounded = new BigDecimal(value).round(new MathContext(15)).doubleValue();
-        return Optional.of("a number stands without its unit; write " + Wording.number(rounded));
+        return Optional.of("write the number without its unit: " + Wording.number(rounded));
     }
 }

@@ -18,17 +18,16 @@ import org.snakeyaml.engine.v2.schema.CoreSchema;
 import particles.spec.messages.Place;
 
 /**
- * From a text to a tree of nodes with places, in YAML 1.2's core schema, so that 1e-3 is a number. The text is looked
- * through before the tree is built: deep nesting, aliases (by which ten lines can stand for a billion values) and sheer
- * numbers of values end in one line each, and cost neither time nor memory.
+ * Parses YAML 1.2 (core schema, so that 1e-3 is a number) into a tree of nodes with places. Deep nesting, aliases (ten
+ * lines can expand to a billion values) and too many values are refused before the tree is built, in one line each.
  */
 public final class YamlText {
     private static final int DEEPEST = 20;
     private static final int MOST_VALUES = 200_000;
-    /** What the parser reads as a number without looking: nothing at the end of the text, or more than an int holds. */
+    /** Invalid escapes on which the parser itself fails: at the end of the text, or with a code larger than an int. */
     private static final Pattern NO_CHARACTER = Pattern.compile("\\\\(?:[xuU]\\z|U[89A-Fa-f][0-9A-Fa-f]{7})");
 
-    /** A line in which the version of YAML is named. */
+    /** A line with a YAML version. */
     private static final Pattern VERSION = Pattern.compile("(?m)^%YAML");
     /** {@code deltaT:0.01}, and the same after spaces of which one is not an ordinary space. */
     private static final Pattern NO_SPACE = Pattern.compile("^(\\s*(?:-\\s+)?)([A-Za-z]\\w*):(?=[^\\s/:])");

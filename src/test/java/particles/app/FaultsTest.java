@@ -165,7 +165,7 @@ class FaultsTest {
         Files.move(out, top.resolve("elsewhere"));
         ChildProgram.End end = child.end(process);
         assertEquals(1, end.code(), end.lines());
-        assertOneLine("cannot write .*: its folder is not there", end);
+        assertOneLine("cannot write .*: its folder does not exist", end);
         assertFalse(Files.exists(out), "it does not come back");
     }
 

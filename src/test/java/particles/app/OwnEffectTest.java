@@ -211,7 +211,7 @@ class OwnEffectTest {
         assertRefused("5: Broken.java:3: it does not compile: cannot find symbol symbol: variable y location: class"
                 + " exercises.Broken", "exercises.Broken");
         write("Hidden", LAW.replace("Coriolis", "Hidden").replace("public Keys()", "Keys()"));
-        assertRefused("5: the Keys of exercises.Hidden cannot be made; they have to be a 'public static final class"
+        assertRefused("5: the Keys of exercises.Hidden cannot be created; they have to be a 'public static final class"
                 + " Keys extends"
                 + " EffectKind' with a 'public Keys()'", "exercises.Hidden");
         write("Copied", LAW.replace("class Coriolis", "class Copied").replace("new Coriolis", "new Copied")

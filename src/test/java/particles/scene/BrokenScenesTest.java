@@ -13,11 +13,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 import particles.effects.EffectCatalog;
 import particles.effects.EffectKind;
 
-/** What is wrong in a scene file is said in one line each, with its place, what was found and what is allowed. */
+/** Each mistake in a scene file is reported in one line with its place, what was found and what is allowed. */
 class BrokenScenesTest {
     private static final String EFFECTS = String.join(", ", EffectCatalog.ALL.stream().map(EffectKind::name).toList());
 
-    /** Seven right lines, so that what a case adds begins at line 8. */
+    /** Seven valid lines, so that a case's own lines begin at line 8. */
     private static final String HEAD = """
             title: Broken
             teaches: what messages look like
@@ -262,7 +262,7 @@ class BrokenScenesTest {
 
     @ParameterizedTest
     @MethodSource("brokenScenes")
-    void saysEverythingThatIsWrong(String text, List<String> lines) {
+    void everyMistakeIsReported(String text, List<String> lines) {
         assertEquals(lines, linesFor(text.getBytes(StandardCharsets.UTF_8)));
     }
 

@@ -10,7 +10,7 @@ import particles.law.Reaction;
 import particles.scene.format.Overrides;
 import particles.view.SpringView;
 
-/** Scenes with rods and wires show what they say they show; a scene that names none builds none. */
+/** Scenes with rods and wires do what their texts say; a scene without them builds none. */
 class ConstraintScenesTest {
 
     private static Scene scene(String file) {
@@ -18,7 +18,8 @@ class ConstraintScenesTest {
     }
 
     /**
-     * Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter by the digits of its places.
+     * Measured: 7e-7 m by feedback; the double pendulum is projected, and 3e-9 m shorter because positions in its file
+     * are rounded.
      */
     @Test
     void rodsKeepTheirLengths() {
@@ -60,7 +61,7 @@ class ConstraintScenesTest {
     }
 
     @Test
-    void onlyWhatIsNamedIsBuilt() {
+    void onlyNamedConstraintsAreBuilt() {
         assertTrue(scene("04-pendulum.yaml").system().getReactions().isEmpty());
         Reaction rods = scene("40-rigid-pendulum.yaml").system().getReactions().get(0);
         assertEquals(1, ((SpringView) rods).springCount());

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import particles.scene.format.Overrides;
 
-/** What {@link SceneFuzzer} found, each in its smallest form, and a short hunt, which is the same each time. */
+/** Inputs found by {@link SceneFuzzer}, each in its smallest form, and a short reproducible fuzz run. */
 class FoundInputsTest {
     private static final int EXECUTIONS = 30_000;
     private static final double LONGEST_SECONDS = 3600;
@@ -32,9 +32,7 @@ class FoundInputsTest {
                 new Overrides())).getLines();
     }
 
-    /**
-     * A mass whose inverse is infinite, and one of which a half is nothing: both ended in an IllegalArgumentException.
-     */
+    /** A mass whose inverse is infinite, and one whose half is 0: both ended in an IllegalArgumentException. */
     @ParameterizedTest
     @CsvSource({"4.9e-324", "1e-310", "1e-31"})
     void massesThatHaveNoInverseAreRefused(String mass) {
@@ -46,7 +44,7 @@ class FoundInputsTest {
                         + " totalMass: " + mass + "}\n"));
     }
 
-    /** Sparks that live a second, born for 10,000 s within one step: the run filled its memory with those long dead. */
+    /** Sparks that live for a second, born for 10,000 s within one step: dead ones filled the memory. */
     @Test
     void birthsOfOneEndlessStepAreCounted() {
         String scene = "title: a\nteaches: b\nsolver: rk4\ndeltaT: 10000\nduration: 30000\nparticles:\n  - {id:"
@@ -57,21 +55,18 @@ class FoundInputsTest {
         assertTrue(line.contains("MiB of memory for 10002000001 particles"), line);
     }
 
-    /** A text that ends within an escape, and one with a number beyond all: both ended in a NumberFormatException. */
+    /** A text that ends within an escape, and one with too large a number: both ended in a NumberFormatException. */
     @ParameterizedTest
     @ValueSource(strings = {"\\u", "\\U", "\\x", "\\UFFFFFFFF", "\\U80000000\"\n# \\Ufffffffe\n"})
-    void escapesThatAreNoCharactersAreRefused(String escape) {
+    void invalidEscapesAreRefused(String escape) {
         assertEquals(List.of("x.yaml:6:13: not valid YAML: an escape has to give a character's number in"
                 + " hexadecimal digits,"
                 + " such as \\xe9, \\u00e9 or \\U000000e9"), linesFor("camera: \"abc" + escape));
     }
 
-    /**
-     * The hunt keeps texts that are refused in new words, and such a one ended the hunt when it was to be changed as a
-     * tree.
-     */
+    /** The fuzzer keeps texts with new error messages; one of them ended the fuzzer when it was changed as a tree. */
     @Test
-    void whatCannotBeReadCanBeChanged() {
+    void unreadableTextsCanBeMutated() {
         SceneMutator mutator = new SceneMutator(List.of("title: a\n".getBytes(StandardCharsets.UTF_8)),
                 new Random(SEED));
         mutator.keep("title: \"abc\\u".getBytes(StandardCharsets.UTF_8));

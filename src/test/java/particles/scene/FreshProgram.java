@@ -12,14 +12,11 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.api.Load;
 
-/**
- * The program loaded once more, from its class files, by a loader that notes what is loaded: it runs a scene as if the
- * program had just been started.
- */
+/** Loads the program again with a class loader that records loaded classes, and runs a scene as if just started. */
 final class FreshProgram extends URLClassLoader {
     private final Set<String> loaded = new TreeSet<>();
 
-    /** @param first where classes are looked for before anywhere else */
+    /** @param first where classes are searched first */
     FreshProgram(Path... first) throws MalformedURLException {
         super(urls(first), ClassLoader.getPlatformClassLoader());
     }

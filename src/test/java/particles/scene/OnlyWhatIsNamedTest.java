@@ -21,8 +21,8 @@ import particles.scene.format.Overrides;
 import particles.scene.parts.RuleKind;
 
 /**
- * What a scene names is built, and nothing else: the laws are counted, and in a program that was just started the class
- * of a law that no scene named is not even loaded, so that no line of it can have been called.
+ * A scene builds only the laws that it names: they are counted, and in a freshly started program the class of a law
+ * that is not named is not even loaded.
  */
 class OnlyWhatIsNamedTest {
     private static final String SPRINGS = """
@@ -38,7 +38,7 @@ class OnlyWhatIsNamedTest {
               - {from: wall, to: bob, stiffness: 10, restLength: 1}
             """;
 
-    /** What is added to the scene, and the classes of laws that it brings. */
+    /** An addition to the scene, and the classes of laws that it needs. */
     private record Addition(String yaml, Set<String> laws) {
         static Addition of(String yaml, String... laws) {
             return new Addition(yaml, Set.of(laws));
@@ -126,12 +126,9 @@ class OnlyWhatIsNamedTest {
         return all;
     }
 
-    /**
-     * The list above has every effect and every kind of rule but the three motions' likes and the plane, which is a
-     * ground.
-     */
+    /** The list above has every effect and every kind of rule except similar ones: other motions, and the plane. */
     @Test
-    void everyKindIsLookedAt() {
+    void everyKindIsTested() {
         String all = additions().stream().map(Addition::yaml).collect(Collectors.joining());
         for (EffectKind kind : EffectCatalog.ALL) {
             assertTrue(all.contains(kind.name()), kind.name());

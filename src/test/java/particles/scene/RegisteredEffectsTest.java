@@ -24,8 +24,8 @@ import particles.teaching.effects.EffectClaims;
 import particles.teaching.effects.EffectSample;
 
 /**
- * Every effect that a scene can name keeps what it claims: force and potential, Newton's third law, symmetries, energy
- * and derivatives. The list is that of the scene reader, so that an effect is not added without being held to this.
+ * Every effect that a scene can name has the properties that it claims: force and potential, Newton's third law,
+ * symmetries, energy and derivatives. The list is that of the scene reader, so new effects are tested too.
  */
 class RegisteredEffectsTest {
     private static final String SIX = """
@@ -48,7 +48,7 @@ class RegisteredEffectsTest {
               - {from: b, to: e, stiffness: 30, restLength: 0.8}
             """;
 
-    /** How a scene names each effect; what blows needs something that feels it. */
+    /** How a scene names each effect; wind needs drag. */
     private static final Map<String, String> NAMED = Map.of(
             "gravity", "gravity",
             "wind", "wind: {mean: [2, 0, 1], gust: [1, 0.5, 0], period: 1.7}\n  - drag: {coefficient: 0.4}",
@@ -79,22 +79,22 @@ class RegisteredEffectsTest {
     }
 
     @Test
-    void eachHasAnExampleHere() {
+    void everyEffectHasAnExampleHere() {
         assertEquals(Set.copyOf(registered()), NAMED.keySet());
         assertEquals(registered().size(), new HashSet<>(registered()).size());
     }
 
     @ParameterizedTest
     @MethodSource("registered")
-    void itKeepsItsClaims(String name) {
+    void everyEffectHasItsClaimedProperties(String name) {
         assertTrue(NAMED.containsKey(name), "'" + name + "' needs an example here");
         keepTheirClaims(scene("effects:\n  - " + NAMED.get(name) + "\n"));
     }
 
-    /** What a scene calls an effect, checkEffect calls it too. */
+    /** checkEffect uses the same names as scenes. */
     @ParameterizedTest
     @MethodSource("registered")
-    void itCanBeCheckedByItsName(String name) {
+    void everyEffectCanBeCheckedByItsName(String name) {
         ParticleSystem system = EffectSample.system();
         Effect effect = EffectSample.create(name, system.getParticles(), ClassNames.none());
         assertEquals(Map.of("wind", "drag", "turbulence", "drag").getOrDefault(name, name), effect.getName());

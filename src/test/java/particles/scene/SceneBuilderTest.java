@@ -38,7 +38,7 @@ class SceneBuilderTest {
     }
 
     @Test
-    void whatIsNotNamedIsNotBuilt() {
+    void onlyNamedLawsAreBuilt() {
         Scene bare = build(TWO);
         assertEquals(List.of(), bare.system().getEffects());
         assertEquals(List.of(), bare.system().getReactions());
@@ -53,7 +53,7 @@ class SceneBuilderTest {
     }
 
     @Test
-    void windActsThroughDragWhateverTheOrder() {
+    void windActsThroughDragInAnyOrder() {
         Scene scene = build(BOB + "effects:\n  - drag: {coefficient: 3}\n  - wind: {mean: [4, 0, 0]}\n");
         double[] force = new double[6];
         scene.system().addUpEffects(scene.system().getOwnState(), 0, force);
@@ -61,7 +61,7 @@ class SceneBuilderTest {
     }
 
     @Test
-    void optionsGoBeforeTheFileAndAreCheckedInTheSameWay() {
+    void optionsOverrideTheFileAndAreCheckedInTheSameWay() {
         Scene scene = build(BOB, new Overrides().with("solver", "euler", "-Psolver").with("deltaT", "0.5", "-PdeltaT")
                 .with("duration", "1e1", "-Pduration"));
         assertInstanceOf(EulerSolver.class, scene.solver());
@@ -86,7 +86,7 @@ class SceneBuilderTest {
 
     /** Each of the three sources alone, from closed forms: g = 9.81, m = 2, T = 2. */
     @Test
-    void theEnergyScaleIsTheLargestOfWhatCanSetThingsInMotion() {
+    void theEnergyScaleIsTheLargestSourceOfMotion() {
         assertEquals(2 * 9.81 * (3 + 9.81 * 4 / 2), build(TWO + "effects: [gravity]\n").energyScale(), 1e-12);
         assertEquals(2 * 25 / 2.0, build(TWO + "effects: [drag: {coefficient: 1}, wind: {mean: [3, 0, 0], "
                 + "gust: [0, 2, 0]}]\n").energyScale(), 1e-12);
@@ -107,7 +107,7 @@ class SceneBuilderTest {
     }
 
     @Test
-    void cameraLookAndOutputAreWhatTheSceneSays() {
+    void theSceneSetsCameraLookAndOutput() {
         Scene plain = build(BOB);
         assertEquals(Optional.empty(), plain.camera());
         assertEquals(RenderOptions.STANDARD, plain.look());
@@ -125,9 +125,9 @@ class SceneBuilderTest {
         assertEquals(25, told.output().frameRate());
     }
 
-    /** A glow shows by night only, so that it is night where nothing else is asked for. */
+    /** A glow is visible by night only, so night is its default. */
     @Test
-    void particlesAreDrawnAsTheSceneSays() {
+    void theSceneSetsTheStyleOfParticles() {
         ParticleStyle fire = build(BOB + "look: {particlesAs: glow, ageColours: ['#ffffff', '#800000'], trail:"
                 + " 0.5}\n").look().style();
         assertEquals(new ParticleStyle(ParticleStyle.Kind.GLOW, List.of(0xffffff, 0x800000), 0.5, true), fire);
@@ -148,9 +148,9 @@ class SceneBuilderTest {
         assertTrue(problem.contains("unknown particle 'bib'; did you mean 'bob'?"), problem);
     }
 
-    /** Whatever particles meet or slide along is seen, be it a rule, an effect or a constraint. */
+    /** Solids and wires of rules, effects and constraints are drawn. */
     @Test
-    void solidsAndWiresAreSeen() {
+    void solidsAndWiresAreDrawn() {
         Scenery scenery = build(BOB + """
                 effects:
                   - penaltyPlane: {point: [0, -9, 0], stiffness: 10}

@@ -55,7 +55,7 @@ class SceneFilesTest {
     }
 
     @Test
-    void aPathThatIsNoSceneIsToldWhy() throws IOException {
+    void theErrorForAnInvalidPathNamesTheReason() throws IOException {
         Path misspelt = folder.resolve("12-clth.yaml");
         assertEquals("there is no file '" + misspelt + "'; did you mean '12-cloth.yaml'?", quotedInFull(misspelt));
         Path nowhere = folder.resolve("no/a.yaml");
@@ -67,7 +67,7 @@ class SceneFilesTest {
                 refusal("/dev/null"));
     }
 
-    /** Quotes are cut after 37 characters, and folders of tests have longer names. */
+    /** Quoted texts are cut after 37 characters, and folders of tests have longer names. */
     private String quotedInFull(Path path) {
         String line = refusal(path.toString());
         for (Path cut : List.of(path, path.getParent())) {

@@ -20,9 +20,9 @@ import particles.SimulationException;
 import particles.scene.format.Overrides;
 
 /**
- * Scenes by the million, almost right ones, through reader and builder and for a few steps: each is refused with lines,
- * or stopped as a simulation may be, or runs, and nothing else. Inputs that are refused in new words are mutated
- * further. {@code gradle fuzz -Pseconds=1200} runs it by itself.
+ * Fuzzer of scenes: reads, builds and steps millions of almost valid scenes. Each must be refused with clear lines, end
+ * with a SimulationException, or run. Inputs with new error messages are mutated further. {@code gradle fuzz
+ * -Pseconds=1200} runs it by itself.
  */
 final class SceneFuzzer {
     private static final int STEPS = 3;
@@ -37,7 +37,7 @@ final class SceneFuzzer {
     private long slowest;
     private int failures;
 
-    /** @param found the folder for inputs that end otherwise */
+    /** @param found the folder for inputs that end in any other way */
     SceneFuzzer(long seed, Path found) throws IOException {
         this.found = found;
         List<byte[]> seeds = new ArrayList<>();
@@ -56,7 +56,9 @@ final class SceneFuzzer {
         }
     }
 
-    /** One input; returns whether it ended as documented. Reading and building it may take no long time, steps may. */
+    /**
+     * Tries one input; returns whether it ended as documented. Reading and building must be fast, steps need not be.
+     */
     boolean execute(byte[] scene) throws IOException {
         long begin = System.nanoTime();
         executions++;
@@ -64,7 +66,7 @@ final class SceneFuzzer {
             Optional<Scene> ready = build(scene);
             long time = System.nanoTime() - begin;
             if (time > SLOW_NANOS) {
-                // it takes long to ask for, and others may have had the processor
+                // measuring it is slow, and other processes may have had the processor
                 long computing = threadTime();
                 build(scene);
                 time = threadTime() - computing;
@@ -97,9 +99,7 @@ final class SceneFuzzer {
         }
     }
 
-    /**
-     * Such a solver may make hundreds of thousands of sub-steps in one step of an absurd scene, as it is allowed to.
-     */
+    /** Adaptive solvers may make hundreds of thousands of sub-steps in a step of an absurd scene. */
     private static boolean isAdaptive(Scene scene) {
         String solver = scene.description().solver();
         return SolverCatalog.names().contains(solver) && SolverCatalog.info(solver).adaptive();
@@ -123,7 +123,7 @@ final class SceneFuzzer {
         try {
             scene.simulation().run();
         } catch (Enough e) {
-            return;                                         // what comes later is for other tests
+            return;                                         // later steps are for other tests
         }
     }
 
@@ -136,7 +136,7 @@ final class SceneFuzzer {
         return false;
     }
 
-    /** Returns how many inputs ended otherwise than documented. */
+    /** Returns the number of inputs that did not end as documented. */
     int run(long mostExecutions, double seconds) throws IOException {
         long end = System.nanoTime() + (long) (seconds * 1e9);
         while (executions < mostExecutions && System.nanoTime() < end && failures < 100) {

@@ -13,8 +13,8 @@ import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.schema.CoreSchema;
 
 /**
- * Makes scenes that are almost right: in the tree of a scene values, keys and whole branches are changed, removed,
- * doubled, and taken over from other scenes; or in its text a few bytes are.
+ * Mutates scenes: changes, removes, duplicates or replaces values, keys and branches of a scene's tree, or a few bytes
+ * of its text.
  */
 final class SceneMutator {
     private static final List<Object> VALUES = List.of(0, 1, -1, 2, 3, 0.5, 1e-3, 1e-30, 1e30, 1e31, -1e30, 5e-324,
@@ -46,7 +46,7 @@ final class SceneMutator {
     private final Load load =
             new Load(LoadSettings.builder().setSchema(new CoreSchema()).setMaxAliasesForCollections(0).build());
 
-    /** A scene and what it says, read when it is needed first; it is never changed. */
+    /** A scene's text and its tree, parsed lazily and never changed. */
     private final class Seed {
         private final byte[] text;
         private Optional<Object> tree = Optional.empty();
@@ -63,14 +63,14 @@ final class SceneMutator {
         }
     }
 
-    /** @param seeds scenes to begin with; those that are found to be of interest can be added */
+    /** @param seeds initial scenes; interesting ones can be added */
     SceneMutator(List<byte[]> seeds, Random random) {
         this.seeds = new ArrayList<>(seeds.stream().map(scene -> new Seed(shrunk(scene))).toList());
         this.random = random;
         right = this.seeds.size();
     }
 
-    /** Of interest: others are made of this one too. */
+    /** Adds an interesting scene, to be mutated too. */
     void keep(byte[] scene) {
         if (scene.length < MOST_BYTES) {
             seeds.add(new Seed(scene));
@@ -99,7 +99,7 @@ final class SceneMutator {
         return text.append('\n').toString().getBytes(StandardCharsets.UTF_8);
     }
 
-    /** YAML's reader says in several ways that a text is none: a broken escape ends in a NumberFormatException. */
+    /** The YAML parser rejects texts with several exceptions: an invalid escape ends in a NumberFormatException. */
     private Object parse(byte[] scene) {
         try {
             Object tree = load.loadFromString(new String(scene, StandardCharsets.UTF_8));
@@ -109,7 +109,7 @@ final class SceneMutator {
         }
     }
 
-    /** Large shapes only take time. */
+    /** Keeps shapes small, as large ones only take time. */
     private byte[] shrunk(byte[] scene) {
         return write(smaller(parse(scene)));
     }
@@ -156,7 +156,7 @@ final class SceneMutator {
         return pick(VALUES);
     }
 
-    /** What another scene has under the same key, or anything where it has none. */
+    /** Another scene's value of the same key, or any value if it has none. */
     private Object branch(Object key) {
         Object other = pick(seeds).tree();
         return other instanceof Map<?, ?> map && map.get(key) != null ? map.get(key) : pick(VALUES);

@@ -12,9 +12,9 @@ import particles.scene.format.SceneFormat;
 
 class SceneSchemaTest {
 
-    /** The file is for editors and belongs into the repository; it is made from what the reader reads by. */
+    /** The schema file is for editors; it must equal the one generated from the scene format. */
     @Test
-    void theSchemaBesideTheScenesIsTheOneThatTheReaderReadsBy() throws IOException {
+    void theSchemaFileIsUpToDate() throws IOException {
         String generated = SceneFormat.jsonSchema();
         Path made = Files.createDirectories(Path.of("build")).resolve("scene.schema.json");
         Files.writeString(made, generated);
@@ -22,7 +22,7 @@ class SceneSchemaTest {
                 "scenes/scene.schema.json is out of date; if the change is meant, copy " + made + " over it");
     }
 
-    /** One row for each key, one section for each mapping, however many refer to it. */
+    /** One row for each key, and one section for each mapping, even if several keys refer to it. */
     @Test
     void theReferenceHasARowForEachKey() {
         List<String> lines = SceneFormat.reference("###").lines().toList();

@@ -17,9 +17,9 @@ import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.scene.format.Overrides;
 
-/** What scenes say of their motion comes true when they are run to the end. */
+/** Statements in scene files about their motion are true when they are run. */
 class SceneWordsTest {
-    /** Looks at every particle at the end of every step, before the rules act. */
+    /** Checks every particle at the end of every step, before rules act. */
     private static ParticleSystem run(String name, BiConsumer<ParticleSystem, Integer> look) {
         Scene scene = SceneBuilder.build(SceneReader.read(Path.of("scenes", name + ".yaml")), new Overrides());
         scene.simulation().addObserver(new Observer() {
@@ -42,7 +42,7 @@ class SceneWordsTest {
         return Math.abs(entry(system, i, 3)) + Math.abs(entry(system, i, 4)) + Math.abs(entry(system, i, 5));
     }
 
-    /** The last marble moves until 5.046 s; then all lie where the planes meet, but for rounding. */
+    /** The last marble moves until 5.046 s; then all lie where the planes meet, up to round-off. */
     @Test
     void marblesLieInTheGrooveInTheEnd() {
         double[] lastMove = {0};
@@ -55,9 +55,9 @@ class SceneWordsTest {
         }
     }
 
-    /** 9 cm into the ground and 19 cm into the bump; and nobody leaves the picture. */
+    /** 9 cm into the ground and 19 cm into the bump, and no particle leaves the picture. */
     @Test
-    void theSofterGroundIsEnteredDeeper() {
+    void particlesSinkDeeperIntoTheSofterGround() {
         Map<String, Double> lowest = new HashMap<>();
         ParticleSystem system = run("26-trampoline",
                 (s, i) -> lowest.merge(s.getParticles().id(i), entry(s, i, 1), Math::min));

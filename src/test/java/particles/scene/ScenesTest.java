@@ -17,7 +17,7 @@ import particles.Simulation;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
-/** Scenes are tests: every one is loaded and run, the long ones for their first steps. */
+/** Every scene is loaded and run, long ones for their first steps. */
 class ScenesTest {
     private static final int STEPS = 200;
 
@@ -31,7 +31,7 @@ class ScenesTest {
 
     @ParameterizedTest
     @MethodSource("scenes")
-    void runs(Path file) {
+    void everySceneRuns(Path file) {
         SceneDescription description = SceneReader.read(file);
         String steps = Double.toString(Math.min(description.duration(), STEPS * description.deltaT()));
         Scene scene = SceneBuilder.build(description, new Overrides().with("duration", steps, "-Pduration"));
@@ -43,15 +43,15 @@ class ScenesTest {
 
     @ParameterizedTest
     @MethodSource("scenes")
-    void isNumberedAndTellsEditorsItsSchema(Path file) throws IOException {
+    void everySceneIsNumberedAndNamesItsSchema(Path file) throws IOException {
         assertTrue(file.getFileName().toString().matches("\\d\\d-[a-z0-9-]+\\.yaml"), file.toString());
         assertEquals("# yaml-language-server: $schema=scene.schema.json", Files.readAllLines(file).get(0));
     }
 
-    /** The largest share of a solver's limit is 0.47, the flag's; where springs stretch they are a little stiffer. */
+    /** The largest fraction of a solver's limit is 0.47, the flag's; stretched springs are a little stiffer. */
     @ParameterizedTest
     @MethodSource("scenes")
-    void stepsAreShortEnoughForItsSprings(Path file) {
+    void stepsAreShortEnoughForTheScenesSprings(Path file) {
         Scene scene = SceneBuilder.build(SceneReader.read(file), new Overrides());
         SolverInfo solver = SolverCatalog.info(scene.description().solver());
         double deltaT = scene.simulation().getDeltaT();

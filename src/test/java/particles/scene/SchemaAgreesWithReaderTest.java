@@ -24,13 +24,12 @@ import particles.spec.Reading;
 import particles.spec.messages.Problems;
 
 /**
- * Editors check by the schema, the program by the reader: of scenes that are changed at random both say the same, as
- * far as a schema can know. (Ids and classes that do not exist, and what else holds between parts of a scene, only
- * the reader knows.)
+ * The schema, used by editors, and the reader agree on randomly changed scenes, as far as a schema can express the
+ * rules. (Only the reader checks conditions between parts, such as unknown ids and classes.)
  */
 class SchemaAgreesWithReaderTest {
     private static final int CHANGES = 600;
-    /** What takes the place of a value: right ones at some places, wrong ones at others. */
+    /** Replacement values, which are valid for some keys and invalid for others. */
     private static final List<Object> OTHERS = List.of(0, 1, -1, 2.0, 2.5, 1e-3, 1e31, true, false, "", " ", "rk4",
             "my.Solver",
             "a b", "cloth[1,2]", "left", "top-left", "#00ff00", "x", "coulomb", "gravity", "ground", List.of(),
@@ -72,7 +71,7 @@ class SchemaAgreesWithReaderTest {
     }
 
     @Test
-    void changedScenesAreRightForBothOrWrongForBoth() throws IOException {
+    void schemaAndReaderAgreeOnChangedScenes() throws IOException {
         List<Object> scenes = scenes();
         Random random = new Random(715);
         int right = 0;
@@ -89,7 +88,7 @@ class SchemaAgreesWithReaderTest {
         assertTrue(right > CHANGES / 10 && right < CHANGES * 9 / 10, right + " of " + CHANGES + " stay right");
     }
 
-    /** A copy in which one place is another: deeper with some probability, so that every depth has its turn. */
+    /** Returns a copy with one value replaced, at a random depth. */
     private static Object changed(Object value, Random random, int depth) {
         boolean here = depth > 0 && random.nextInt(4) == 0;
         if (!here && value instanceof Map<?, ?> map && !map.isEmpty()) {

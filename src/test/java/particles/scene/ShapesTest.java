@@ -39,7 +39,7 @@ class ShapesTest {
     /** n m particles have (n-1) m + n (m-1) next neighbours, 2 (n-1)(m-1) diagonals, (n-2) m + n (m-2) next but one. */
     @ParameterizedTest
     @CsvSource({"2, 2", "5, 3", "2, 7"})
-    void aClothHasTheSpringsThatItsSizeSays(int n, int m) {
+    void aClothHasTheRightNumberOfSprings(int n, int m) {
         assertEquals((n - 1) * m + n * (m - 1), cloth(n, m, ", structural: {stiffness: 1}").springs().springCount());
         assertEquals(2 * (n - 1) * (m - 1), cloth(n, m, ", shear: {stiffness: 1}").springs().springCount());
         assertEquals((n - 2) * m + n * (m - 2), cloth(n, m, ", bend: {stiffness: 1}").springs().springCount());
@@ -48,7 +48,7 @@ class ShapesTest {
     /** In a block every face of every layer has two diagonals, and every cell four more through its middle. */
     @ParameterizedTest
     @CsvSource({"2, 2, 2", "4, 3, 2", "3, 5, 4"})
-    void aBlockHasTheSpringsThatItsSizeSays(int n, int m, int l) {
+    void aBlockHasTheRightNumberOfSprings(int n, int m, int l) {
         assertEquals((n - 1) * m * l + n * (m - 1) * l + n * m * (l - 1), jelly(n, m, l, ", structural: {stiffness: 1}")
                 .springs().springCount());
         assertEquals(2 * ((n - 1) * (m - 1) * l + (n - 1) * m * (l - 1) + n * (m - 1) * (l - 1))
@@ -71,7 +71,7 @@ class ShapesTest {
     }
 
     @Test
-    void idsAndPlacesBelongTogether() {
+    void idsHaveTheirPositions() {
         Scene scene = cloth(3, 2, ", fixed: [top-right, \"cloth[0,1]\"], velocity: [0, 0, 5]");
         Particles particles = scene.system().getParticles();
         assertArrayEquals(new String[] {"cloth[0,0]", "cloth[0,1]", "cloth[1,0]", "cloth[1,1]", "cloth[2,0]",
@@ -122,7 +122,7 @@ class ShapesTest {
     }
 
     @Test
-    void aClothFacesWhoSeesItsTopLeftCornerTopLeft() {
+    void aClothFacesTheViewerWhoSeesItsFirstCornerTopLeft() {
         Scene scene = cloth(3, 3, "");
         int[] triangles = scene.scenery().surfaces().get(0).triangles();
         assertEquals(3 * 8, triangles.length);
@@ -132,9 +132,7 @@ class ShapesTest {
         }
     }
 
-    /**
-     * Gravity, a ground and springs at rest: mirror images stay mirror images, apart from rounding (measured 2.1e-15).
-     */
+    /** Mirror images stay mirror images up to round-off (measured 2.1e-15). */
     @Test
     void aClothThatFallsFromTwoCornersStaysSymmetric() {
         Scene scene = build(

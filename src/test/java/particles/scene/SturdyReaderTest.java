@@ -19,7 +19,7 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
 
-/** Whatever a file holds, reading it ends soon, in a scene or in lines that say why not. */
+/** Reading any file ends quickly with a scene or with clear lines. */
 class SturdyReaderTest {
     private static final String GOOD = """
             title: Good
@@ -57,7 +57,7 @@ class SturdyReaderTest {
     }
 
     @Test
-    void otherEncodingsAreNamed() {
+    void otherEncodingsAreRefusedByName() {
         assertEquals(List.of("x.yaml: the file is in UTF-16; save it as UTF-8"),
                 linesFor(GOOD.getBytes(StandardCharsets.UTF_16)));
         assertEquals(List.of("x.yaml:2:11: a byte here is not UTF-8; save the file as UTF-8"),
@@ -73,7 +73,7 @@ class SturdyReaderTest {
     }
 
     @Test
-    void aliasesThatStandForABillionValuesAreRefusedUnread() {
+    void aliasesForABillionValuesAreRefusedUnexpanded() {
         StringBuilder bomb = new StringBuilder("a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n");
         for (int i = 1; i < 12; i++) {
             String alias = "*a" + (i - 1);
@@ -113,7 +113,7 @@ class SturdyReaderTest {
     }
 
     @Test
-    void messagesStayInOneShortLineWhateverTheFileHolds() {
+    void everyMessageIsOneShortLine() {
         for (String text : List.of("\"a\\nb\\u2028c\\x07\": 1\n", "solver: \"" + "x".repeat(100_000) + "\"\n",
                 "x".repeat(100_000) + ": 1\n")) {
             for (String line : linesFor(text)) {
@@ -124,7 +124,7 @@ class SturdyReaderTest {
     }
 
     @Test
-    void aFileThatIsNotThereIsOneLine(@TempDir Path folder) {
+    void aMissingFileIsOneLine(@TempDir Path folder) {
         String missing = folder.resolve("no.yaml").toString();
         assertEquals(List.of(missing + ": there is no such file"),
                 assertThrows(SceneException.class, () -> SceneReader.read(Path.of(missing))).getLines());
@@ -132,9 +132,7 @@ class SturdyReaderTest {
                 assertThrows(SceneException.class, () -> SceneReader.read(folder)).getLines());
     }
 
-    /**
-     * Scenes with bytes replaced, removed, doubled and moved: each is read or refused, and never ends in another way.
-     */
+    /** Scenes with bytes replaced, removed, duplicated and moved are read or refused, without any other exception. */
     @Test
     void damagedScenesAreReadOrRefused() throws IOException {
         List<byte[]> seeds = new ArrayList<>(List.of(GOOD.getBytes(StandardCharsets.UTF_8)));

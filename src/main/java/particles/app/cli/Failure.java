@@ -27,10 +27,12 @@ public final class Failure extends RuntimeException {
         this(exitCode, List.of(line));
     }
 
+    /** @return the exit code */
     public ExitCode exitCode() {
         return exitCode;
     }
 
+    /** @return the message, line by line */
     public List<String> lines() {
         return lines;
     }

@@ -14,6 +14,7 @@ public enum OptionStyle {
         this.prefix = prefix;
     }
 
+    /** @return the style for the way in which this program was started */
     public static OptionStyle current() {
         return "gradle".equals(System.getProperty(STARTED_BY)) ? GRADLE : SHELL;
     }

@@ -34,7 +34,7 @@ public final class Program {
     public ExitCode execute(String... args) {
         ExitCode code = attempt(args);
         if (out.checkError()) {
-            err.println("not all that was to be printed could be written: the output is full or closed");
+            err.println("some output could not be printed: the destination is full or closed");
             code = code == ExitCode.DONE ? ExitCode.TROUBLE : code;
         }
         err.flush();

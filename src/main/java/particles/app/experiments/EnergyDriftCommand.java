@@ -29,6 +29,7 @@ public final class EnergyDriftCommand extends ExperimentCommand {
             + " ${DEFAULT-VALUE}).")
     private boolean equalWork;
 
+    /** @param style how the user types options */
     public EnergyDriftCommand(OptionStyle style) {
         super(style);
     }

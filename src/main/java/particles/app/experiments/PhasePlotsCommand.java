@@ -42,6 +42,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
             description = "Of x, y and z, as xy (default: that of the scene's own phase plot).")
     private String axes;
 
+    /** @param style how the user types options */
     public PhasePlotsCommand(OptionStyle style) {
         super(style);
     }

@@ -52,6 +52,7 @@ public final class RaceCommand extends ExperimentCommand {
             + " (default: 20 for a second of the scene, from 40 to 300).")
     private Integer frames;
 
+    /** @param style how the user types options */
     public RaceCommand(OptionStyle style) {
         super(style);
     }

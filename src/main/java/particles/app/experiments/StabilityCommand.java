@@ -41,6 +41,7 @@ public final class StabilityCommand extends ExperimentCommand {
             description = "The step at which growth is reported, instead of the scene's.")
     private String deltaT = "";
 
+    /** @param style how the user types options */
     public StabilityCommand(OptionStyle style) {
         super(style);
     }

@@ -46,6 +46,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
     private String solvers = "all";
 
+    /** @param style how the user types options */
     public WorkPrecisionCommand(OptionStyle style) {
         super(style);
     }

@@ -11,6 +11,7 @@ import java.nio.file.Path;
  */
 public record SceneName(String whole, String number, String bare) {
 
+    /** @return the parts of a scene file's name */
     public static SceneName of(Path file) {
         String whole = file.getFileName().toString().replaceFirst("\\.ya?ml$", "");
         if (!whole.matches("\\d+-.+")) {

@@ -10,7 +10,7 @@ import particles.messages.Digits;
 import particles.output.files.RunSummary;
 import particles.scene.Scene;
 
-/** What a run was and how it went, for people and for run.json. */
+/** The summary of a run, for people and for run.json. */
 final class Summary {
     /** Of the energy scale: a tenth is seen in the motion. */
     private static final double LARGE_ERROR = 0.1;
@@ -67,7 +67,7 @@ final class Summary {
         return lines;
     }
 
-    /** What is only round-off beside the energy scale is 0. */
+    /** Formats an energy; round-off relative to the energy scale is shown as 0. */
     private String joules(double energy) {
         return (Math.abs(energy) < ROUND_OFF * record.energyScale() ? "0" : Digits.few(energy)) + " J";
     }

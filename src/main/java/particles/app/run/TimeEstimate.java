@@ -13,8 +13,8 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
 /**
- * How long a run is going to take, told before it begins where that is long. The first steps are made by a copy of the
- * scene and timed, and the rest is taken to be like them; a scene in which more and more happens takes longer.
+ * Estimates the time of a long run before it begins. A copy of the scene makes the first steps, which are timed, and
+ * the rest is assumed to be like them; a scene in which more and more happens takes longer.
  */
 final class TimeEstimate {
     private static final double NANO = 1e-9;
@@ -27,7 +27,7 @@ final class TimeEstimate {
     private static final double LAST_SPAN = 0.8;
     /** No longer than this is waited for the first steps (ms); each may take minutes. */
     private static final long PATIENCE = 2000;
-    /** What a step takes beside the work on its particles, as so many particles. */
+    /** The overhead of a step, expressed as a number of particles. */
     private static final double OVERHEAD = 100;
     /** A picture's share of the time, beside the simulation on another core (s for a pixel). */
     private static final double PER_PIXEL = 2e-8;

@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
  * claims.
  */
 @Command(name = CheckEffectCommand.NAME,
-        description = "Checks a force law: whether it keeps what it claims, or what is wrong.")
+        description = "Checks a force law: whether it has the properties that it claims.")
 public final class CheckEffectCommand extends CheckCommand {
     static final String NAME = "checkEffect";
 

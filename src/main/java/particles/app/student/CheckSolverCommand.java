@@ -92,7 +92,7 @@ public final class CheckSolverCommand extends CheckCommand {
                 "Where a step makes nothing larger, measured on its own steps. Every mode of a system has to lie"
                         + " there: deltaT times its eigenvalue lambda or, of a spring, deltaT omega and deltaT c/m."
                         + " Pale: the built-in solver that is nearest.", Panel.map(region))));
-        pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay what it is.",
+        pictures.add(Picture.chart("energy", "The energy of an undamped spring, which should stay constant.",
                 figures.energy()));
         pictures.add(Picture.chart("work-precision",
                 "The error after eight seconds against the work: lower left is better.",

@@ -41,7 +41,7 @@ public final class ExerciseCommand extends ProgramCommand {
         int count = Exercises.all().size();
         if (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1 || Integer.parseInt(number) > count) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("number") + ": '" + number
-                    + "' is no exercise; there are 1 to " + count);
+                    + "' is not an exercise; they are numbered 1 to " + count);
         }
         if (student.isBlank()) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("student") + ": the id is empty");

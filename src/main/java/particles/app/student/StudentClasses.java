@@ -30,10 +30,10 @@ public final class StudentClasses implements ClassNames {
                             + " newEffect writes one to start from)", e);
         } catch (NoSuchMethodException | InstantiationException | IllegalAccessException | ClassCastException e) {
             throw new IllegalArgumentException("the Keys of " + name
-                    + " cannot be made; they have to be a 'public static final"
+                    + " cannot be created; they have to be a 'public static final"
                     + " class Keys extends " + type.getSimpleName() + "' with a 'public Keys()'", e);
         } catch (InvocationTargetException | LinkageError e) {      // a static field that fails twice has no cause
-            throw new IllegalArgumentException("the Keys of " + name + " cannot be made: "
+            throw new IllegalArgumentException("the Keys of " + name + " cannot be created: "
                     + (e.getCause() == null ? e : e.getCause()), e);
         }
     }

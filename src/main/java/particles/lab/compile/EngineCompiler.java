@@ -51,7 +51,7 @@ final class EngineCompiler {
                     problem.getLocation() == null ? "" : " in " + problem.getLocation().getMethod());
         }
         if (!problems.isEmpty()) {
-            throw new IllegalArgumentException("what a page cannot do: " + problems);
+            throw new IllegalArgumentException("the page cannot compile this: " + problems);
         }
         return Files.readString(folder.resolve(FILE));
     }

@@ -132,7 +132,7 @@ public final class GifAnimation implements FrameSink {
         Arrays.fill(shown, (byte) TRANSPARENT);
     }
 
-    /** What differs from the picture before waits until it is known how long it stays. */
+    /** Keeps the changes from the previous picture until its display time is known. */
     private void keepChanges(int index) {
         int left = width;
         int right = 0;

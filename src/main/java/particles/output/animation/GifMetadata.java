@@ -4,7 +4,7 @@ import javax.imageio.metadata.IIOInvalidTreeException;
 import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
 
-/** What a GIF says beside its pixels, in the words of ImageIO's "GIF Metadata Format Specification". */
+/** The metadata of a GIF, in the format of ImageIO's "GIF Metadata Format Specification". */
 final class GifMetadata {
     private static final String STREAM = "javax_imageio_gif_stream_1.0";
     private static final String IMAGE = "javax_imageio_gif_image_1.0";

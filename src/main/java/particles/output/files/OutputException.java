@@ -49,7 +49,7 @@ public class OutputException extends RuntimeException {
             return "permission denied";
         }
         if (e instanceof NoSuchFileException) {
-            return "its folder is not there";
+            return "its folder does not exist";
         }
         if (e instanceof NotDirectoryException || e instanceof FileAlreadyExistsException) {
             return "a file is where a folder should be";

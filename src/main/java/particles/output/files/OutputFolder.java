@@ -46,6 +46,7 @@ public final class OutputFolder implements AutoCloseable {
         return open(path, OutputFile.ON_DISK, names);
     }
 
+    /** As {@link #open(Path, String...)}, with another way to open files. */
     public static OutputFolder open(Path path, OutputFile.Opener opener, String... names) {
         createFolder(path);
         OutputFolder folder = new OutputFolder(path, opener);

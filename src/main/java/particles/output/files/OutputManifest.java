@@ -39,11 +39,11 @@ final class OutputManifest {
     /** Adds a name, unless a file exists that no run made. */
     void claim(String name) {
         if (!PLAIN_NAME.matcher(name).matches()) {
-            throw new IllegalArgumentException("'" + name + "' is no plain file name");
+            throw new IllegalArgumentException("'" + name + "' is not a plain file name");
         }
         Path file = folder.resolve(name);
         if (!names.contains(name) && Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
-            throw new OutputException(file, "write", "it is there and no run made it; "
+            throw new OutputException(file, "write", "this file exists and no run made it; "
                     + "move it away or choose another folder", null);
         }
         names.add(name);

@@ -5,7 +5,7 @@ import particles.view.RenderOptions;
 import particles.view.Scenery;
 
 /**
- * What a picture shows beside the moving particles and their springs.
+ * The fixed settings of all frames of a run: everything but the moving particles and springs.
  *
  * @param camera   from where
  * @param look     what is drawn in which colours

@@ -62,6 +62,7 @@ public final class BlobField {
         return ((key >> 42 - 21 * axis & 0x1fffff) - FARTHEST) * cell;
     }
 
+    /** Adds a ball. */
     public void add(double x, double y, double z) {
         double far = (FARTHEST - 4) * cell - reach;
         if (!(Math.abs(x) < far) || !(Math.abs(y) < far) || !(Math.abs(z) < far)) {

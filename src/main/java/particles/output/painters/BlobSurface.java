@@ -24,6 +24,7 @@ public final class BlobSurface {
     public int cornerCount;
     public int[] corners = {};
 
+    /** Builds the triangles of a field's surface. */
     public void build(BlobField built) {
         field = built;
         cells.clear();

@@ -18,6 +18,7 @@ public record DrawnSizes(double ball, double coilBelow) {
     /** Fraction of the spacing of particles spread evenly over a cube as high as the picture. */
     private static final double PART_OF_DISTANCE = 0.3;
 
+    /** Chooses the sizes for a frame; viewHeight is the height of the picture at the target (m). */
     public static DrawnSizes of(FrameState state, RenderOptions look, double viewHeight) {
         double mean = 0;
         for (int s = 0; s < state.springs; s++) {

@@ -42,6 +42,7 @@ public final class GlowPainter {
         return mixed;
     }
 
+    /** Adds the particles' light to a layer. */
     public void paint(FrameState state, ProjectedParticles projected, VisibilityFilter shown, double radius,
             Raster raster, Backdrop backdrop,
             int[] pixels) {

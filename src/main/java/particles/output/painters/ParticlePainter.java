@@ -65,6 +65,7 @@ public final class ParticlePainter {
         return POINT * view.viewHeight;
     }
 
+    /** Draws all particles of a frame except glowing ones. */
     public void paint(FrameState state, ProjectedParticles projected) {
         int count = 0;
         if (blobs.isPresent() && inBlobs.length < 3 * state.particles) {

@@ -19,6 +19,7 @@ public final class ProjectedParticles {
         this.view = view;
     }
 
+    /** Projects the particles of a frame. */
     public void take(FrameState state) {
         int n = state.particles;
         reserve(n);

@@ -37,6 +37,7 @@ public final class ShadowPainter {
         this.wires = wires;
     }
 
+    /** Adds the shadows of a frame to a map. */
     public void paint(ShadowMap map, FrameState state) {
         map.clear();
         project(map, state.positions, state.particles);

@@ -40,6 +40,7 @@ public final class SurfacePainter {
         this.look = look;
     }
 
+    /** Draws one surface. */
     public void paint(Surface surface, FrameState state, ProjectedParticles projected) {
         int n = state.particles;
         if (normals.length < 3 * n) {

@@ -29,6 +29,7 @@ public final class TrailPainter {
         colours = new int[cover.length];
     }
 
+    /** Draws all trails of a frame. */
     public void paint(FrameState state, VisibilityFilter shown, int rgb, Raster raster, Backdrop backdrop,
             int[] pixels) {
         if (top < bottom) {

@@ -55,11 +55,13 @@ public final class VisibilityFilter {
         return particle < set.length && set[particle];
     }
 
+    /** @return whether particle i is drawn */
     public boolean particle(int i) {
         return look.particles() == RenderOptions.Shown.ALWAYS
                 || look.particles() == RenderOptions.Shown.BESIDE_SURFACES && !isIn(inSurface, i);
     }
 
+    /** @return whether a spring between these particles is drawn */
     public boolean spring(int from, int to) {
         return look.springs() == RenderOptions.Shown.ALWAYS
                 || look.springs() == RenderOptions.Shown.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface,

@@ -82,6 +82,7 @@ public final class WirePainter {
         return radius;
     }
 
+    /** Draws all wires. */
     public void paint() {
         for (ProjectedParticles wire : wires) {
             for (int k = 0; k + 1 < wire.x.length; k++) {

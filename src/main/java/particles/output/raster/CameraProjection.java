@@ -69,6 +69,7 @@ public final class CameraProjection {
         return perspective ? focal / depth : focal;
     }
 
+    /** @return the nearness of a point at this depth */
     public double nearness(double depth) {
         return perspective ? 1 / depth : -depth;
     }

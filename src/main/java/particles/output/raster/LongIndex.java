@@ -16,11 +16,13 @@ public final class LongIndex {
         Arrays.fill(table, EMPTY);
     }
 
+    /** Removes all keys. */
     public void clear() {
         Arrays.fill(table, EMPTY);
         size = 0;
     }
 
+    /** @return the number of keys */
     public int size() {
         return size;
     }

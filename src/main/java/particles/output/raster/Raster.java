@@ -39,6 +39,7 @@ public final class Raster {
         forget();
     }
 
+    /** Clears the part of the picture that was drawn on. */
     public void clear() {
         for (int y = top; y < bottom; y++) {
             Arrays.fill(near, y * width + left, y * width + right, Float.NEGATIVE_INFINITY);

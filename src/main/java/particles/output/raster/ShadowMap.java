@@ -56,6 +56,7 @@ public final class ShadowMap {
         return lamp.dot(plane.normal()) > 0.05;
     }
 
+    /** Removes all shadows. */
     public void clear() {
         Arrays.fill(coverage, 0);
         left = SIZE;
@@ -73,6 +74,7 @@ public final class ShadowMap {
         return (u - middleU) * cells + SIZE / 2.0;
     }
 
+    /** @return the row of the map to which a point is projected; not a whole number */
     public double row(double x, double y, double z) {
         double h = plane.distance(x, y, z) / lampRise;
         double v = (x - h * lamp.x() - plane.point().x()) * axisV.x()
@@ -81,6 +83,7 @@ public final class ShadowMap {
         return (v - middleV) * cells + SIZE / 2.0;
     }
 
+    /** @return whether a point is on the plane's outer side, so that it casts a shadow */
     public boolean isAbove(double x, double y, double z) {
         return plane.distance(x, y, z) >= 0;
     }
@@ -118,6 +121,7 @@ public final class ShadowMap {
         }
     }
 
+    /** Adds a triangle, given by the columns and rows of its corners. */
     public void triangle(double ax, double ay, double bx, double by, double cx, double cy) {
         double area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
         if (!Double.isFinite(area)) {
@@ -152,6 +156,7 @@ public final class ShadowMap {
         }
     }
 
+    /** Blurs the map once all shapes are added. */
     public void blur() {
         for (int pass = 0; pass < 3 && left < right; pass++) {
             box(coverage, work, top, bottom, SIZE, left, right, 1);

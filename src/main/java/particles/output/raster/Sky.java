@@ -34,6 +34,7 @@ public enum Sky {
         this.halo = new Color(halo);
     }
 
+    /** @return the colours of day or night */
     public static Sky of(boolean night) {
         return night ? NIGHT : DAY;
     }

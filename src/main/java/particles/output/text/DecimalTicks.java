@@ -35,6 +35,7 @@ public final class DecimalTicks implements TickUnitSource {
         }
     }
 
+    /** @return the value with exactly the digits that it needs */
     public static String label(BigDecimal value) {
         if (value.signum() == 0) {
             return "0";

@@ -73,6 +73,7 @@ public final class TableText {
         return cells.stream().map(text).map(TableText::quoted).collect(Collectors.joining(","));
     }
 
+    /** @return a CSV cell, quoted if RFC 4180 requires it */
     public static String quoted(String cell) {
         return cell.matches("(?s).*[\",\\r\\n].*") ? '"' + cell.replace("\"", "\"\"") + '"' : cell;
     }
@@ -91,6 +92,7 @@ public final class TableText {
         return cells;
     }
 
+    /** @return whether all cells of a column are numbers */
     public static boolean isNumbers(DataTable table, int column) {
         return table.rows().stream().anyMatch(row -> row.get(column) instanceof Number);
     }

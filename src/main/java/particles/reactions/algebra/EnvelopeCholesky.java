@@ -28,6 +28,7 @@ public final class EnvelopeCholesky {
         pivots = new double[size];
     }
 
+    /** Sets all entries to 0. */
     public void clear() {
         Arrays.fill(entries, 0);
     }

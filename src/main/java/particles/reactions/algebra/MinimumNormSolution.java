@@ -41,6 +41,7 @@ public final class MinimumNormSolution {
         result.reshape(n, 1);
     }
 
+    /** Sets an entry of the matrix. */
     public void set(int row, int column, double value) {
         matrix.set(row, column, value);
     }

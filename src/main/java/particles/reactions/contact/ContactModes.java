@@ -26,6 +26,7 @@ public final class ContactModes {
     private int touching;
     private int changes;
 
+    /** Makes modes for a number of surfaces, all free. */
     public ContactModes(Particles particles, int surfaces) {
         this.particles = particles;
         this.surfaces = surfaces;

@@ -33,10 +33,12 @@ public final class ContactResponse {
         derivative = new ContactDerivative(surfaces.size());
     }
 
+    /** Sets whether contact lasts until a rule ends it; see {@code RestingContacts.setHoldsOn}. */
     public void setHoldsOn(boolean holdsOn) {
         this.holdsOn = holdsOn;
     }
 
+    /** @return whether contact lasts until a rule ends it */
     public boolean holdsOn() {
         return holdsOn;
     }
@@ -70,6 +72,7 @@ public final class ContactResponse {
         return sum + friction[0] * state[v] + friction[1] * state[v + 1] + friction[2] * state[v + 2];
     }
 
+    /** Adds the derivatives of the contact force on particle i. */
     public void addDerivatives(int i, double[] state, double[] force, ForceDerivatives derivatives) {
         int count = respond(i, state, force);
         if (count == 0) {

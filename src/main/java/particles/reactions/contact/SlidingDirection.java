@@ -25,6 +25,7 @@ public final class SlidingDirection {
     private boolean towardsStop;
     private boolean stops;
 
+    /** Records the state at the beginning of a step. */
     public void beginStep(ParticleSystem system) {
         if (stepBegin.length != system.getStateSize()) {
             stepBegin = new double[system.getStateSize()];
@@ -54,11 +55,13 @@ public final class SlidingDirection {
         return particle < stopping.length && stopping[particle] > 0;
     }
 
+    /** Forgets the state at the beginning of the step. */
     public void forget() {
         stepBegin = new double[0];
         stopping = new double[0];
     }
 
+    /** @return the state at the beginning of the step; read only */
     public double[] getStepBegin() {
         return stepBegin;
     }

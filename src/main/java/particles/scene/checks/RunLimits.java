@@ -16,6 +16,7 @@ public final class RunLimits {
     private RunLimits() {
     }
 
+    /** Adds a problem if a run would have too many steps. */
     public static void check(double deltaT, double duration, Map<Key<?>, Place> places,
             Problems problems) {
         if (duration / deltaT > MOST_STEPS) {

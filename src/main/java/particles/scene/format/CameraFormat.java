@@ -35,6 +35,7 @@ public final class CameraFormat {
     private CameraFormat() {
     }
 
+    /** @return the camera with these values, if they have no problem */
     public static Optional<Camera> of(Values values, Problems problems) {
         Vector3 away = values.get(POSITION).minus(values.get(TARGET));
         if (away.length() == 0) {

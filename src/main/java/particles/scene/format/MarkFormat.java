@@ -9,7 +9,7 @@ import particles.spec.TextType;
 import particles.spec.Values;
 import particles.view.ParticleMark;
 
-/** What a scene says of how one particle is drawn. */
+/** The keys of how a single particle is drawn. */
 public final class MarkFormat {
     public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
             "The particle that is drawn in this way.");

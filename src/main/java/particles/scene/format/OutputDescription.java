@@ -97,6 +97,7 @@ public record OutputDescription(double frameRate, int width, int height, boolean
     static final MappingType TYPE = MappingType.of("the output", FRAME_RATE, WIDTH, HEIGHT, ANIMATION, VIDEO, ENERGY,
             PHASE, TRAJECTORY_STRIDE);
 
+    /** @return the output with these values */
     public static OutputDescription of(Values values) {
         return new OutputDescription(values.get(FRAME_RATE), values.get(WIDTH), values.get(HEIGHT),
                 values.get(ANIMATION),

@@ -69,6 +69,7 @@ public final class RenderFormat {
     private RenderFormat() {
     }
 
+    /** @return the render options with these values */
     public static RenderOptions of(Values values) {
         return new RenderOptions(shown(values.get(PARTICLES)), shown(values.get(SPRINGS)), values.get(PARTICLE_RADIUS),
                 values.get(STRAIN_RANGE), rgb(values.get(PARTICLE_COLOUR)), rgb(values.get(FIXED_COLOUR)),

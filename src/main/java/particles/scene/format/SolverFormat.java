@@ -29,6 +29,7 @@ public final class SolverFormat {
     private SolverFormat() {
     }
 
+    /** @return the tolerances with these values, if they are given and have no problem */
     public static Optional<Tolerances> tolerances(Values values, Problems problems) {
         if (!values.isGiven(RELATIVE) && !values.isGiven(ABSOLUTE)) {
             return Optional.empty();

@@ -1,7 +1,7 @@
 package particles.scene.format;
 
 /**
- * What an adaptive solver is allowed.
+ * The tolerances of an adaptive solver.
  *
  * @param relative error in a sub-step, relative to the size of the state
  * @param absolute error besides (m, m/s)

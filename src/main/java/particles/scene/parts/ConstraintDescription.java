@@ -32,6 +32,7 @@ public record ConstraintDescription(List<RodDescription> rods, List<Chosen<WireK
             "Whether to move particles back onto rods and wires after every step.");
     public static final MappingType TYPE = MappingType.of("'constraints'", FEEDBACK, PROJECTION);
 
+    /** @return the rods and wires with these values */
     public static ConstraintDescription of(List<RodDescription> rods, List<Chosen<WireKind>> wires, Values values) {
         return new ConstraintDescription(List.copyOf(rods), List.copyOf(wires), values.get(FEEDBACK),
                 values.get(PROJECTION));

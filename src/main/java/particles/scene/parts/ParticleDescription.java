@@ -40,6 +40,7 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
 
     public static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED);
 
+    /** @return the particle with these values */
     public static ParticleDescription of(Values values) {
         return new ParticleDescription(values.get(ID), values.get(POSITION), values.get(VELOCITY), values.get(MASS),
                 values.get(FIXED), values.place());

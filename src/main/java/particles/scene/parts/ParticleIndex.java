@@ -14,6 +14,7 @@ public final class ParticleIndex {
     private final Map<String, Integer> firsts = new HashMap<>();
     private int count;
 
+    /** Indexes single particles and shapes, in this order. */
     public ParticleIndex(List<ParticleDescription> particles, List<ShapeDescription> shapes) {
         this.particles = particles;
         for (ParticleDescription particle : particles) {

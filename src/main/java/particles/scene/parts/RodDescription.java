@@ -18,6 +18,7 @@ public record RodDescription(String from, String to, Place place) {
     public static final Key<String> TO = Key.required("to", SpringDescription.ANY_ID, "The particle where it ends.");
     public static final MappingType TYPE = MappingType.of("a rod", FROM, TO);
 
+    /** @return the rod with these values */
     public static RodDescription of(Values values) {
         return new RodDescription(values.get(FROM), values.get(TO), values.place());
     }

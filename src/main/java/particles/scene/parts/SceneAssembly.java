@@ -79,6 +79,7 @@ public final class SceneAssembly implements EffectContext {
         births += massRate;
     }
 
+    /** @return the mass born per second (kg/s) */
     public double births() {
         return births;
     }
@@ -114,6 +115,7 @@ public final class SceneAssembly implements EffectContext {
                 solids.stream().filter(Sphere.class::isInstance).map(Sphere.class::cast).toList(), wires);
     }
 
+    /** @return the surfaces of contact rules */
     public List<ContactSurface> surfaces() {
         return surfaces;
     }
@@ -133,6 +135,7 @@ public final class SceneAssembly implements EffectContext {
         acceleration = acceleration.plus(g);
     }
 
+    /** @return the sum of all accelerations noted (m/s&sup2;) */
     public Vector3 acceleration() {
         return acceleration;
     }
@@ -142,6 +145,7 @@ public final class SceneAssembly implements EffectContext {
         speed = Math.max(speed, fastest);
     }
 
+    /** @return the largest speed noted (m/s) */
     public double speed() {
         return speed;
     }

@@ -88,6 +88,7 @@ public abstract class ShapeKind extends Kind {
         return sides;
     }
 
+    /** @return the key of the shape's name */
     public Key<String> id() {
         return id;
     }

@@ -35,6 +35,7 @@ public record SpringDescription(String from, String to, double stiffness, Option
 
     public static final MappingType TYPE = MappingType.of("a spring", FROM, TO, STIFFNESS, REST_LENGTH, DAMPING);
 
+    /** @return the spring with these values */
     public static SpringDescription of(Values values) {
         return new SpringDescription(values.get(FROM), values.get(TO), values.get(STIFFNESS), values.find(REST_LENGTH),
                 values.get(DAMPING), values.place());

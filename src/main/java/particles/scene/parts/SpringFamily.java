@@ -69,7 +69,7 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         return new SpringFamily(sort, values.get(STIFFNESS), values.get(DAMPING));
     }
 
-    /** What is told of each spring. */
+    /** Receives the springs one by one. */
     public interface Sink {
         void spring(int from, int to, double stiffness, double damping);
     }

@@ -1,5 +1,5 @@
 /**
- * What a scene is composed of: particles, springs, shapes (ropes, cloths, blocks), rods, wires and rules, each with
- * its scene keys and what it builds.
+ * The parts of a scene: particles, springs, shapes (ropes, cloths, blocks), rods, wires and rules, each with its scene
+ * keys and what it builds.
  */
 package particles.scene.parts;

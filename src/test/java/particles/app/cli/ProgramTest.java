@@ -76,7 +76,7 @@ class ProgramTest {
         });
         assertEquals(ExitCode.TROUBLE, new Program(List.of(command), OptionStyle.SHELL, full,
                 new PrintWriter(err)).execute("try", "--scene=a"));
-        assertEquals("not all that was to be printed could be written: the output is full or closed",
+        assertEquals("some output could not be printed: the destination is full or closed",
                 err.toString().strip());
     }
 

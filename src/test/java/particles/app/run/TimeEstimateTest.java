@@ -17,7 +17,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 
-/** What is said of a run before it begins, with a clock that the test turns. */
+/** The time estimate printed before a run, with a fake clock. */
 class TimeEstimateTest {
     private static SceneDescription scene(double duration) {
         return SceneReader.read("x.yaml", """

@@ -50,7 +50,7 @@ class CheckEffectCommandTest {
         }
     }
 
-    /** What a scene would say of a planted law: nothing. */
+    /** The scene keys of a planted effect: none. */
     public abstract static class PlantedKeys extends EffectKind {
         private final Function<Particles, Effect> maker;
 

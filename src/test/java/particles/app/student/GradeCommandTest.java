@@ -106,7 +106,7 @@ class GradeCommandTest {
     void whatIsNoExerciseOrStudentIsRefused() {
         for (String none : List.of("0", "13", "two", "-1", "2.0", "")) {
             assertTrue(run(ExitCode.BAD_INPUT, "exercise", "--number=" + none,
-                    "--student=a").startsWith("option -Pnumber: '" + none + "' is no exercise"), none);
+                    "--student=a").startsWith("option -Pnumber: '" + none + "' is not an exercise"), none);
         }
         assertEquals("option -Pstudent: the id is empty", run(ExitCode.BAD_INPUT, "exercise", "--number=1",
                 "--student= ").strip());

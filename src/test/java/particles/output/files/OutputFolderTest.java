@@ -88,7 +88,7 @@ class OutputFolderTest {
         Files.writeString(top.resolve("energy.png"), "mine");
         OutputException e = assertThrows(OutputException.class, () -> OutputFolder.open(top, "energy.png"));
         assertEquals("cannot write " + top.resolve("energy.png")
-                + ": it is there and no run made it; move it away or choose another folder", e.getMessage());
+                + ": this file exists and no run made it; move it away or choose another folder", e.getMessage());
         OutputFolder folder = OutputFolder.open(top);
         assertThrows(OutputException.class, () -> folder.create("energy.png"));
         assertEquals("mine", Files.readString(top.resolve("energy.png")));
@@ -177,7 +177,7 @@ class OutputFolderTest {
         Files.delete(out.resolve(".desolver-writing"));
         Files.delete(out);
         e = assertThrows(OutputException.class, frame::commit);
-        assertEquals("cannot write " + out.resolve("frames/frame-00000.png") + ": its folder is not there",
+        assertEquals("cannot write " + out.resolve("frames/frame-00000.png") + ": its folder does not exist",
                 e.getMessage());
         assertThrows(OutputException.class, () -> folder.create("run.json"));
         assertFalse(Files.exists(out));

@@ -10,12 +10,11 @@ import particles.scene.format.SceneDescription;
 import particles.spec.messages.Problems;
 
 /**
- * What a scene takes is told before it is built. The least heaps (MiB) in which cloths with structural and shear
- * springs would run, found by bisection: 100 x 100 with rk4 31, backward-euler 39; 300 x 300 with rk4 106, with
- * pictures 118, bulirsch-stoer 148; 600 x 600 with rk4 less than 392. With implicit solvers, what was alive after a
- * collection in the middle of a run with damped springs: backward-euler 33, 119 and 276 on 100, 200 and 300 particles
- * square, radau 80 and 341 on 100 and 200; in a jelly of 22 x 22 x 22 43 and 95. The estimates lie above, by less than
- * twice.
+ * Tests the memory estimate. The smallest heaps (MiB) in which cloths with structural and shear springs ran, found by
+ * bisection: 100 x 100 with rk4 31, backward-euler 39; 300 x 300 with rk4 106, with pictures 118, bulirsch-stoer 148;
+ * 600 x 600 with rk4 less than 392. With implicit solvers, what was alive after a collection in the middle of a run
+ * with damped springs: backward-euler 33, 119 and 276 on 100, 200 and 300 particles square, radau 80 and 341 on 100 and
+ * 200; in a jelly of 22 x 22 x 22 43 and 95. The estimates lie above these, by less than a factor of two.
  */
 class MemoryEstimateTest {
     private static final double MEGABYTE = 1 << 20;
@@ -50,7 +49,7 @@ class MemoryEstimateTest {
     }
 
     @Test
-    void whatDoesNotFitIsSaidWithNumbers() {
+    void aSceneThatDoesNotFitIsRefusedWithNumbers() {
         Problems problems = new Problems();
         MemoryEstimate.check(cloth(300, "rk4"), 100 * MEGABYTE, problems);
         assertEquals(List.of("x.yaml:7:3: the scene needs about 152 MiB of memory for 90000 particles and"
@@ -67,7 +66,7 @@ class MemoryEstimateTest {
      * particle; and 499 MiB after collections, with all else, where 250,000 had such trails.
      */
     @Test
-    void trailsCount() {
+    void trailsAreCounted() {
         String points = "solver: rk4\nlook: {particlesAs: points%s}\nshapes:\n  - jelly: {centre: [0, 0, 0],"
                 + " size: [1, 1, 1],"
                 + " columns: 63, rows: 63, layers: 63, totalMass: 1, surface: false}\n";
@@ -78,11 +77,11 @@ class MemoryEstimateTest {
     }
 
     /**
-     * 100 a second: those of half a second and of a step where they live half a second (at the end of a step the new
-     * ones come before the old ones go), those of the whole run where they live for ever.
+     * 100 births a second: with a lifetime of half a second, those of half a second and one step (births come before
+     * deaths); with an infinite one, those of the whole run.
      */
     @Test
-    void thoseThatAreBornCount() {
+    void emittedParticlesAreCounted() {
         String emitter = "solver: rk4\nparticles:\n  - {id: a, position: [0, 0, 0]}\nrules:\n"
                 + "  - emitter: {id: drop, position: [0, 0, 0], speed: 1, rate: 100%s}\n";
         assertEquals(52, MemoryEstimate.of(read(emitter.formatted(", lifetime: 0.5"))).particles());
