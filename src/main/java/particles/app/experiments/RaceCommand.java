@@ -40,7 +40,7 @@ public final class RaceCommand extends ExperimentCommand {
      * Entries of the state times evaluations by rk4. So much takes about a minute by five solvers; a longer race, of a
      * cloth, is over its first part unless a duration is asked for.
      */
-    private static final double MOST_WORK = 1.3e7;
+    private static final double MOST_WORK = 1e7;
     private static final int[] ROUND = {10, 15, 20, 30, 50, 70};
     /** The part of the time that the runs take, and not the film. */
     private static final double RUNS = 0.6;
