@@ -21,7 +21,8 @@ import java.util.Locale;
  *
  * <p>The stopping rule: each entry's correction is at most {@value #TOLERANCE} of the entry, or all residuals are
  * round-off of the terms they are sums of. An entry that is itself round-off counts as its round-off / {@value
- * #TOLERANCE}.
+ * #TOLERANCE}. Corrections that no longer shrink may also be as large as the largest round-off of any position or
+ * velocity.
  *
  * <p>Source: P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004, sections 2.1 and 3.3; J.
  * Nocedal, S. J. Wright, <i>Numerical Optimization</i>, 2nd ed., Springer 2006, section 3.1.
@@ -141,8 +142,8 @@ final class Newton {
                 return true;
             }
             if (!haveCorrection && !linearise(m, kind) || !search(m)) {
-                if (kind == Kind.CAREFUL || size <= TOLERANCE && known) {
-                    return size <= TOLERANCE;           // nothing improves it any more: round-off
+                if (kind == Kind.CAREFUL || known && isConverged(size, correction)) {
+                    return isConverged(size, correction);       // nothing improves it any more: round-off
                 }
                 kind = Kind.CAREFUL;
                 haveCorrection = false;
@@ -150,7 +151,7 @@ final class Newton {
                 continue;
             }
             boolean stagnates = nextSize > STAGNATION * size;
-            if (part == 1 && known && (nextSize <= POLISHED || nextSize <= TOLERANCE && stagnates)) {
+            if (part == 1 && known && (nextSize <= POLISHED || stagnates && isConverged(nextSize, nextCorrection))) {
                 add(nextCorrection, 1, m);
                 jacobian.complete(start, g, m);
                 return true;
@@ -167,6 +168,11 @@ final class Newton {
             }
         }
         return isRoundOff();
+    }
+
+    private boolean isConverged(double size, double[] correction) {
+        return size <= TOLERANCE || size != Double.POSITIVE_INFINITY
+                && NewtonUpdate.isRoundOffOfTheLargest(source.getClient(), correction, roundOff);
     }
 
     /** Sets J up at m and computes the correction that it asks for; false if there is none. */
@@ -204,7 +210,7 @@ final class Newton {
                 nextSize = NewtonUpdate.size(nextCorrection, m, start, roundOff);
                 return true;
             }
-            if (size <= TOLERANCE) {
+            if (isConverged(size, correction)) {
                 return false;
             }
             part *= Math.max(0.1, Math.min(0.5, slope0 / (slope0 - turned)));
@@ -233,7 +239,8 @@ final class Newton {
                         + " did not converge"
                 : "Newton's iteration did not converge: after %d iterations the correction is %.2g of the unknowns"
                         + " (limit %.0e) and the largest residual %.2g";
-        return source.failure(-1, String.format(Locale.ROOT, cause, iterations, size, TOLERANCE,
+        int made = Math.min(iterations, MOST_ITERATIONS);
+        return source.failure(-1, String.format(Locale.ROOT, cause, made, size, TOLERANCE,
                 NewtonUpdate.largest(residual)) + "; deltaT is probably too large for what the forces do within it");
     }
 }

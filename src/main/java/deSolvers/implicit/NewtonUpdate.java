@@ -87,6 +87,27 @@ final class NewtonUpdate {
         }
     }
 
+    /**
+     * Whether an update of positions and velocities is no larger than the largest round-off of any position, or of any
+     * velocity: what is driven by the round-off of a stiff neighbour gets no smaller.
+     */
+    static boolean isRoundOffOfTheLargest(DEStateSource source, double[] update, double[] roundOff) {
+        if (!(source instanceof SecondOrderStateSource)) {
+            return false;
+        }
+        int d = ((SecondOrderStateSource) source).getDimension();
+        double[] largest = {0, 0};                      // of positions, of velocities
+        for (int i = 0; i < update.length; i++) {
+            largest[i / d % 2] = Math.max(largest[i / d % 2], WITHIN * roundOff[i]);
+        }
+        for (int i = 0; i < update.length; i++) {
+            if (!(Math.abs(update[i]) <= largest[i / d % 2])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** What each unknown is measured in: its size, and how far it moves in h. */
     static void units(double[] state, double[] slope, double h, double[] unit) {
         double smallest = Double.MIN_NORMAL;

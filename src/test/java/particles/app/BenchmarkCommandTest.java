@@ -17,8 +17,8 @@ class BenchmarkCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', value = {
-        "--fork=2           | unknown option -Pfork; did you mean -Pforks? allowed: -Pout, -Pinclude, -Pforks,"
-                + " -Piterations, -Pseconds, -Phelp",
+        "--fork=2           | unknown option -Pfork; did you mean -Pforks? allowed: -Pout, -Pslide, -Psvg, -Pinclude,"
+                + " -Pforks, -Piterations, -Pseconds, -Phelp",
         "--forks=0          | option -Pforks: 0 has to be 1 or more",
         "--iterations=-1    | option -Piterations: -1 has to be 1 or more",
         "--seconds=0        | option -Pseconds: 0.0 has to be finite and more than 0",

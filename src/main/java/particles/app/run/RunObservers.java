@@ -136,6 +136,9 @@ final class RunObservers implements AutoCloseable {
      * @param format what the charts are for
      */
     void drawCharts(ChartFormat format) {
+        if (!scene.output().energy() && phase.isEmpty()) {
+            return;                                     // what draws is not even loaded
+        }
         ChartWriter writer = new ChartWriter(folder, format);
         String title = scene.description().title() + " (" + caption() + ")";
         if (scene.output().energy()) {

@@ -45,12 +45,12 @@ class PhasePortraitsTest {
         }
         List<Object> euler = portraits.table().rows().get(0);
         assertEquals(3, Math.hypot((Double) euler.get(3), (Double) euler.get(4)), 0.02);
-        assertEquals(1, (Double) portraits.table().rows().get(3).get(3), 1e-8);
+        assertEquals(StrictMath.cos(161 * 0.11737), (Double) portraits.table().rows().get(3).get(3), 1e-8);
         assertTrue((Double) portraits.table().rows().get(2).get(5) < 1e-3, "rk4");
     }
 
     /**
-     * Euler's last state is 3.0 from the centre of the unit circle. Symplectic Euler moves on the ellipse x^2 - h x v +
+     * Euler's last state is 3.01 from the centre of the unit circle. Symplectic Euler moves on the ellipse x^2 - h x v +
      * v^2 = 1
      * with h = 0.117, whose farthest point from the circle is at 1 / sqrt(1 - h / 2): 3.07 % off; measured a little
      * more, since
@@ -62,7 +62,7 @@ class PhasePortraitsTest {
         assertEquals(2.0, portraits.get(0).off(), 0.01);
         assertEquals(0.0307, portraits.get(1).off(), 0.0015);
         assertTrue(portraits.get(2).off() < 3e-6, "rk4: measured 1.9e-6, and not " + portraits.get(2).off());
-        assertEquals("euler: 200 % off the curve", portraits.get(0).chart().title());
+        assertEquals("euler: 201 % off the curve", portraits.get(0).chart().title());
         assertEquals("Spiral: euler leaves the curve, symplectic-euler and rk4 stay on it to 3.2 %",
                 PhasePortraits.finding("Spiral", portraits));
     }
