@@ -37,8 +37,8 @@ class ArchitectureTest {
             deSolvers.catalog:             deSolvers deSolvers.adaptive deSolvers.extrapolation deSolvers.implicit
                                            deSolvers.multistep deSolvers.symplectic
             deSolvers.extrapolation:       deSolvers deSolvers.adaptive
-            deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear org.ejml
-            deSolvers.linear:              deSolvers
+            deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear
+            deSolvers.linear:              deSolvers org.ejml
             deSolvers.multistep:           deSolvers
             deSolvers.problems:            deSolvers
             deSolvers.rungeKutta:          deSolvers
@@ -97,7 +97,7 @@ class ArchitectureTest {
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.lab javax.tools org.teavm
             particles.law:
-            particles.messages:            deSolvers deSolvers.adaptive deSolvers.catalog particles particles.effects
+            particles.messages:            deSolvers deSolvers.catalog particles particles.effects
                                            particles.experiments.stability particles.law particles.reactions
                                            particles.scene particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
@@ -129,9 +129,9 @@ class ArchitectureTest {
             particles.scene.checks:        deSolvers.catalog particles.effects particles.law particles.reactions.wires
                                            particles.scene.format particles.scene.parts particles.spec
                                            particles.spec.messages particles.view
-            particles.scene.format:        deSolvers deSolvers.catalog particles.effects particles.law
-                                           particles.scene.parts particles.spec particles.spec.documents
-                                           particles.spec.messages particles.view
+            particles.scene.format:        deSolvers deSolvers.adaptive deSolvers.catalog particles.effects
+                                           particles.law particles.scene.parts particles.spec
+                                           particles.spec.documents particles.spec.messages particles.view
             particles.scene.parts:         particles particles.effects particles.effects.springs particles.law
                                            particles.reactions particles.reactions.contact particles.reactions.wires
                                            particles.rules particles.spec particles.spec.messages particles.view

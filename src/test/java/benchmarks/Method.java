@@ -10,6 +10,7 @@ import org.hipparchus.ode.nonstiff.DormandPrince54Integrator;
 import org.hipparchus.ode.nonstiff.EulerIntegrator;
 import org.hipparchus.ode.nonstiff.GraggBulirschStoerIntegrator;
 import org.hipparchus.ode.nonstiff.MidpointIntegrator;
+import particles.scene.format.Tolerances;
 
 /** One of our solvers or of Hipparchus' integrators, applied to a workload. */
 interface Method {
@@ -50,8 +51,9 @@ interface Method {
             return hipparchus(HIPPARCHUS_ADAPTIVE.get(run.method()).create(SHORTEST, run.duration(), run.tolerance(),
                     run.tolerance()), run.duration());
         }
+        Tolerances both = Tolerances.both(run.tolerance());
         DESolver solver = Double.isNaN(run.tolerance()) ? SolverCatalog.create(run.method())
-                : SolverCatalog.create(run.method(), run.tolerance(), run.tolerance());
+                : SolverCatalog.create(run.method(), both.relative(), both.absolute());
         return workload -> {
             workload.restart();
             for (int n = 0; n < run.steps(); n++) {

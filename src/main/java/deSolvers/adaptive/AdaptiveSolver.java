@@ -19,7 +19,7 @@ public abstract class AdaptiveSolver extends DESolver {
     public static final double RELATIVE_TOLERANCE = 1e-6;
     /** The default error allowed besides, in the entry's unit. */
     public static final double ABSOLUTE_TOLERANCE = 1e-9;
-    /** With a larger relative tolerance, motion too fast for the method may grow without bound; see the package. */
+    /** The largest relative tolerance: with more, motion too fast for the method may grow without bound. */
     public static final double LOOSEST_TOLERANCE = 1e-3;
     /** The largest number of sub-steps, taken or rejected, in a step. */
     public static final int MOST_SUB_STEPS = 500_000;
@@ -42,10 +42,15 @@ public abstract class AdaptiveSolver extends DESolver {
     /**
      * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
      * @param absoluteTolerance error allowed besides, in the entry's unit
-     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0
+     * @throws IllegalArgumentException if one of them is negative or not finite, or both are 0, or the relative one is
+     *                                  more than {@value #LOOSEST_TOLERANCE}
      */
     protected AdaptiveSolver(double relativeTolerance, double absoluteTolerance) {
         tolerance = new Tolerance(relativeTolerance, absoluteTolerance);
+        if (relativeTolerance > LOOSEST_TOLERANCE) {
+            throw new IllegalArgumentException("relativeTolerance " + relativeTolerance + " is more than "
+                    + LOOSEST_TOLERANCE + ": a fast vibration could grow by that part in every sub-step");
+        }
     }
 
     /**

@@ -12,8 +12,8 @@
  * make two estimates, since each alone is 0 by chance at some lengths. The worst error is 77 times the estimate, so a
  * decayed part may return to many times its tolerance, but no further. The tolerance is relative to the larger of the
  * entries before and after the sub-step, so a relative tolerance of 0.1 lets a vibration that is too fast for the
- * method grow by a tenth in every sub-step. So take no relativeTolerance over {@value
- * deSolvers.adaptive.AdaptiveSolver#LOOSEST_TOLERANCE}, which is also the advice of SUNDIALS (A. C. Hindmarsh and
+ * method grow by a tenth in every sub-step. So no relativeTolerance over {@value
+ * deSolvers.adaptive.AdaptiveSolver#LOOSEST_TOLERANCE} is accepted, which is also the advice of SUNDIALS (A. C. Hindmarsh and
  * others, <i>User documentation for CVODE</i>, "General advice on choice of tolerances"); an undamped vibration over
  * hundreds of periods needs less than that.
  *

@@ -9,6 +9,7 @@ import deSolvers.adaptive.StepDoublingSolver;
 import deSolvers.extrapolation.BulirschStoerSolver;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
+import deSolvers.implicit.LinearisedEulerSolver;
 import deSolvers.implicit.RadauIIASolver;
 import deSolvers.multistep.AdamsBashforthMoultonSolver;
 import deSolvers.symplectic.SymplecticEulerSolver;
@@ -63,6 +64,9 @@ public final class SolverCatalog {
             entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
                     1, "implicit", "Newton", UNLIMITED, UNLIMITED,
                     "Stable at any step; damps what it cannot follow."),
+            entry(LinearisedEulerSolver::new, "linearised-euler", LinearisedEulerSolver.class,
+                    1, "implicit", "1", UNLIMITED, UNLIMITED,
+                    "One linear system a step: what games use for cloth."),
             entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class,
                     2, "implicit", "Newton", UNLIMITED, UNLIMITED,
                     "Stable at any step; keeps the energy of linear springs."),

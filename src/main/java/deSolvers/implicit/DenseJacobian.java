@@ -2,9 +2,7 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.JacobianStateSource;
-import deSolvers.linear.ImplicitWork;
 import java.util.Arrays;
-import org.ejml.data.DMatrixRMaj;
 
 /**
  * The Jacobian J = df/ds as a full matrix: column by column from the source's products, or by forward differences at
@@ -14,7 +12,7 @@ final class DenseJacobian {
     /** Half the digits: the best balance of rounding against curvature in a forward difference. */
     private static final double ROOT_EPSILON = Math.sqrt(Math.ulp(1.0));
     /** An entry that is small and does not move is varied as if it were this part of the largest entry. */
-    private static final double SMALL_ENTRY = 1e-5;
+    static final double SMALL_ENTRY = 1e-5;
 
     /** Smaller differences would lose their digits to underflow. */
     private static final double SMALLEST_DELTA = 1e-290;
@@ -22,19 +20,9 @@ final class DenseJacobian {
     private final ImplicitWork.Counter work;
     private double[] varied = {};
     private double[] column = {};
-    private boolean fine;
 
     DenseJacobian(ImplicitWork.Counter work) {
         this.work = work;
-    }
-
-    /**
-     * How small entries beside large ones are varied. As a rule by no less than a part of the largest, since they may
-     * be sums of large ones that cancel, where less would be lost to rounding. But where the derivative bends within
-     * that, finely: by a part of what they are themselves, unless they are 0.
-     */
-    void setFine(boolean fine) {
-        this.fine = fine;
     }
 
     /**
@@ -45,10 +33,13 @@ final class DenseJacobian {
      * @param state    where
      * @param dSdt     f there
      * @param h        a step (s) that tells how far an entry at 0 may be expected to move
-     * @param jacobian receives J, n x n
+     * @param fine     whether to vary an entry that is far smaller than others by a part of itself: it may be a sum of
+     *                 large entries that cancel, where less than a part of the largest is lost to round-off; or f may
+     *                 bend there
+     * @param jacobian receives J, n x n by rows
      */
-    void compute(DEStateSource source, DEStateSource products, double[] state, double[] dSdt, double h,
-            DMatrixRMaj jacobian) {
+    void compute(DEStateSource source, DEStateSource products, double[] state, double[] dSdt, double h, boolean fine,
+                 double[] jacobian) {
         int n = state.length;
         if (varied.length != n) {
             varied = new double[n];
@@ -92,9 +83,9 @@ final class DenseJacobian {
         }
     }
 
-    private static void setColumn(DMatrixRMaj matrix, int j, double[] column) {
+    private static void setColumn(double[] matrix, int j, double[] column) {
         for (int i = 0, at = j; i < column.length; i++, at += column.length) {
-            matrix.data[at] = column[i];
+            matrix[at] = column[i];
         }
     }
 }

@@ -1,10 +1,9 @@
 package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
-import deSolvers.JacobianStateSource;
 import deSolvers.StepTransaction;
+import deSolvers.JacobianStateSource;
 import deSolvers.linear.Gmres;
-import deSolvers.linear.ImplicitWork;
 import java.util.Arrays;
 
 /**
@@ -21,14 +20,13 @@ final class DirectionalDerivative {
     private double[] baseRate = {};
     private double[] varied = {};
     private double scale;
-    private boolean fine;
 
     DirectionalDerivative(ImplicitWork.Counter work) {
         this.work = work;
     }
 
     /**
-     * Takes up a state. The source's clock has to be at its time whenever a product is asked for.
+     * Takes a state. The source's clock has to be at its time whenever a product is asked for.
      *
      * @param dSdt f there
      * @param h    a step (s) that tells how far the state may be expected to move
@@ -49,14 +47,6 @@ final class DirectionalDerivative {
         }
     }
 
-    /**
-     * How far a difference goes: as a rule by a part of the whole state; finely, of those entries that the direction
-     * has (P. N. Brown, Y. Saad 1990, SIAM J. Sci. Stat. Comput. 11, 450), so that among small ones it stays near.
-     */
-    void setFine(boolean fine) {
-        this.fine = fine;
-    }
-
     /** Computes J w; product is another array than w. */
     void multiply(double[] w, double[] product) {
         if (client instanceof JacobianStateSource) {
@@ -70,7 +60,7 @@ final class DirectionalDerivative {
             Arrays.fill(product, 0);
             return;
         }
-        double delta = ROOT_EPSILON * (fine ? sizeAlong(w, length) : scale) / length;
+        double delta = ROOT_EPSILON * scale / length;
         for (int i = 0; i < w.length; i++) {
             varied[i] = base[i] + delta * w[i];
         }
@@ -79,16 +69,5 @@ final class DirectionalDerivative {
         for (int i = 0; i < w.length; i++) {
             product[i] = (product[i] - baseRate[i]) / delta;
         }
-    }
-
-    /**
-     * The mean size of the entries, each weighed by its part in the direction; that of the whole state if all are 0.
-     */
-    private double sizeAlong(double[] w, double length) {
-        double sum = 0;
-        for (int i = 0; i < w.length; i++) {
-            sum += Math.abs(w[i]) * Math.abs(base[i]);
-        }
-        return sum > 0 ? sum / length : scale;
     }
 }

@@ -2,7 +2,6 @@ package deSolvers.implicit;
 
 import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
-import deSolvers.linear.ImplicitWork;
 
 /**
  * The implicit midpoint rule: one straight step along the derivative at the middle of itself,
@@ -13,9 +12,8 @@ import deSolvers.linear.ImplicitWork;
  *       |  1
  * </pre>
  * Its middle m solves the backward Euler equation of half a step, m = s + h/2 f(m, t + h/2); the other half goes on
- * along the same line, s(t + h) = 2 m - s. Newton's method solves to 1e-10 of each entry of the state, however small
- * beside others, or to the rounding of its terms (in practice to rounding), or an exception says that it did not;
- * the package's description tells the limits of that.
+ * along the same line, s(t + h) = 2 m - s. {@link Newton} solves to 1e-10 of each entry of the state or to round-off,
+ * or an exception says that it did not.
  *
  * <p><b>Order</b> 2.<br>
  * <b>Evaluations</b> as for {@code backward-euler}.<br>
@@ -28,14 +26,13 @@ import deSolvers.linear.ImplicitWork;
  * <b>Source</b> Gauss-Legendre collocation with one stage, J. C. Butcher (1964), Math. Comp. 18, 50.
  */
 public final class ImplicitMidpointSolver extends FixedStepSolver {
-    private final ImplicitStage stage = new ImplicitStage();
+    private final Newton newton = new Newton();
 
     @Override
     protected void step(DEStateSource source, double[] s, double deltaT) {
         source.incTime(deltaT / 2);
         double[] mid = copy(s);
-        // mid = s + h/2 f(mid, t + h/2)
-        stage.solve(getTransaction(), s, deltaT / 2, ImplicitStage.Way.FROM_PLACE, mid);
+        newton.solve(getTransaction(), s, deltaT / 2, mid);              // mid = s + h/2 f(mid, t + h/2)
         for (int i = 0; i < s.length; i++) {
             s[i] = 2 * mid[i] - s[i];
         }
@@ -43,6 +40,6 @@ public final class ImplicitMidpointSolver extends FixedStepSolver {
 
     /** @return what was done in all steps so far */
     public ImplicitWork getWork() {
-        return stage.getWork();
+        return newton.getWork();
     }
 }

@@ -1,306 +1,239 @@
 package deSolvers.implicit;
 
-import deSolvers.linear.Gmres;
-import deSolvers.linear.ImplicitWork;
+import deSolvers.DESolverException;
+import deSolvers.FiniteCheck;
+import deSolvers.StepTransaction;
+import deSolvers.implicit.ShiftedJacobian.Kind;
+import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * Newton's method, damped by Deuflhard's natural monotonicity test: a step is taken only as far as the correction that
- * the <i>same</i> matrix would ask for next is smaller. That test does not depend on the units of the equations. A
- * correction that has become a hundredth of the one before is good enough with the old matrix; otherwise the matrix is
- * set up anew.
+ * Newton's method for the equation of all one-stage implicit methods, m = s + g f(m, t), at the source's present time.
+ * With the residual r(m) = s + g f(m, t) - m, an iteration solves (I - g J) deltaM = r and adds deltaM to m.
+ *
+ * <p>The line search adds the largest part of deltaM, at most all of it, at which the slope along deltaM has not turned
+ * round by more than half. For particles the slope is that of an energy, whose minimum is the solution; {@link
+ * ShiftedJacobian#slope} says what it is for other sources. Where deltaM does not lead down, or no part of it will do,
+ * a variant of J is taken that leads down: {@link Kind#CAREFUL}.
+ *
+ * <p>A correction that has become a hundredth of the one before is good enough with the old matrix; otherwise J is set
+ * up anew.
+ *
+ * <p>The stopping rule: each entry's correction is at most {@value #TOLERANCE} of the entry, or all residuals are
+ * round-off of the terms they are sums of. An entry that is itself round-off counts as its round-off / {@value
+ * #TOLERANCE}.
+ *
+ * <p>Source: P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004, sections 2.1 and 3.3; J.
+ * Nocedal, S. J. Wright, <i>Numerical Optimization</i>, 2nd ed., Springer 2006, section 3.1.
  */
 final class Newton {
     /** The largest last correction, relative to the unknowns, that counts as converged. */
     static final double TOLERANCE = 1e-10;
-    /** Corrections after convergence go on as long as they shrink well, down to here: rounding. */
+    /** Corrections that shrink well go on beyond that, down to here. */
     private static final double POLISHED = 1e-15;
     /** An old matrix is kept while it shrinks the correction this much: two digits for one evaluation. */
     private static final double GOOD_CONTRACTION = 0.01;
-    private static final int MOST_ITERATIONS = 50;
-    private static final double SMALLEST_DAMPING = 1.0 / 256;
-    /**
-     * A residual is rounding up to so many times what rounding of its own terms makes: those within f are not all
-     * known.
-     */
-    private static final double NEAR = 100;
-    private static final int MOST_DESCENTS = 200;
-    private static final int MOST_HALVINGS = 40;
+    /** A correction that shrinks less than this with a new matrix is either round-off, or the matrix is poor. */
+    private static final double STAGNATION = 0.5;
+    private static final int MOST_ITERATIONS = 60;
+    private static final double SMALLEST_PART = 1e-4;
+    /** The slope may turn round to this part of what it was. */
+    private static final double MOST_REVERSED = 0.5;
+    /** For one correction; the last of them reduces what is left by this much again. */
+    private static final double LINEAR_TOLERANCE = 1e-4;
 
-    private final ImplicitWork.Counter work;
+    private final ImplicitWork.Counter work = new ImplicitWork.Counter();
+    private final JacobianChoice choice = new JacobianChoice(work);
+    private StepTransaction source;
+    private ShiftedJacobian jacobian;
+    private double[] start;
+    private double g;
+    private double[] slope = {};
     private double[] residual = {};
     private double[] correction = {};
     private double[] nextCorrection = {};
     private double[] trial = {};
-    private double[] scale = {};                        // how large the unknowns were when the step began; the caller's
-    private double[] first = {};                        // what corrections are judged by, besides the unknowns now
-    private double[] floor = {};
-    private double[] reached = {};
+    private double[] roundOff = {};
     private double size;                                // of the last correction, relative to the unknowns
     private double nextSize;
-    private double damping;                             // the part of it that was taken
+    private double slope0;                              // along it, where it begins
+    private double part;                                // the part of it that was added
     private int iterations;
-    private double left;                                // the last correction, relative to the unknowns one by one
-    private boolean noCorrection;                       // whether the last failure was the linear solver's
-    // whether only what is not rounding counts, each unknown by itself
-    private boolean fine;
 
-    Newton(ImplicitWork.Counter work) {
-        this.work = work;
+    /** What was done in all steps so far. */
+    ImplicitWork getWork() {
+        return work.read();
     }
 
     /**
-     * Iterates from the guess in u.
+     * Solves the equation.
      *
-     * @param scale how large the unknowns were when the step began: what rounding and convergence are measured by, with
-     *              u
-     * @return whether it converged; u then holds the solution
+     * @param source its clock at t
+     * @param start  s
+     * @param g      g (s)
+     * @param m      receives m
+     * @throws DESolverException if the iteration does not converge
      */
-    boolean solve(NewtonProblem problem, double[] u, double[] scale) {
-        fit(problem.size());
-        this.scale = scale;
-        System.arraycopy(scale, 0, first, 0, u.length);
-        iterations = 0;
-        size = Double.POSITIVE_INFINITY;
-        fine = false;
-        noCorrection = false;
-        problem.evaluate(u, residual);
-        if (Residuals.areZero(residual)) {
-            return true;
+    void solve(StepTransaction source, double[] start, double g, double[] m) {
+        begin(source, start, g, m);
+        jacobian.guess(m);
+        evaluate(m);
+        source.requireFinite(slope);
+        if (!iterate(m)) {
+            throw failure();
         }
-        if (!Residuals.areFinite(residual)) {
-            return false;
-        }
-        return iterate(problem, u) && (left <= TOLERANCE || refine(problem, u));
     }
 
     /**
-     * Iterates from u, whose residual is at hand; leaves how large the last correction was for each unknown by itself.
+     * One correction from s, with spring blocks projected: m = s + (I - g J)<sup>-1</sup> g f(s, t).
+     *
+     * @param source its clock at t
+     * @param start  s
+     * @param g      g (s)
+     * @param m      receives m
+     * @throws DESolverException if the linear system cannot be solved
      */
-    private boolean iterate(NewtonProblem problem, double[] u) {
+    void solveLinearised(StepTransaction source, double[] start, double g, double[] m) {
+        begin(source, start, g, m);
+        evaluate(m);
+        source.requireFinite(slope);
+        iterations = 1;
+        if (!linearise(m, Kind.PROJECTED)) {
+            throw failure();
+        }
+        add(correction, 1, m);
+        jacobian.complete(start, g, m);
+    }
+
+    private void begin(StepTransaction source, double[] start, double g, double[] m) {
+        this.source = source;
+        this.start = start;
+        this.g = g;
+        int n = start.length;
+        if (residual.length != n) {
+            slope = new double[n];
+            residual = new double[n];
+            correction = new double[n];
+            nextCorrection = new double[n];
+            trial = new double[n];
+            roundOff = new double[n];
+        }
+        jacobian = choice.of(source.getClient());
+        jacobian.forget();
+        System.arraycopy(start, 0, m, 0, n);
+        Arrays.fill(roundOff, 0);
+    }
+
+    private void evaluate(double[] m) {
+        source.setState(m);
+        source.getStateDerivative(slope);
+        for (int i = 0; i < m.length; i++) {
+            residual[i] = start[i] - m[i] + g * slope[i];
+        }
+    }
+
+    private boolean iterate(double[] m) {
         boolean haveCorrection = false;
-        for (int most = iterations + MOST_ITERATIONS; iterations < most;) {
-            iterations++;
-            work.newtonIterations++;
-            if (!haveCorrection && !linearise(problem, u)) {
-                return false;
-            }
-            Outcome outcome = take(problem, u);
-            if (outcome != Outcome.TAKEN) {
-                return outcome == Outcome.SOLVED;
-            }
-            haveCorrection = damping == 1 && nextSize <= GOOD_CONTRACTION * size;
-            // A linear solver that goes by all residuals together may leave small corrections out until large ones are
-            // done.
-            if (damping == 1 && (nextSize <= POLISHED || !fine && nextSize <= TOLERANCE && !haveCorrection)) {
-                left = Residuals.areBelow(residual, floor, NEAR) ? 0 : NewtonUpdate.ownSize(nextCorrection, u, scale);
-                for (int i = 0; i < u.length; i++) {
-                    u[i] += nextCorrection[i];
-                }
+        Kind kind = Kind.EXACT;
+        for (iterations = 1; iterations <= MOST_ITERATIONS; iterations++) {
+            boolean known = kind == Kind.CAREFUL || jacobian.seesSmallEntries(m);
+            if (isRoundOff() && known) {
                 return true;
             }
+            if (!haveCorrection && !linearise(m, kind) || !search(m)) {
+                if (kind == Kind.CAREFUL || size <= TOLERANCE && known) {
+                    return size <= TOLERANCE;           // nothing improves it any more: round-off
+                }
+                kind = Kind.CAREFUL;
+                haveCorrection = false;
+                evaluate(m);
+                continue;
+            }
+            boolean stagnates = nextSize > STAGNATION * size;
+            if (part == 1 && known && (nextSize <= POLISHED || nextSize <= TOLERANCE && stagnates)) {
+                add(nextCorrection, 1, m);
+                jacobian.complete(start, g, m);
+                return true;
+            }
+            haveCorrection = part == 1 && nextSize <= GOOD_CONTRACTION * size && nextSize > POLISHED;
             if (haveCorrection) {
                 double[] swap = correction;
                 correction = nextCorrection;
                 nextCorrection = swap;
                 size = nextSize;
+                slope0 = jacobian.slope(residual, correction, correction);
+            } else {
+                kind = part == 1 && known && (kind == Kind.CAREFUL || !stagnates) ? Kind.EXACT : Kind.CAREFUL;
             }
         }
-        return false;
+        return isRoundOff();
     }
 
-    /**
-     * Goes on for small unknowns beside large ones, where rounding of the large ones hides them: residuals that are
-     * rounding count as 0, and every correction beside how large the unknown is that it is for, however small. Where
-     * that leaves one much smaller than it was, it is done once more; no more, since what should be 0 becomes ever
-     * smaller.
-     */
-    private boolean refine(NewtonProblem problem, double[] u) {
-        fine = true;
-        for (int round = 0; round < 2 && left > TOLERANCE; round++) {
-            for (int i = 0; i < u.length; i++) {
-                first[i] = Math.max(Math.abs(scale[i]), Math.abs(u[i]));
-            }
-            problem.evaluate(u, residual);
-            if (round == 0) {
-                problem.refine(u);
-            }
-            dropRounding(problem, u);
-            if (Residuals.areZero(residual)) {
-                return true;
-            }
-            if (!Residuals.areFinite(residual) || !iterate(problem, u)) {
-                evaluate(problem, u);                   // it may be that no correction improves what is good enough
-                return Residuals.areZero(residual);
-            }
-        }
-        return true;
-    }
-
-    private void evaluate(NewtonProblem problem, double[] at) {
-        problem.evaluate(at, residual);
-        dropRounding(problem, at);
-    }
-
-    private void dropRounding(NewtonProblem problem, double[] at) {
-        problem.rounding(at, floor);
-        if (fine) {
-            Residuals.drop(residual, floor, NEAR);
-        }
-    }
-
-    private double measure(double[] values, double[] at) {
-        return fine ? NewtonUpdate.ownSize(values, at, first) : NewtonUpdate.size(values, at, first);
-    }
-
-    /** Sets the matrix up anew and computes the correction that it asks for; false if there is none. */
-    private boolean linearise(NewtonProblem problem, double[] u) {
-        problem.linearise(u);
-        noCorrection = !NewtonUpdate.compute(problem, residual, correction);
-        if (noCorrection) {
+    /** Sets J up at m and computes the correction that it asks for; false if there is none. */
+    private boolean linearise(double[] m, Kind kind) {
+        work.newtonIterations++;
+        size = Double.POSITIVE_INFINITY;
+        jacobian.setJacobian(source, m, slope, g, kind);
+        if (!jacobian.prepare(g) || !correct(correction)) {
             return false;
         }
-        size = measure(correction, u);
+        jacobian.terms(m, slope, g, roundOff);
+        NewtonUpdate.roundOff(source.getClient(), start, m, roundOff);
+        size = NewtonUpdate.size(correction, m, start, roundOff);
+        slope0 = jacobian.slope(residual, correction, correction);
         return size != Double.POSITIVE_INFINITY;
     }
 
-    private enum Outcome { TAKEN, SOLVED, NO_WAY }
-
-    /**
-     * Takes the correction, or so much of it that the next one is smaller. Leaves the next one and its size, and how
-     * much was taken.
-     */
-    private Outcome take(NewtonProblem problem, double[] u) {
-        for (damping = 1; damping >= SMALLEST_DAMPING; damping /= 2) {
-            for (int i = 0; i < u.length; i++) {
-                trial[i] = u[i] + damping * correction[i];
-            }
-            evaluate(problem, trial);
-            if (damping == 1 && Residuals.areBelow(residual, floor, 1)) {
-                System.arraycopy(trial, 0, u, 0, u.length);
-                left = 0;
-                return Outcome.SOLVED;
-            }
-            nextSize = Residuals.areFinite(residual) && NewtonUpdate.compute(problem, residual, nextCorrection)
-                    ? measure(nextCorrection, trial) : Double.POSITIVE_INFINITY;
-            if (nextSize <= (1 - damping / 4) * size) {
-                System.arraycopy(trial, 0, u, 0, u.length);
-                return Outcome.TAKEN;
-            }
-            if (size <= TOLERANCE) {
-                boolean trusted = fine || Residuals.areBelow(residual, floor, NEAR);
-                left = trusted ? NewtonUpdate.ownSize(correction, u, scale) : Double.MAX_VALUE;
-                return Outcome.SOLVED;                  // no correction improves it any more: rounding
-            }
-        }
-        return Outcome.NO_WAY;
+    private boolean correct(double[] result) {
+        return NewtonUpdate.solve(jacobian, residual, result, LINEAR_TOLERANCE);
     }
 
     /**
-     * Looks for the solution where Newton's method found no way: a mechanical system's equation says that an energy is
-     * least there. Corrections by a definite matrix go down in that energy, whose slope along them is the residual's
-     * product with the correction; they are taken as far as the slope does not turn up again by much. Newton's method
-     * itself takes over as soon as it converges, so that the solution is the exact one.
-     *
-     * @return whether it converged; false also where the problem has no definite matrix
+     * Adds so much of the correction as the line search allows, and computes the next one; false if no part will do.
      */
-    boolean descend(NewtonProblem problem, double[] u, double[] scale) {
-        double goal = 1e-1;
-        problem.evaluate(u, residual);
-        for (int i = 0; i < MOST_DESCENTS; i++) {
-            work.newtonIterations++;
-            if (!problem.lineariseDefinite(u) || !NewtonUpdate.compute(problem, residual, correction)) {
-                return false;
-            }
-            double length = NewtonUpdate.size(correction, u, first);
-            if (length < goal) {
-                System.arraycopy(u, 0, reached, 0, u.length);
-                if (solve(problem, u, scale)) {
-                    return true;
-                }
-                System.arraycopy(reached, 0, u, 0, u.length);
-                problem.evaluate(u, residual);
-                problem.lineariseDefinite(u);
-                if (!NewtonUpdate.compute(problem, residual, correction)) {
-                    return false;
-                }
-                goal = length / 10;
-            }
-            if (!goDown(problem, u)) {
-                iterations = i + 1;
-                return false;
-            }
-        }
-        iterations = MOST_DESCENTS;
-        return false;
-    }
-
-    /**
-     * Takes the correction, or the part of it up to where the slope is about flat. Leaves the residual of the new u.
-     */
-    private boolean goDown(NewtonProblem problem, double[] u) {
-        double slope = Gmres.dot(residual, correction);
-        double part = 1;
-        for (int attempt = 0; attempt < MOST_HALVINGS && slope > 0; attempt++) {
-            for (int i = 0; i < u.length; i++) {
-                trial[i] = u[i] + part * correction[i];
-            }
-            problem.evaluate(trial, residual);
-            double there = Gmres.dot(residual, correction);
-            if (there >= -0.5 * slope) {
-                System.arraycopy(trial, 0, u, 0, u.length);
+    private boolean search(double[] m) {
+        for (part = 1; part >= SMALLEST_PART && slope0 >= 0;) {
+            System.arraycopy(m, 0, trial, 0, m.length);
+            add(correction, part, trial);
+            jacobian.complete(start, g, trial);
+            evaluate(trial);
+            boolean solved = FiniteCheck.firstNonFinite(residual) < 0 && correct(nextCorrection);
+            double turned = solved ? jacobian.slope(residual, nextCorrection, correction) : Double.NEGATIVE_INFINITY;
+            if (turned >= -MOST_REVERSED * slope0) {
+                System.arraycopy(trial, 0, m, 0, m.length);
+                nextSize = NewtonUpdate.size(nextCorrection, m, start, roundOff);
                 return true;
             }
-            part *= Math.max(0.1, Math.min(0.5, there < 0 ? slope / (slope - there) : 0));    // the secant's zero
+            if (size <= TOLERANCE) {
+                return false;
+            }
+            part *= Math.max(0.1, Math.min(0.5, slope0 / (slope0 - turned)));
         }
         return false;
     }
 
-    /** One correction, whatever it leaves: the linearised equation. */
-    boolean solveLinearised(NewtonProblem problem, double[] u) {
-        fit(problem.size());
-        iterations = 1;
-        work.newtonIterations++;
-        size = Double.POSITIVE_INFINITY;
-        noCorrection = false;
-        problem.evaluate(u, residual);
-        if (Residuals.areZero(residual)) {
-            return true;
+    private static void add(double[] change, double part, double[] m) {
+        for (int i = 0; i < m.length; i++) {
+            m[i] += part * change[i];
         }
-        if (!Residuals.areFinite(residual)) {
-            return false;
-        }
-        problem.linearise(u);
-        noCorrection = !NewtonUpdate.compute(problem, residual, correction);
-        if (noCorrection) {
-            return false;
-        }
-        for (int i = 0; i < u.length; i++) {
-            u[i] += correction[i];
+    }
+
+    private boolean isRoundOff() {
+        for (int i = 0; i < residual.length; i++) {
+            if (!(Math.abs(residual[i]) <= roundOff[i])) {
+                return false;
+            }
         }
         return true;
     }
 
-    /** What the last failure looked like, for a message. */
-    String describeFailure() {
-        return noCorrection
-                ? String.format(Locale.ROOT, "the linear solver failed at Newton's iteration %d, with a largest"
-                        + " residual of %.2g: the matrix is singular or not finite, or GMRES did not converge",
-                        iterations, NewtonUpdate.largest(residual))
-                : String.format(Locale.ROOT, "Newton's iteration did not converge: after %d iterations the"
-                        + " correction is %.2g of the unknowns (limit %.0e) and the largest residual %.2g",
-                        iterations, size, TOLERANCE, NewtonUpdate.largest(residual));
-    }
-
-    private void fit(int n) {
-        if (residual.length != n) {
-            residual = new double[n];
-            correction = new double[n];
-            nextCorrection = new double[n];
-            trial = new double[n];
-            first = new double[n];
-            floor = new double[n];
-            reached = new double[n];
-        }
+    private DESolverException failure() {
+        String cause = size == Double.POSITIVE_INFINITY
+                ? "the linear solver failed at Newton's iteration %d: the matrix is singular or not finite, or GMRES"
+                        + " did not converge"
+                : "Newton's iteration did not converge: after %d iterations the correction is %.2g of the unknowns"
+                        + " (limit %.0e) and the largest residual %.2g";
+        return source.failure(-1, String.format(Locale.ROOT, cause, iterations, size, TOLERANCE,
+                NewtonUpdate.largest(residual)) + "; deltaT is probably too large for what the forces do within it");
     }
 }

@@ -1,13 +1,21 @@
 package deSolvers.implicit;
 
+import deSolvers.DEStateSource;
+import deSolvers.JacobianStateSource;
+import deSolvers.SecondOrderStateSource;
+
 /**
  * What Newton's method adds to its unknowns: the solution of the linearised equation, and how large that is beside
  * them.
  */
 final class NewtonUpdate {
-    /** Entries smaller than this part of the largest are judged as if they were as large as that. */
-    private static final double SMALL_ENTRY = 1e-3;
-
+    /** Round-off of a sum, relative to its terms. */
+    private static final double ROUND_OFF = 2 * Math.ulp(1.0);
+    /** The round-off within f, beside that of the terms of its sums. */
+    private static final double WITHIN = 100;
+    /** Of the largest unit. */
+    private static final double SMALLEST_UNIT = 1e-12;
+    private static final double SMALL_UNIT = 1e-3;
     private static final double SMALLEST_UNSCALED = 1e-100;
     private static final double LARGEST_UNSCALED = 1e100;
 
@@ -17,19 +25,19 @@ final class NewtonUpdate {
     /**
      * Solves the linearised equation. A residual whose square would under- or overflow is scaled for the linear solver.
      *
-     * @param residual r(u); unchanged but for roundings
-     * @param result   receives the correction
+     * @param residual r(m); unchanged but for round-off
+     * @param result   receives the update
      * @return false if there is none
      */
-    static boolean compute(NewtonProblem problem, double[] residual, double[] result) {
+    static boolean solve(ShiftedJacobian jacobian, double[] residual, double[] result, double tolerance) {
         double largest = largest(residual);
         if (largest > SMALLEST_UNSCALED && largest < LARGEST_UNSCALED || largest == 0) {
-            return problem.correct(residual, result);
+            return jacobian.solve(residual, result, tolerance);
         }
         for (int i = 0; i < residual.length; i++) {
             residual[i] /= largest;
         }
-        boolean solved = problem.correct(residual, result);
+        boolean solved = jacobian.solve(residual, result, tolerance);
         for (int i = 0; i < residual.length; i++) {
             residual[i] *= largest;
             result[i] *= largest;
@@ -38,50 +46,70 @@ final class NewtonUpdate {
     }
 
     /**
-     * Measures a correction.
+     * Measures an update.
      *
-     * @param u     the unknowns that it is for
-     * @param first how large they were at the beginning
-     * @return its largest entry relative to the unknown that it corrects; infinite where that leaves the numbers
+     * @param m        the unknowns that it is for
+     * @param start    how large they were at the beginning
+     * @param roundOff of each
+     * @return its largest entry relative to the unknown, which counts as no smaller than its round-off over Newton's
+     *         tolerance; infinite where that leaves the numbers
      */
-    static double size(double[] correction, double[] u, double[] first) {
-        double largest = 0;
-        for (int i = 0; i < u.length; i++) {
-            largest = Math.max(largest, magnitude(correction, u, first, i));
-        }
-        if (!(largest <= Double.MAX_VALUE)) {
-            return Double.POSITIVE_INFINITY;            // nothing is small beside a number that is none
-        }
+    static double size(double[] update, double[] m, double[] start, double[] roundOff) {
         double size = 0;
-        for (int i = 0; i < u.length; i++) {
-            if (correction[i] != 0) {
-                double magnitude = Math.max(magnitude(correction, u, first, i), SMALL_ENTRY * largest);
-                size = Math.max(size, Math.abs(correction[i]) / magnitude);
-            }
-        }
-        return size;
-    }
-
-    /**
-     * Measures a correction with every unknown by itself, however small it is beside others.
-     *
-     * @param u     the unknowns that it is for
-     * @param first how large they were at the beginning
-     * @return its largest entry relative to the unknown that it corrects; infinite where that leaves the numbers
-     */
-    static double ownSize(double[] correction, double[] u, double[] first) {
-        double size = 0;
-        for (int i = 0; i < u.length; i++) {
-            if (correction[i] != 0) {
-                size = Math.max(size, Math.abs(correction[i]) / magnitude(correction, u, first, i));
-            }
+        for (int i = 0; i < m.length; i++) {
+            double unknown = Math.max(Math.max(Math.abs(m[i]), Math.abs(m[i] + update[i])), Math.abs(start[i]));
+            double counted = Math.max(unknown, WITHIN * roundOff[i] / Newton.TOLERANCE);
+            size = Math.max(size, update[i] == 0 ? 0 : Math.abs(update[i]) / counted);
         }
         return size <= Double.MAX_VALUE ? size : Double.POSITIVE_INFINITY;
     }
 
-    /** The unknown before the correction, after it, and at the beginning: the largest of the three. */
-    private static double magnitude(double[] correction, double[] u, double[] first, int i) {
-        return Math.max(Math.max(Math.abs(u[i]), Math.abs(u[i] + correction[i])), Math.abs(first[i]));
+    /**
+     * The round-off of each equation's sum. Where constraint forces act, which the blocks do not have, they may be far
+     * larger than what they add up to: no velocity counts as known better than the largest term of any.
+     *
+     * @param roundOff the terms of g f; receives the round-off
+     */
+    static void roundOff(DEStateSource source, double[] start, double[] m, double[] roundOff) {
+        boolean constrained = source instanceof JacobianStateSource && source instanceof SecondOrderStateSource
+                && ((JacobianStateSource) source).getJacobianBlocks() == JacobianStateSource.Blocks.APPROXIMATE;
+        int d = constrained ? ((SecondOrderStateSource) source).getDimension() : 1;
+        double position = 0;
+        double velocity = 0;
+        for (int i = 0; i < m.length; i++) {
+            roundOff[i] += Math.abs(start[i]) + Math.abs(m[i]);
+            position = i / d % 2 == 0 ? Math.max(position, roundOff[i]) : position;
+            velocity = i / d % 2 == 1 ? Math.max(velocity, roundOff[i]) : velocity;
+        }
+        for (int i = 0; i < m.length; i++) {
+            roundOff[i] = Double.MIN_NORMAL + ROUND_OFF
+                    * (!constrained ? roundOff[i] : i / d % 2 == 0 ? position : velocity);
+        }
+    }
+
+    /** What each unknown is measured in: its size, and how far it moves in h. */
+    static void units(double[] state, double[] slope, double h, double[] unit) {
+        double smallest = Double.MIN_NORMAL;
+        for (int i = 0; i < unit.length; i++) {
+            unit[i] = Math.abs(state[i]) + Math.abs(h * slope[i]);
+            smallest = Math.max(smallest, SMALLEST_UNIT * unit[i]);
+        }
+        for (int i = 0; i < unit.length; i++) {
+            unit[i] = Math.max(unit[i], smallest);
+        }
+    }
+
+    /**
+     * The scalar product of two vectors in such units, none of which counts as less than a thousandth of the largest.
+     */
+    static double product(double[] a, double[] b, double[] unit) {
+        double smallest = SMALL_UNIT * largest(unit);
+        double sum = 0;
+        for (int i = 0; i < unit.length; i++) {
+            double u = Math.max(unit[i], smallest);
+            sum += a[i] / u * (b[i] / u);
+        }
+        return sum;
     }
 
     /** The largest entry by its size; NaN if one is. */

@@ -3,7 +3,6 @@ package deSolvers.implicit;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
-import deSolvers.linear.ImplicitWork;
 
 /**
  * The Radau IIA method with three stages: the collocation polynomial of degree 3 whose derivative is right at three
@@ -25,8 +24,8 @@ import deSolvers.linear.ImplicitWork;
  * <b>Stability</b> L-stable, R(z) = (1 + 2z/5 + z<sup>2</sup>/20)/(1 - 3z/5 + 3z<sup>2</sup>/20 - z<sup>3</sup>/60): no
  * limit on the step for anything that decays or oscillates.<br>
  * <b>When to use</b> stiff systems to a stated accuracy, 1e-3 to 1e-10: the reference to compare others with. For
- * smooth motion {@code dormand-prince} is cheaper; for a large cloth that only has to look right,
- * {@code backward-euler}: one of 32 x 32 particles takes radau some seconds for each second of its fall.<br>
+ * smooth motion {@code dormand-prince} is cheaper; for a large cloth that only has to look right, {@code
+ * backward-euler}: one of 32 x 32 particles takes radau some seconds for each second of its fall.<br>
  * <b>Source</b> E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996,
  * sections IV.5 and IV.8.
  */
@@ -39,8 +38,8 @@ public final class RadauIIASolver extends AdaptiveSolver {
     private static final double WORTH_FACTORISING = 1.2;
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
-    private final RadauChoice choice = new RadauChoice(work);
-    private RadauSystems systems;
+    private final JacobianChoice choice = new JacobianChoice(work);
+    private ShiftedJacobian jacobian;
     private RadauNewton newton = new RadauNewton(work, tolerance(), 0);
     private double[][] z = new double[3][0];
     private double[][] polynomial = new double[3][0];  // of the last sub-step taken: coefficients of u, u^2, u^3
@@ -70,7 +69,6 @@ public final class RadauIIASolver extends AdaptiveSolver {
 
     @Override
     protected void resize(int n) {
-        choice.resize(n);
         newton = new RadauNewton(work, tolerance(), n);
         z = new double[3][n];
         polynomial = new double[3][n];
@@ -81,6 +79,9 @@ public final class RadauIIASolver extends AdaptiveSolver {
 
     @Override
     protected void restart() {
+        if (jacobian != null) {
+            jacobian.forget();
+        }
         jacobianKnown = false;
         preparedFor = 0;
         lastTaken = 0;
@@ -97,9 +98,9 @@ public final class RadauIIASolver extends AdaptiveSolver {
         for (int i = 0; i < state.length; i++) {
             newState[i] = state[i] + z[2][i];
         }
+        source.setOffset(offset);
         double ratio = estimate(state, slope, h, newState);
-        // once more with the derivative at s + error: no stiff part is left
-        if (rejected && ratio > 1) {
+        if (rejected && ratio > 1) {        // once more with the derivative at s + error: no stiff part is left
             for (int i = 0; i < state.length; i++) {
                 right[i] = state[i] + error[i];
             }
@@ -111,29 +112,30 @@ public final class RadauIIASolver extends AdaptiveSolver {
         return ratio;
     }
 
-    /** (mu - h J) error = h f + e . z, in units of the tolerance. */
+    /** (mu - h J) error = h f + e . z, divided by mu, in units of the tolerance. */
     private double estimate(double[] state, double[] slope, double h, double[] newState) {
         for (int i = 0; i < state.length; i++) {
-            right[i] = h * slope[i] + RadauTableau.error(z, i);
+            right[i] = (h * slope[i] + RadauTableau.error(z, i)) / RadauTableau.MU;
         }
-        return systems.solveReal(right, error) ? tolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
+        boolean solved = jacobian.solve(right, error, RadauNewton.LINEAR_TOLERANCE);
+        return solved ? tolerance().ratio(error, state, newState) : Double.POSITIVE_INFINITY;
     }
 
     /** With the Jacobian at hand, and once more with a new one if that was old and did not do. */
     private boolean findStages(StepTransaction source, double[] state, double[] slope, double offset, double h) {
         while (true) {
-            if (!jacobianKnown || !jacobianFresh && !systems.keepsJacobian()) {
-                systems = choice.systemsFor(source.getClient());
-                systems.setJacobian(source, state, slope, offset, h);
+            if (!jacobianKnown || !jacobianFresh && !jacobian.keepsJacobian()) {
+                jacobian = choice.of(source.getClient());
+                source.setOffset(offset);
+                jacobian.setJacobian(source, state, slope, h, ShiftedJacobian.Kind.EXACT);
                 jacobianKnown = true;
                 jacobianFresh = true;
                 preparedFor = 0;
             }
-            boolean prepared = preparedFor == h || systems.prepare(h, RadauTableau.MU, RadauTableau.MU_RE,
-                    RadauTableau.MU_IM);
+            boolean prepared = preparedFor == h || prepare(h);
             preparedFor = prepared ? h : 0;
             guess(h);
-            if (prepared && newton.solve(source, systems, state, offset, h, z)) {
+            if (prepared && newton.solve(source, jacobian, state, offset, h, z)) {
                 return true;
             }
             if (jacobianFresh) {
@@ -141,6 +143,12 @@ public final class RadauIIASolver extends AdaptiveSolver {
             }
             jacobianKnown = false;
         }
+    }
+
+    private boolean prepare(double h) {
+        double square = RadauTableau.MU_RE * RadauTableau.MU_RE + RadauTableau.MU_IM * RadauTableau.MU_IM;
+        return jacobian.prepare(h / RadauTableau.MU)
+                && jacobian.prepareComplex(h * RadauTableau.MU_RE / square, -h * RadauTableau.MU_IM / square);
     }
 
     /** The last sub-step's polynomial, gone on with; 0 for the first. */

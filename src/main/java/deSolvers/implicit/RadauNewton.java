@@ -7,7 +7,6 @@ import static deSolvers.implicit.RadauTableau.MU_RE;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.adaptive.Tolerance;
-import deSolvers.linear.ImplicitWork;
 
 /**
  * The simplified Newton iteration for the three stages z<sub>i</sub> = g<sub>i</sub> - s of a sub-step, in the
@@ -22,6 +21,9 @@ final class RadauNewton {
      * many.
      */
     private static final double MOST_LEFT = 0.01;
+
+    /** For one correction: so exact that the iteration converges as with exact solutions. */
+    static final double LINEAR_TOLERANCE = 1e-4;
 
     private final ImplicitWork.Counter work;
     private final Tolerance tolerance;
@@ -61,12 +63,13 @@ final class RadauNewton {
      * @param z a guess for the stages; receives them
      * @return whether it converged
      */
-    boolean solve(StepTransaction source, RadauSystems systems, double[] state, double offset, double h, double[][] z) {
+    boolean solve(StepTransaction source, ShiftedJacobian jacobian, double[] state, double offset, double h,
+            double[][] z) {
         RadauTableau.transform(true, z, w);
         rate = 0;
         for (iterations = 1; iterations <= MOST_ITERATIONS; iterations++) {
             work.newtonIterations++;
-            if (!evaluate(source, state, offset, h, z) || !correct(systems, h)) {
+            if (!evaluate(source, state, offset, h, z) || !correct(source, jacobian, offset, h)) {
                 return false;
             }
             take();
@@ -159,15 +162,18 @@ final class RadauNewton {
         return true;
     }
 
-    /** (mu - h J) correction = h (T^-1 f) - mu w, for the real and the complex variable. */
-    private boolean correct(RadauSystems systems, double h) {
+    /** (mu - h J) correction = h (T^-1 f) - mu w, divided by mu, for the real and the complex variable. */
+    private boolean correct(StepTransaction source, ShiftedJacobian jacobian, double offset, double h) {
         RadauTableau.transform(true, f, split);
+        source.setOffset(offset);                       // where the Jacobian is
+        double square = MU_RE * MU_RE + MU_IM * MU_IM;
         for (int i = 0; i < right.length; i++) {
-            right[i] = h * split[0][i] - MU * w[0][i];
-            complexRight[2 * i] = h * split[1][i] - (MU_RE * w[1][i] - MU_IM * w[2][i]);
-            complexRight[2 * i + 1] = h * split[2][i] - (MU_RE * w[2][i] + MU_IM * w[1][i]);
+            right[i] = h / MU * split[0][i] - w[0][i];
+            complexRight[2 * i] = h / square * (MU_RE * split[1][i] + MU_IM * split[2][i]) - w[1][i];
+            complexRight[2 * i + 1] = h / square * (MU_RE * split[2][i] - MU_IM * split[1][i]) - w[2][i];
         }
-        return systems.solveReal(right, correction) && systems.solveComplex(complexRight, complexCorrection);
+        return jacobian.solve(right, correction, LINEAR_TOLERANCE)
+                && jacobian.solveComplex(complexRight, complexCorrection, LINEAR_TOLERANCE);
     }
 
     /** How many iterations the last solution took. */

@@ -2,40 +2,36 @@
  * Implicit methods: the new state stands on both sides of their equations and has to be solved for. In return stiff
  * springs and strong damping do not limit the step.
  *
- * <p>Both one-stage methods come down to one equation, m = s + g f(m, t<sub>m</sub>), with g = h at the end of the step
- * for backward Euler and g = h/2 in its middle for the implicit midpoint rule. {@link deSolvers.implicit.ImplicitStage}
- * solves it by Newton's method, and the size and kind of the source decide what the linear systems are:
+ * <h2>The equation</h2>
+ * Backward Euler and the implicit midpoint rule both solve m = s + g f(m, t<sub>m</sub>): backward Euler with g = h at
+ * the end of the step, the midpoint rule with g = h/2 at its middle. {@code Newton} solves it; each iteration needs a
+ * linear system with the matrix I - g J, where J = df/ds. {@link deSolvers.implicit.LinearisedEulerSolver} takes one
+ * such iteration and stops. {@link deSolvers.implicit.RadauIIASolver} has three stages; a change of variables splits
+ * their system into one with I - g J for a real g and one for a complex g.
+ *
+ * <h2>The matrix</h2>
+ * {@code ShiftedJacobian} solves with I - g J, and the methods do not see how. {@code JacobianChoice} chooses by the
+ * kind and size of the source:
  * <ul>
- * <li>small sources of any kind: the dense matrix I - g J, factorised (EJML); J from the source or by differences;</li>
- * <li>large ones: products J w only, from the source or by one difference each, and GMRES; where that fails, the full
- * matrix
- *     after all, up to 2000 rows;</li>
- * <li>particles in space that offer the 3 x 3 blocks of their force derivatives: the velocities are the only unknowns,
- *     their matrix M - g dF/dv - g<sup>2</sup> dF/dx is sparse, and symmetric where the forces have a potential. A
- *     sparse factorisation, front by front in an order found by nested dissection, is made where it takes less work
- *     than iterations; otherwise conjugate gradients solve it while it is positive definite, and GMRES where it is
- *     not.</li>
+ * <li>{@code DenseSystem}, for small sources: a full matrix, with J from the source or by differences;</li>
+ * <li>{@code ProductSystem}, for large ones: no matrix, only products J w, from the source or by one difference
+ *     each;</li>
+ * <li>{@code ReducedVelocitySystem}, for particles that offer the 3 x 3 blocks of their force derivatives: the
+ *     positions are eliminated, which leaves the sparse matrix M - g dF/dv - g<sup>2</sup> dF/dx for the
+ *     velocities.</li>
  * </ul>
+ * The linear systems themselves are solved in {@link deSolvers.linear}.
  *
- * <p>The Radau method splits the system of its three stages into a real and a complex one of the same size as the
- * source ({@link deSolvers.implicit.RadauChoice} says how they are solved): full matrices for small sources, products
- * and GMRES for large ones, and for particles that offer their blocks the velocities alone, by GMRES with one sparse
- * real matrix as the preconditioner of both.
+ * <h2>Compressed springs</h2>
+ * A compressed spring pushes its ends outwards sideways, which can make the matrix indefinite. The linearised step
+ * leaves that part out. Newton's method begins with the exact matrix, with which it converges fastest, and leaves the
+ * part out where the exact correction does not lead down in energy.
  *
- * <p>The derivative of a compressed spring's force is indefinite across the spring. It is used as it is, not clamped,
- * since with the exact matrix Newton's iteration converges fastest; where it loses definiteness, the method changes
- * from conjugate gradients to GMRES. Where Newton's iteration, damped by Deuflhard's monotonicity test, finds no way, a
- * matrix without the outward pushing parts leads down in energy until it does; and where even that fails, the solution
- * is followed from g = 0 to its full value. All three end with the exact matrix, at a solution of the nonlinear
- * equation.
- *
- * <p>Convergence is judged for each unknown by its own size, where what is left of its equation is more than 100 times
- * the rounding of the equation's own terms: an entry of 1e-3 beside one of 1e12 is right to 4e-14. Limits remain.
- * Conjugate gradients and GMRES reduce all residuals together and may leave small corrections out: by GMRES, entries 12
- * powers of ten below others were right to 1e-12, but of some 14 powers below one was accepted that was 6e-5 off. An
- * entry that should be 0 is followed down twice by ten digits and then left. And rounding inside f that its derivative
- * does not show, as of (x + 1e8) - 1e8, counts as an error where it is more than 1e-10 of a small entry: such a step
- * ends in an exception.
+ * <h2>When Newton's method stops</h2>
+ * When the correction of every entry is at most 1e-10 of that entry, or when all residuals are round-off. So an entry
+ * of 1e-3 beside one of 1e12 is right to ten digits too. Limits: round-off that the derivative of f does not show, as
+ * in (x + 1e8) - 1e8, counts as an error, and such a step ends in an exception; and GMRES, which sees all residuals
+ * together, may leave out a correction to an entry more than twelve powers of ten below others.
  *
  * <p>Reference: E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996;
  * P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004; D. Baraff, A. Witkin, <i>Large Steps in

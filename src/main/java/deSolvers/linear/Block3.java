@@ -28,15 +28,53 @@ final class Block3 {
         y[yAt + 2] -= a[at + 6] * x0 + a[at + 7] * x1 + a[at + 8] * x2;
     }
 
-    /** C = A B; C is another block than A and B. */
-    static void multiply(double[] a, int aAt, double[] b, int bAt, double[] c, int cAt) {
+    /** y[0..2] += A^T x[xAt..]. */
+    static void multiplyTransposedAdd(double[] a, int at, double[] x, int xAt, double[] y) {
+        double x0 = x[xAt];
+        double x1 = x[xAt + 1];
+        double x2 = x[xAt + 2];
+        y[0] += a[at] * x0 + a[at + 3] * x1 + a[at + 6] * x2;
+        y[1] += a[at + 1] * x0 + a[at + 4] * x1 + a[at + 7] * x2;
+        y[2] += a[at + 2] * x0 + a[at + 5] * x1 + a[at + 8] * x2;
+    }
+
+    /** C = A B^T; C is another block than A and B. */
+    static void multiplyTransposed(double[] a, int at, double[] b, int bAt, double[] c, int cAt) {
         for (int row = 0; row < 9; row += 3) {
-            double a0 = a[aAt + row];
-            double a1 = a[aAt + row + 1];
-            double a2 = a[aAt + row + 2];
-            c[cAt + row] = a0 * b[bAt] + a1 * b[bAt + 3] + a2 * b[bAt + 6];
-            c[cAt + row + 1] = a0 * b[bAt + 1] + a1 * b[bAt + 4] + a2 * b[bAt + 7];
-            c[cAt + row + 2] = a0 * b[bAt + 2] + a1 * b[bAt + 5] + a2 * b[bAt + 8];
+            for (int column = 0; column < 3; column++) {
+                int j = bAt + 3 * column;
+                c[cAt + row + column] = a[at + row] * b[j] + a[at + row + 1] * b[j + 1] + a[at + row + 2] * b[j + 2];
+            }
+        }
+    }
+
+    /** C = (A B)^T; C is another block than A and B. */
+    static void transposedProduct(double[] a, int at, double[] b, int bAt, double[] c) {
+        for (int row = 0; row < 3; row++) {
+            int i = at + 3 * row;
+            for (int column = 0; column < 3; column++) {
+                int j = bAt + column;
+                c[3 * column + row] = a[i] * b[j] + a[i + 1] * b[j + 3] + a[i + 2] * b[j + 6];
+            }
+        }
+    }
+
+    /** C = A^T. */
+    static void transpose(double[] a, int at, double[] c, int cAt) {
+        for (int e = 0; e < 9; e++) {
+            c[cAt + e % 3 * 3 + e / 3] = a[at + e];
+        }
+    }
+
+    /** C -= A B; B begins at 0. */
+    static void subtractProduct(double[] a, int at, double[] b, double[] c, int cAt) {
+        for (int row = 0; row < 9; row += 3) {
+            double a0 = a[at + row];
+            double a1 = a[at + row + 1];
+            double a2 = a[at + row + 2];
+            c[cAt + row] -= a0 * b[0] + a1 * b[3] + a2 * b[6];
+            c[cAt + row + 1] -= a0 * b[1] + a1 * b[4] + a2 * b[7];
+            c[cAt + row + 2] -= a0 * b[2] + a1 * b[5] + a2 * b[8];
         }
     }
 

@@ -1,21 +1,24 @@
 package deSolvers.linear;
 
-/** The preconditioner that inverts the diagonal blocks of a matrix, one particle at a time. */
-public final class BlockJacobi implements LinearOperator {
-    private final ImplicitWork.Counter work;
+import java.util.Arrays;
+
+/** The block Jacobi preconditioner: the inverses of the 3 x 3 diagonal blocks. */
+final class BlockJacobi implements LinearOperator {
+    private final LinearWork work;
     private double[] inverse = {};
 
-    public BlockJacobi(ImplicitWork.Counter work) {
+    BlockJacobi(LinearWork work) {
         this.work = work;
     }
 
-    /** Takes up a matrix, the values in their pattern; false if a diagonal block is singular. */
-    public boolean prepare(BlockPattern pattern, double[] values) {
+    /** Inverts the diagonal blocks of a matrix; false if one is singular. */
+    boolean prepare(BlockMatrix matrix) {
+        BlockPattern pattern = matrix.pattern();
         if (inverse.length != 9 * pattern.rows) {
             inverse = new double[9 * pattern.rows];
         }
         for (int i = 0; i < pattern.rows; i++) {
-            if (!Block3.invert(values, 9 * pattern.diagonal[i], inverse, 9 * i)) {
+            if (!Block3.invert(matrix.values(), 9 * pattern.diagonal[i], inverse, 9 * i)) {
                 return false;
             }
         }
@@ -24,7 +27,7 @@ public final class BlockJacobi implements LinearOperator {
 
     @Override
     public void apply(double[] x, double[] y) {
-        java.util.Arrays.fill(y, 0);
+        Arrays.fill(y, 0);
         for (int at = 0, v = 0; at < inverse.length; at += 9, v += 3) {
             Block3.multiplyAdd(inverse, at, x, v, y, v);
         }

@@ -3,24 +3,30 @@ package deSolvers.linear;
 import java.util.Arrays;
 
 /**
- * Where a sparse matrix of 3 x 3 blocks has entries: row by row the columns in ascending order, always with the
- * diagonal and always symmetric. Made from the pairs (i, j) that a source named, in the order in which it named them;
- * since it names them in the same order every time, each pair's places are looked up only once.
+ * Where a sparse matrix of 3 x 3 blocks has entries: row by row, the columns in ascending order, always with the
+ * diagonal and always symmetric. It is made from a list of pairs (i, j), and knows the slots of each pair by its number
+ * in that list.
  */
 public final class BlockPattern {
-    public final int rows;
-    public final int[] rowStart;
-    public final int[] column;
-    public final int[] diagonal;
+    final int rows;
+    final int[] rowStart;
+    final int[] column;
+    final int[] diagonal;
     private final int pairs;
     private final int[] first;
     private final int[] second;
-    /** Slots of (i, j) and (j, i) for each pair. */
-    public final int[] slot;
-    public final int[] mirrorSlot;
+    private final int[] slot;
+    private final int[] mirrorSlot;
 
-    /** Finds the pattern of the given pairs; the arrays are read from 0 to pairs - 1 and copied. */
-    BlockPattern(int rows, int pairs, int[] first, int[] second) {
+    /**
+     * The pattern with the blocks (i, j) and (j, i) of all pairs, and the diagonal.
+     *
+     * @param rows   rows of blocks
+     * @param pairs  how many pairs there are; the arrays are read so far and copied
+     * @param first  i of each pair
+     * @param second j of each pair
+     */
+    public BlockPattern(int rows, int pairs, int[] first, int[] second) {
         this.rows = rows;
         this.pairs = pairs;
         this.first = Arrays.copyOf(first, pairs);
@@ -67,16 +73,67 @@ public final class BlockPattern {
         }
     }
 
-    /** Whether pair number p is (i, j). */
-    boolean isPair(int p, int i, int j) {
+    /**
+     * @param p a number
+     * @param i a row
+     * @param j a column
+     * @return whether pair number p is (i, j)
+     */
+    public boolean isPair(int p, int i, int j) {
         return p < pairs && first[p] == i && second[p] == j;
     }
 
-    int pairs() {
+    /** @return how many pairs the pattern was made from */
+    public int pairs() {
         return pairs;
     }
 
-    /** The number of blocks. */
+    /** @return the number of rows of blocks */
+    public int rows() {
+        return rows;
+    }
+
+    /**
+     * @param p the number of a pair
+     * @return the slot of its block (i, j)
+     */
+    public int slot(int p) {
+        return slot[p];
+    }
+
+    /**
+     * @param p the number of a pair
+     * @return the slot of its block (j, i)
+     */
+    public int mirrorSlot(int p) {
+        return mirrorSlot[p];
+    }
+
+    /**
+     * @param i a row
+     * @return the slot of its diagonal block
+     */
+    public int diagonal(int i) {
+        return diagonal[i];
+    }
+
+    /**
+     * @param i a row
+     * @return its first slot; the last one is right before that of row i + 1
+     */
+    public int rowStart(int i) {
+        return rowStart[i];
+    }
+
+    /**
+     * @param slot a slot
+     * @return the column of its block
+     */
+    public int column(int slot) {
+        return column[slot];
+    }
+
+    /** @return the number of blocks */
     public int blocks() {
         return column.length;
     }
@@ -84,13 +141,5 @@ public final class BlockPattern {
     /** The slot of a block that is in the pattern. */
     int find(int i, int j) {
         return Arrays.binarySearch(column, rowStart[i], rowStart[i + 1], j);
-    }
-
-    /** Multiplies a row of values from the left with a 3 x 3 matrix; {@code work} has room for 9. */
-    public void transformRow(int i, double[] matrix, double[] values, double[] work) {
-        for (int s = rowStart[i]; s < rowStart[i + 1]; s++) {
-            Block3.multiply(matrix, 0, values, 9 * s, work, 0);
-            System.arraycopy(work, 0, values, 9 * s, 9);
-        }
     }
 }

@@ -1,29 +1,31 @@
 package deSolvers.linear;
 
+import java.util.Arrays;
+
 /**
  * Preconditioned conjugate gradients for a symmetric positive definite matrix.
  *
  * <p>Source: M. R. Hestenes, E. Stiefel (1952), J. Res. Nat. Bur. Standards 49, 409.
  */
-public final class ConjugateGradients {
-    private final ImplicitWork.Counter work;
+final class ConjugateGradients {
+    private static final int MOST_ITERATIONS = 5000;
+
+    private final LinearWork work;
     private double[] r = {};
     private double[] z = {};
     private double[] p = {};
     private double[] ap = {};
 
-    public ConjugateGradients(ImplicitWork.Counter work) {
+    ConjugateGradients(LinearWork work) {
         this.work = work;
     }
 
     /**
-     * Solves A x = b until the preconditioned residual is tolerance times its first value.
+     * Solves A x = b, beginning at x = 0, until the preconditioned residual is tolerance times its first value.
      *
-     * @param x begins as the approximation it holds
      * @return false if the matrix turns out not to be positive definite, or the number of iterations did not suffice
      */
-    public boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
-            int mostIterations) {
+    boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance) {
         int n = b.length;
         if (r.length != n) {
             r = new double[n];
@@ -31,19 +33,17 @@ public final class ConjugateGradients {
             p = new double[n];
             ap = new double[n];
         }
-        a.apply(x, ap);
-        for (int i = 0; i < n; i++) {
-            r[i] = b[i] - ap[i];
-        }
+        Arrays.fill(x, 0);
+        System.arraycopy(b, 0, r, 0, n);
         preconditioner.apply(r, z);
         System.arraycopy(z, 0, p, 0, n);
         double rz = Gmres.dot(r, z);
         double goal = tolerance * tolerance * rz;
         for (int iteration = 0; rz > goal; iteration++) {
-            if (iteration == mostIterations) {
+            if (iteration == MOST_ITERATIONS) {
                 return false;
             }
-            work.krylovIterations++;
+            work.iterations++;
             a.apply(p, ap);
             double curvature = Gmres.dot(p, ap);
             if (!(curvature > 0)) {

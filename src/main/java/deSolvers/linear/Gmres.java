@@ -9,10 +9,11 @@ import java.util.Arrays;
  */
 public final class Gmres {
     private static final int RESTART = 40;
+    private static final int MOST_ITERATIONS = 2000;
     /** What is left of a vector is rounding where it is no more than this part of it. */
     private static final double ROUNDING = 1e-14;
 
-    private final ImplicitWork.Counter work;
+    private final LinearWork work;
     private double[][] basis = new double[RESTART + 1][0];
     private double[] image = {};
     private double[] preconditioned = {};
@@ -22,18 +23,23 @@ public final class Gmres {
     private final double[] right = new double[RESTART + 1];
     private final double[] y = new double[RESTART];
 
-    public Gmres(ImplicitWork.Counter work) {
+    /** @param work counts the iterations */
+    public Gmres(LinearWork work) {
         this.work = work;
     }
 
     /**
-     * Solves A x = b to a residual of tolerance times |b|, beginning at x = 0.
+     * Solves A x = b, beginning at x = 0.
      *
+     * @param a              A
      * @param preconditioner approximates the inverse of A
-     * @return whether that was reached within the number of iterations
+     * @param b              the right-hand side
+     * @param x              receives the solution
+     * @param tolerance      stops at a residual of this times |b|
+     * @return false if that was not reached in {@value #MOST_ITERATIONS} iterations, or a restart gained next to
+     *     nothing
      */
-    public boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance,
-            int mostIterations) {
+    public boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance) {
         int n = b.length;
         if (image.length != n) {
             basis = new double[RESTART + 1][0];
@@ -49,7 +55,7 @@ public final class Gmres {
         double residualBefore = Double.POSITIVE_INFINITY;
         int iterations = 0;
         while (residual > goal) {
-            if (iterations >= mostIterations || residual > 0.9 * residualBefore) {
+            if (iterations >= MOST_ITERATIONS || residual > 0.9 * residualBefore) {
                 return false;                           // a restart that gains less than a tenth goes nowhere
             }
             residualBefore = residual;
@@ -69,9 +75,9 @@ public final class Gmres {
             Arrays.fill(right, 0);
             right[0] = beta;
             int k = 0;
-            while (k < RESTART && iterations < mostIterations && Math.abs(right[k]) > goal / 2) {
+            while (k < RESTART && iterations < MOST_ITERATIONS && Math.abs(right[k]) > goal / 2) {
                 iterations++;
-                work.krylovIterations++;
+                work.iterations++;
                 preconditioner.apply(basis[k], preconditioned);
                 double[] next = vector(k + 1, n);
                 a.apply(preconditioned, next);
@@ -110,8 +116,7 @@ public final class Gmres {
             hessenberg[i + 1][k] = -sine[i] * upper + cosine[i] * hessenberg[i + 1][k];
         }
         double radius = Math.sqrt(hessenberg[k][k] * hessenberg[k][k] + length * length);
-        // A is singular there: this vector takes nothing away
-        boolean lost = radius <= ROUNDING * Math.sqrt(square);
+        boolean lost = radius <= ROUNDING * Math.sqrt(square);  // A is singular there: this vector takes nothing away
         cosine[k] = lost ? 0 : hessenberg[k][k] / radius;
         sine[k] = lost ? 1 : length / radius;
         hessenberg[k][k] = lost ? 0 : radius;
@@ -152,7 +157,7 @@ public final class Gmres {
         return basis[k];
     }
 
-    public static double dot(double[] a, double[] b) {
+    static double dot(double[] a, double[] b) {
         double sum = 0;
         for (int i = 0; i < a.length; i++) {
             sum += a[i] * b[i];
@@ -160,6 +165,10 @@ public final class Gmres {
         return sum;
     }
 
+    /**
+     * @param a a vector
+     * @return its Euclidean length
+     */
     public static double norm(double[] a) {
         return Math.sqrt(dot(a, a));
     }

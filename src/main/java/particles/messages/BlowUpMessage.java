@@ -1,7 +1,6 @@
 package particles.messages;
 
 import deSolvers.DESolverException;
-import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
 import java.util.function.UnaryOperator;
@@ -94,7 +93,7 @@ public final class BlowUpMessage {
         SolverInfo solver = SolverCatalog.info(name);
         if (solver.adaptive()) {
             return "\n" + name + " chooses its own sub-steps, so another deltaT does not help"
-                    + trying(tighter() + option("solver", STIFF));
+                    + trying(option("solver", STIFF));
         }
         double limit = limit(solver);
         if (limit == 0 && fastest > 0) {
@@ -141,12 +140,6 @@ public final class BlowUpMessage {
     /** The fastest motion that counts for this solver (1/s): with damping, unless that is solved for apart. */
     private double rate(SolverInfo solver) {
         return Double.isNaN(solver.realLimit()) ? rates.omega() : fastest;
-    }
-
-    private String tighter() {
-        double loosest = AdaptiveSolver.LOOSEST_TOLERANCE;
-        boolean loose = scene.description().tolerances().filter(given -> given.relative() > loosest).isPresent();
-        return loose ? "a relativeTolerance of " + Digits.few(loosest) + " or less, or " : "";
     }
 
     private String withStep(SolverInfo solver) {

@@ -43,10 +43,10 @@ class OneSubStepTest {
     @Test
     void aSubStepOfTheOscillatorIsTheClosedForm() {
         for (double h : new double[] {0.01, 0.1, 0.5, 1, -0.5}) {
-            assertStep(new DormandPrinceSolver(EVERYTHING, EVERYTHING), h,
+            assertStep(new DormandPrinceSolver(1e-3, EVERYTHING), h,
                     StepMatrixFormula.polynomial(h, DORMAND_PRINCE));
             double[] twice = square(StepMatrixFormula.polynomial(h / 2, RK4));
-            assertStep(new StepDoublingSolver(EVERYTHING, EVERYTHING), h, twice);
+            assertStep(new StepDoublingSolver(1e-3, EVERYTHING), h, twice);
         }
     }
 
@@ -90,10 +90,10 @@ class OneSubStepTest {
     @Test
     void evaluationsPerSubStepAreThoseOfTheJavadoc() {
         assertArrayEquals(new long[] {2 + 6, 6},
-                evaluationsOfTwoSteps(new DormandPrinceSolver(EVERYTHING, EVERYTHING)));
+                evaluationsOfTwoSteps(new DormandPrinceSolver(1e-3, EVERYTHING)));
         assertArrayEquals(new long[] {2 + 10, 11},
-                evaluationsOfTwoSteps(new StepDoublingSolver(EVERYTHING, EVERYTHING)));
+                evaluationsOfTwoSteps(new StepDoublingSolver(1e-3, EVERYTHING)));
         assertArrayEquals(new long[] {2 + 8, 9},
-                evaluationsOfTwoSteps(new BulirschStoerSolver(EVERYTHING, EVERYTHING)));
+                evaluationsOfTwoSteps(new BulirschStoerSolver(1e-3, EVERYTHING)));
     }
 }

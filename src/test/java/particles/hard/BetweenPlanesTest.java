@@ -98,7 +98,7 @@ class BetweenPlanesTest {
         double error = 600 * Math.pow(9.81 / 30, 2) / 2;
         double expected = switch (solver) {
             case "euler" -> 29.45 + error;
-            case "symplectic-euler", "backward-euler" -> 0.045;
+            case "symplectic-euler", "backward-euler", "linearised-euler" -> 0.045;
             default -> 29.45;
         };
         assertEquals(expected, scene.system().getEnergy(scene.system().getOwnState(), 20), 4e-12,

@@ -221,6 +221,8 @@ class BrokenScenesTest {
                 whole(HEAD.replace("rk4", "{name: dormand-prince, tolerance: 2}"),
                         "x.yaml:3:32: unknown key 'tolerance'; known in the solver: name, relativeTolerance, "
                                 + "absoluteTolerance"),
+                whole(HEAD.replace("rk4", "{name: bulirsch-stoer, relativeTolerance: 0.1}"),
+                        "x.yaml:3:51: 'relativeTolerance' is 0.1; it has to be a number from 0 to 0.001"),
                 added("impact: exactly\n",
                         "x.yaml:8:9: unknown kind of impact 'exactly'; did you mean 'exact'? known: clamp, exact"),
                 whole("",

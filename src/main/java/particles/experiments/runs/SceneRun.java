@@ -49,7 +49,7 @@ public final class SceneRun {
      */
     public static Scene build(SceneDescription scene, Setting setting, double duration) {
         Optional<Tolerances> tolerances = setting.solver().adaptive()
-                ? setting.tolerance().map(t -> new Tolerances(t, t)) : Optional.empty();
+                ? setting.tolerance().map(Tolerances::both) : Optional.empty();
         return SceneBuilder.build(scene.solvedBy(setting.solver().name(), tolerances, setting.deltaT(), duration),
                 new Overrides());
     }

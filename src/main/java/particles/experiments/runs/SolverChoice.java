@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import particles.scene.format.Tolerances;
 
 /**
  * A solver that an experiment compares.
@@ -72,6 +73,7 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
      * @return a solver
      */
     public DESolver create(double tolerance) {
-        return adaptive() ? SolverCatalog.create(name, tolerance, tolerance) : SolverCatalog.create(name);
+        Tolerances both = Tolerances.both(tolerance);
+        return adaptive() ? SolverCatalog.create(name, both.relative(), both.absolute()) : SolverCatalog.create(name);
     }
 }

@@ -21,7 +21,8 @@ public record StabilityPolynomial(double re, double im) {
             case "euler" -> Optional.of(new StabilityPolynomial(1, h));
             case "midpoint" -> Optional.of(new StabilityPolynomial(1 - h * h / 2, h));
             case "rk4" -> Optional.of(new StabilityPolynomial(1 - h * h / 2 + h * h * h * h / 24, h - h * h * h / 6));
-            case "backward-euler" -> Optional.of(new StabilityPolynomial(1 / (1 + h * h), h / (1 + h * h)));
+            case "backward-euler", "linearised-euler" ->
+                    Optional.of(new StabilityPolynomial(1 / (1 + h * h), h / (1 + h * h)));
             case "implicit-midpoint" -> {
                 double norm = 1 + h * h / 4;
                 yield Optional.of(new StabilityPolynomial((1 - h * h / 4) / norm, h / norm));

@@ -1,6 +1,7 @@
 package particles.scene.format;
 
 import deSolvers.DESolver;
+import deSolvers.adaptive.AdaptiveSolver;
 import deSolvers.catalog.SolverCatalog;
 import java.util.NoSuchElementException;
 import java.util.Optional;
@@ -18,9 +19,10 @@ public final class SolverFormat {
     public static final Key<String> NAME = Key.required("name", NameType.or("solver", SolverCatalog.names(),
             ClassNames.form("exercises.MySolver")),
             "The method that solves the equations of motion.");
-    static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0, 0.1, ""), 
+    static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0,
+                    AdaptiveSolver.LOOSEST_TOLERANCE, ""),
             "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 if only the"
-                    + " other is given. Above 1e-3, fast vibrations may become unstable.");
+                    + " other is given.");
     static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
             "The error that it allows in addition, in m and m/s; 1e-9 if only the other is given.");
 

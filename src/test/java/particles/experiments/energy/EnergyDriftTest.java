@@ -139,7 +139,7 @@ class EnergyDriftTest {
     void listsOfSolversAreChecked() {
         assertEquals(List.of("rk4", "euler"),
                 SolverChoice.list(" rk4, euler,rk4").stream().map(SolverChoice::label).toList());
-        assertEquals(13, SolverChoice.list("all").size());
+        assertEquals(14, SolverChoice.list("all").size());
         String message = assertThrows(NoSuchElementException.class, () -> SolverChoice.list("rk4,eular")).getMessage();
         assertTrue(message.contains("did you mean 'euler'"), message);
         assertThrows(IllegalArgumentException.class, () -> SolverChoice.list(" ,"));

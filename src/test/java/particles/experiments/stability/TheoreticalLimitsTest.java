@@ -27,6 +27,7 @@ class TheoreticalLimitsTest {
                 z -> taylor(z, 1, 1, 1 / 2.0, 1 / 6.0, 1 / 24.0, 1 / 120.0, 1 / 600.0).norm());
         GROWTH.put("adams", TheoreticalLimitsTest::adams);
         GROWTH.put("backward-euler", z -> Complex.ONE.divide(taylor(z, 1, -1)).norm());
+        GROWTH.put("linearised-euler", GROWTH.get("backward-euler"));
         GROWTH.put("implicit-midpoint", z -> taylor(z, 1, 1 / 2.0).divide(taylor(z, 1, -1 / 2.0)).norm());
         GROWTH.put("radau", z -> taylor(z, 1, 2 / 5.0, 1 / 20.0)
                 .divide(taylor(z, 1, -3 / 5.0, 3 / 20.0, -1 / 60.0)).norm());

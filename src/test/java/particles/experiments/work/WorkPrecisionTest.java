@@ -31,8 +31,7 @@ import particles.view.ChartData.Mark;
 
 class WorkPrecisionTest {
     private static final List<String> FIXED_STEP = List.of("euler", "midpoint", "rk4", "adams", "symplectic-euler",
-            "verlet",
-            "yoshida4", "backward-euler", "implicit-midpoint");
+            "verlet", "yoshida4", "backward-euler", "linearised-euler", "implicit-midpoint");
 
     private static Curve curve(String problem, String solver) {
         return curve(WorkProblems.of(problem), solver);

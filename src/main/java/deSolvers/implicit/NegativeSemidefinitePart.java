@@ -1,14 +1,18 @@
-package deSolvers.linear;
+package deSolvers.implicit;
 
-/** The part of a symmetric 3 x 3 matrix whose eigenvalues are negative: of dF/dx, what pulls back to where it was. */
+/**
+ * The negative semidefinite part of a symmetric 3 x 3 matrix: its eigenvectors, with positive eigenvalues replaced by
+ * 0. Of a spring's dF/dx this is what pulls back; a compressed spring's matrix also has a part that pushes further out
+ * sideways.
+ */
 final class NegativeSemidefinitePart {
     private static final int SWEEPS = 8;
 
     private final double[] a = new double[9];
     private final double[] v = new double[9];
 
-    /** Writes the restoring part of the symmetric part of K, by Jacobi's rotations. */
-    void restoring(double[] k, double[] result) {
+    /** Computes that of the symmetric part of K, by Jacobi's rotations. */
+    void compute(double[] k, double[] result) {
         for (int i = 0; i < 3; i++) {
             for (int j = 0; j < 3; j++) {
                 a[3 * i + j] = (k[3 * i + j] + k[3 * j + i]) / 2;

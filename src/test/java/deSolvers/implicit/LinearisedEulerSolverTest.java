@@ -3,9 +3,9 @@ package deSolvers.implicit;
 import deSolvers.DESolver;
 
 /** Backward Euler with one linearised solve: the same order and, on linear problems, the same step. */
-class LinearisedEulerTest extends BackwardEulerSolverTest {
+class LinearisedEulerSolverTest extends BackwardEulerSolverTest {
     @Override
     protected DESolver createSolver() {
-        return BackwardEulerSolver.linearised();
+        return new LinearisedEulerSolver();
     }
 }

@@ -1,4 +1,6 @@
-package deSolvers.linear;
+package deSolvers.implicit;
+
+import deSolvers.linear.LinearWork;
 
 /**
  * What an implicit solver has done since it was made, beyond the calls of the derivative that the source counts itself.
@@ -8,24 +10,22 @@ package deSolvers.linear;
  * @param products         products of the Jacobian with a direction that the source computed
  * @param krylovIterations iterations of conjugate gradients and GMRES
  * @param factorisations   matrices that were factorised, real and complex ones counted alike
- * @param blockOperations  products of two 3 x 3 blocks, or of nine entries with three, that the sparse matrices took: a
- *                         deterministic measure of the time spent on them
+ * @param blockOperations  products of 3 x 3 blocks with blocks or vectors: a measure of the sparse matrices' time that
+ *                         does not depend on the machine
  */
 public record ImplicitWork(long newtonIterations, long jacobians, long products, long krylovIterations,
                            long factorisations, long blockOperations) {
 
     /** The same, counting. */
-    public static final class Counter {
-        public long newtonIterations;
-        public long jacobians;
-        public long products;
-        public long krylovIterations;
-        public long factorisations;
-        public long blockOperations;
+    static final class Counter {
+        final LinearWork linear = new LinearWork();
+        long newtonIterations;
+        long jacobians;
+        long products;
 
-        public ImplicitWork read() {
-            return new ImplicitWork(newtonIterations, jacobians, products, krylovIterations, factorisations,
-                    blockOperations);
+        ImplicitWork read() {
+            return new ImplicitWork(newtonIterations, jacobians, products, linear.iterations, linear.factorisations,
+                    linear.blockOperations);
         }
     }
 }

@@ -1,4 +1,4 @@
-package deSolvers.linear;
+package deSolvers.implicit;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -43,7 +43,7 @@ class NegativeSemidefinitePartTest {
     private void assertPart(double[] axes, double... eigenvalues) {
         double[] result = new double[9];
         double largest = Arrays.stream(eigenvalues).map(Math::abs).max().orElseThrow();
-        part.restoring(matrix(axes, eigenvalues), result);
+        part.compute(matrix(axes, eigenvalues), result);
         assertArrayEquals(matrix(axes, negative(eigenvalues)), result, 2e-14 * largest);       // measured 4.9e-15
     }
 
@@ -67,13 +67,13 @@ class NegativeSemidefinitePartTest {
         // Turned by almost nothing, by a quarter about one axis, and in one plane only.
         double[] k = {-2 * size, 1e-170 * size, 0, 1e-170 * size, 3 * size, 0, 0, 0, -size};
         double[] result = new double[9];
-        part.restoring(k, result);
+        part.compute(k, result);
         assertArrayEquals(new double[] {-2 * size, 0, 0, 0, 0, 0, 0, 0, -size}, result, 1e-15 * size);
         for (int[] plane : new int[][] {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}) {
             double[] turned = new double[9];
             turned[3 * plane[0] + plane[1]] = size;
             turned[3 * plane[1] + plane[0]] = size;     // eigenvalues +size and -size along the diagonals
-            part.restoring(turned, result);
+            part.compute(turned, result);
             double[] expected = new double[9];
             for (int[] entry : new int[][] {{0, 0, -1}, {1, 1, -1}, {0, 1, 1}, {1, 0, 1}}) {
                 expected[3 * plane[entry[0]] + plane[entry[1]]] = entry[2] * size / 2;
@@ -93,9 +93,9 @@ class NegativeSemidefinitePartTest {
         skew[2] -= 7;
         skew[6] += 7;
         double[] result = new double[9];
-        part.restoring(skew, result);
+        part.compute(skew, result);
         assertArrayEquals(matrix(axes, -3, 0, -1), result, 1e-14);
-        part.restoring(new double[9], result);
+        part.compute(new double[9], result);
         assertEquals(0, Arrays.stream(result).map(Math::abs).sum());
     }
 }

@@ -1,0 +1,181 @@
+package deSolvers.implicit;
+
+import deSolvers.JacobianBlocks;
+import deSolvers.JacobianStateSource;
+import deSolvers.linear.BlockMatrix;
+import deSolvers.linear.BlockPattern;
+import deSolvers.linear.LinearWork;
+import java.util.Arrays;
+
+/**
+ * The force derivatives of particles, K = dF/dx and C = dF/dv, as sparse matrices. The source names its blocks one by
+ * one, in the same order every time; where it names others than before, the pattern is found anew. The mass of a held
+ * particle counts as 1, and its rows are 0, so that nothing moves it.
+ */
+final class ForceBlocks implements JacobianBlocks {
+    private final LinearWork work;
+    private final NegativeSemidefinitePart projection = new NegativeSemidefinitePart();
+    private final double[] projected = new double[9];
+    private final double[] row = new double[9];
+    private BlockPattern pattern;
+    private BlockMatrix stiffness;
+    private BlockMatrix damping;
+    private double[] masses = {};
+    private boolean[] held = {};
+    private boolean projects;
+    private int named;                                  // pairs so far
+    private boolean matches;                            // whether they are those of the pattern
+    private boolean recording;
+    private int[] first = {};
+    private int[] second = {};
+
+    ForceBlocks(LinearWork work) {
+        this.work = work;
+        setPattern(0);
+    }
+
+    /**
+     * Collects the blocks at the source's present state.
+     *
+     * @param projects whether to take the negative semidefinite part of each pair's dF/dx
+     */
+    void collect(JacobianStateSource source, int particles, boolean projects) {
+        this.projects = projects;
+        receive(source, particles);
+        if (!matches || named != pattern.pairs()) {
+            recording = true;
+            named = 0;
+            source.addJacobianBlocks(this);
+            recording = false;
+            setPattern(particles);
+            receive(source, particles);
+        }
+        if (masses.length != particles) {
+            masses = new double[particles];
+            held = new boolean[particles];
+        }
+        for (int i = 0; i < particles; i++) {
+            double inverse = source.getInverseMass(i);
+            held[i] = inverse == 0;
+            masses[i] = held[i] ? 1 : 1 / inverse;
+            if (held[i]) {
+                Arrays.fill(stiffness.values(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+                Arrays.fill(damping.values(), 9 * pattern.rowStart(i), 9 * pattern.rowStart(i + 1), 0);
+            }
+        }
+    }
+
+    private void setPattern(int particles) {
+        pattern = new BlockPattern(particles, named, first, second);
+        stiffness = new BlockMatrix(pattern, work);
+        damping = new BlockMatrix(pattern, work);
+    }
+
+    private void receive(JacobianStateSource source, int particles) {
+        Arrays.fill(stiffness.values(), 0);
+        Arrays.fill(damping.values(), 0);
+        named = 0;
+        matches = pattern.rows() == particles;
+        source.addJacobianBlocks(this);
+    }
+
+    BlockPattern pattern() {
+        return pattern;
+    }
+
+    BlockMatrix stiffness() {
+        return stiffness;
+    }
+
+    BlockMatrix damping() {
+        return damping;
+    }
+
+    /** The mass of a particle (kg); 1 if it is held. */
+    double mass(int i) {
+        return masses[i];
+    }
+
+    /**
+     * Writes M - g C - g<sup>2</sup> K, without the columns of held particles, whose velocities never change.
+     *
+     * @return by how much a diagonal entry exceeds its mass at most: about the condition number, 1 or more
+     */
+    double combine(double g, BlockMatrix matrix) {
+        double[] value = matrix.values();
+        double condition = 1;
+        for (int i = 0; i < masses.length; i++) {
+            for (int s = pattern.rowStart(i); s < pattern.rowStart(i + 1); s++) {
+                boolean zero = held[pattern.column(s)];
+                for (int e = 9 * s; e < 9 * s + 9; e++) {
+                    value[e] = zero ? 0 : -g * (damping.values()[e] + g * stiffness.values()[e]);
+                }
+            }
+            int diagonal = 9 * pattern.diagonal(i);
+            for (int e = diagonal; e < diagonal + 9; e += 4) {
+                value[e] += masses[i];
+                condition = Math.max(condition, Math.abs(value[e]) / masses[i]);
+            }
+        }
+        return condition;
+    }
+
+    /** The number of the pair that is named now, or -1 if it has no place (yet). */
+    private int next(int i, int j) {
+        if (recording) {
+            if (named == first.length) {
+                first = Arrays.copyOf(first, Math.max(64, 2 * named));
+                second = Arrays.copyOf(second, first.length);
+            }
+            first[named] = i;
+            second[named++] = j;
+            return -1;
+        }
+        matches = matches && pattern.isPair(named, i, j);
+        return matches ? named++ : -1;
+    }
+
+    @Override
+    public void add(int i, int j, double[] dFdX, double[] dFdV) {
+        if (i != j) {
+            int p = next(i, j);
+            if (p >= 0) {
+                addTo(pattern.slot(p), dFdX, dFdV, 1);
+            }
+        } else if (!recording && matches) {
+            // any pattern has the diagonal, so that contacts come and go without a new one
+            addTo(pattern.diagonal(i), dFdX, dFdV, 1);
+        }
+    }
+
+    @Override
+    public void addPair(int i, int j, double[] dFdX, double[] dFdV) {
+        int p = next(i, j);
+        if (p >= 0) {
+            double[] k = dFdX;
+            if (projects) {
+                projection.compute(dFdX, projected);
+                k = projected;
+            }
+            addTo(pattern.diagonal(i), k, dFdV, 1);
+            addTo(pattern.diagonal(j), k, dFdV, 1);
+            addTo(pattern.slot(p), k, dFdV, -1);
+            addTo(pattern.mirrorSlot(p), k, dFdV, -1);
+        }
+    }
+
+    private void addTo(int slot, double[] dFdX, double[] dFdV, double sign) {
+        for (int e = 0, at = 9 * slot; e < 9; e++, at++) {
+            stiffness.values()[at] += sign * dFdX[e];
+            damping.values()[at] += sign * dFdV[e];
+        }
+    }
+
+    @Override
+    public void transformRow(int i, double[] matrix) {
+        if (!recording && matches) {
+            stiffness.transformRow(i, matrix, row);
+            damping.transformRow(i, matrix, row);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package deSolvers.implicit;
+
+import deSolvers.DEStateSource;
+import deSolvers.FixedStepSolver;
+
+/**
+ * The linearised backward Euler method: f is linearised at the beginning of the step, so that one linear system
+ * replaces the nonlinear equation of {@link BackwardEulerSolver},
+ * <blockquote>
+ * s(t + h) = s(t) + (I - h J)<sup>-1</sup> h f(s(t), t + h), with J = df/ds.
+ * </blockquote>
+ * A compressed spring pushes outwards sideways; that part of its J could make the system indefinite and is left out.
+ * The linear system is solved to 1e-4 of its right-hand side where it is solved by iterations.
+ *
+ * <p><b>Order</b> 1.<br>
+ * <b>Evaluations</b> 1, and n more for the Jacobian where the source does not know its own
+ * ({@link deSolvers.JacobianStateSource}).<br>
+ * <b>Stability</b> R(z) = 1/(1 - z), as backward Euler: no limit on the step for linear systems. Nothing guarantees
+ * that the nonlinear equation is solved well.<br>
+ * <b>When to use</b> cloth and soft bodies in real time, at one step a frame: the method of most cloth simulators. Its
+ * numerical damping is strong, and intended. Where the motion matters, {@code backward-euler} solves the equation
+ * itself.<br>
+ * <b>Source</b> D. Baraff, A. Witkin, <i>Large Steps in Cloth Simulation</i>, SIGGRAPH 1998; for the projection J.
+ * Teran, E. Sifakis, G. Irving, R. Fedkiw, <i>Robust Quasistatic Finite Elements and Flesh Simulation</i>, SCA 2005.
+ */
+public final class LinearisedEulerSolver extends FixedStepSolver {
+    private final Newton newton = new Newton();
+
+    @Override
+    protected void step(DEStateSource source, double[] s, double deltaT) {
+        source.incTime(deltaT);
+        newton.solveLinearised(getTransaction(), copy(s), deltaT, s);
+    }
+
+    /** @return what was done in all steps so far */
+    public ImplicitWork getWork() {
+        return newton.getWork();
+    }
+}
