@@ -45,7 +45,7 @@ class ArchitectureTest {
             deSolvers.symplectic:          deSolvers
             particles:                     deSolvers particles.engine particles.law
             particles.app:                 particles.app.cli particles.app.experiments particles.app.run
-                                           particles.app.student
+                                           particles.app.student particles.output.files particles.output.report
             particles.app.cli:             deSolvers deSolvers.catalog particles particles.experiments.runs
                                            particles.output.charts particles.output.files particles.scene picocli
             particles.app.experiments:     deSolvers.catalog particles particles.app.cli particles.app.student
@@ -113,7 +113,7 @@ class ArchitectureTest {
                                            particles.output.text particles.view java.awt
             particles.output.raster:       particles particles.law particles.output.text particles.view java.awt
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
-                                           particles.view javax.xml
+                                           particles.view java.awt javax.imageio javax.xml
             particles.output.text:         particles.output.files particles.view java.awt org.jfree
             particles.reactions:           particles particles.law particles.reactions.algebra
                                            particles.reactions.contact particles.reactions.wires particles.view

@@ -3,6 +3,7 @@ package particles.app;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import particles.app.cli.ExitCode;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.Program;
 import particles.app.cli.ProgramCommand;
@@ -29,12 +30,15 @@ import particles.app.student.ExercisesCommand;
 import particles.app.student.GradeCommand;
 import particles.app.student.NewClassCommand;
 import particles.app.student.StudentLoader;
+import particles.output.files.OutputException;
+import particles.output.report.ResultsIndex;
 
 /**
  * Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}.
  */
 public final class Main {
     private static final Path SCENES = Path.of("scenes");
+    private static final Path RESULTS = Path.of("build", "out");
     private static final Path EXERCISES = Path.of("src", "main", "java", "exercises");
 
     private Main() {
@@ -48,7 +52,13 @@ public final class Main {
         stop.listen();
         Program program = new Program(commands(OptionStyle.current(), stop), OptionStyle.current(),
                 new PrintWriter(System.out, true), new PrintWriter(System.err, true));
-        stop.end(program.execute(args), System::exit);
+        ExitCode code = program.execute(args);
+        try {
+            ResultsIndex.update(RESULTS);
+        } catch (OutputException e) {                   // the results themselves are written
+            System.err.println(e.getMessage());
+        }
+        stop.end(code, System::exit);
     }
 
     /** Where students' classes are; a check in a process of its own is told. */
@@ -87,6 +97,6 @@ public final class Main {
     private static List<ExperimentCommand> experiments(OptionStyle style) {
         return List.of(new LectureFiguresCommand(style), new EnergyDriftCommand(style), new PhasePlotsCommand(style),
                 new RaceCommand(style), new WorkPrecisionCommand(style), new StiffGalleryCommand(style),
-                new StabilityCommand(style));
+                new StabilityCommand(style), new EffectCostCommand(style));
     }
 }

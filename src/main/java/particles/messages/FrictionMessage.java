@@ -37,9 +37,10 @@ public final class FrictionMessage {
         String name = scene.description().solver();
         String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "")
                 .replaceFirst("; .*", "");
-        return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found + "\nsomething that"
-                + " slides is about to stop, and there Coulomb friction changes its direction too fast for " + name
-                + "\ntry " + options.apply("solver") + "=" + EXPLICIT + step(scene, options)
+        return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found + "\nsomething"
+                + " is about to stop or to begin to slide, and there Coulomb friction changes its direction"
+                + " too fast for "
+                + name + "\ntry " + options.apply("solver") + "=" + EXPLICIT + step(scene, options)
                 + ", which has no equations to solve");
     }
 

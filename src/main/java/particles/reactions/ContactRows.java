@@ -82,6 +82,7 @@ final class ContactRows {
         for (int k = 0; k < count; k++) {
             int v = STRIDE * particle[k] + 3;
             if (friction(k).law() == Friction.Law.COULOMB && (contacts.sliding().mayStop(particle[k])
+                    || contacts.sliding().startsFromRest(particle[k])
                     || state[v] - rate[k] * normal[3 * k] == 0 && state[v + 1] - rate[k] * normal[3 * k + 1] == 0
                     && state[v + 2] - rate[k] * normal[3 * k + 2] == 0)) {
                 return true;

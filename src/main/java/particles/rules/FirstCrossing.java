@@ -9,16 +9,26 @@ final class FirstCrossing {
     /** The number of coefficients of a squared cubic. */
     static final int MOST_COEFFICIENTS = 7;
     private static final int DEEPEST = 45;
+    /** Far more than 6 roots need, each at the end of {@value #DEEPEST} halvings; only round-off takes more. */
+    private static final int MOST_PIECES = 10_000;
 
     /** The right halves still to be searched, by depth, and the current piece at its own depth. */
     private final double[][] pieces = new double[DEEPEST + 2][MOST_COEFFICIENTS];
+    private int searched;
 
     /**
      * @param coefficients B&eacute;zier coefficients; for a cubic f: f(0), f(0) + f'(0)/3, f(1) - f'(1)/3, f(1)
      * @param count        the number of coefficients
-     * @return the u in 0 ... 1 where the polynomial first becomes negative, within 2^-45; NaN if it never does
+     * @return the u in 0 ... 1 where the polynomial first becomes negative, within 2^-45; NaN if it never does, or if a
+     *         coefficient is not finite: a path so long belongs to a run that its energy limit is about to end
      */
     double of(double[] coefficients, int count) {
+        for (int k = 0; k < count; k++) {
+            if (!Double.isFinite(coefficients[k])) {
+                return Double.NaN;
+            }
+        }
+        searched = 0;
         System.arraycopy(coefficients, 0, pieces[0], 0, count);
         return search(count, 0, 1, 0);
     }
@@ -32,8 +42,8 @@ final class FirstCrossing {
         if (outside) {
             return Double.NaN;
         }
-        if (b[0] < 0) {
-            return from;
+        if (b[0] < 0 || ++searched > MOST_PIECES) {
+            return from;                                // after so many pieces: 0 but for round-off
         }
         if (depth == DEEPEST) {
             return b[count - 1] < 0 ? from : Double.NaN;

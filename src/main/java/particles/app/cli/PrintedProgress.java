@@ -4,13 +4,21 @@ import java.io.PrintWriter;
 import java.util.function.LongSupplier;
 import particles.experiments.runs.ProgressListener;
 
-/** Prints the progress of an experiment: at most one line every two seconds, none for short ones. */
+/**
+ * Prints the progress of an experiment, and how long it will still take: at most one line every two seconds, none for
+ * short ones.
+ */
 public final class PrintedProgress implements ProgressListener {
     private static final double NANO = 1e-9;
     private static final double PAUSE = 2;
+    /** Before this part is done, what is left cannot be told. */
+    private static final double EARLY = 0.1;
+    /** Shorter waits (s) are not worth a word. */
+    private static final double SHORT = 10;
 
     private final PrintWriter out;
     private final LongSupplier nanoTime;
+    private final long begin;
     private long last;
 
     /**
@@ -20,14 +28,17 @@ public final class PrintedProgress implements ProgressListener {
     public PrintedProgress(PrintWriter out, LongSupplier nanoTime) {
         this.out = out;
         this.nanoTime = nanoTime;
-        last = nanoTime.getAsLong();
+        begin = nanoTime.getAsLong();
+        last = begin;
     }
 
     @Override
     public void reached(double part, String what) {
         long now = nanoTime.getAsLong();
         if ((now - last) * NANO >= PAUSE) {
-            out.println((int) (100 * part) + " %: " + what);
+            double left = (now - begin) * NANO * (1 - part) / part;
+            out.println((int) (100 * part) + " %" + (part < EARLY || left < SHORT ? "" : ", about "
+                    + 5 * Math.round(left / 5) + " s left") + ": " + what);
             out.flush();
             last = now;
         }

@@ -2,6 +2,7 @@ package particles.app.experiments;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Optional;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
@@ -35,6 +36,8 @@ public abstract class ExperimentCommand extends ResultsCommand {
     @Override
     public final void run(PrintWriter lines) {
         check();
+        estimate().ifPresent(lines::println);
+        lines.flush();
         ResultPage page = writeInto(folder(), new PrintedProgress(lines, System::nanoTime));
         lines.println(page.title());
         lines.println();
@@ -55,6 +58,11 @@ public abstract class ExperimentCommand extends ResultsCommand {
         try (OutputFolder folder = OutputFolder.open(path, name() + ".md")) {
             return ResultPageWriter.write(folder, measure(folder, progress), charts.format());
         }
+    }
+
+    /** @return what is said before it begins, if it takes longer than a minute and a half, or less is done for that */
+    protected Optional<String> estimate() {
+        return Optional.empty();
     }
 
     /** @return what its charts are for */

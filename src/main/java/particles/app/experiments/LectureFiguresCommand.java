@@ -86,7 +86,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
         List<Picture> pictures = new ArrayList<>();
         List<Panel> panels = new ArrayList<>();
         pictures.add(Picture.phase("vector-field", "The vector field of x'' = -x, and the one solution through (1, 0).",
-                LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))));
+                LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))).again());
         panels.add(Panel.phase(LectureFigures.exactChart(), Optional.of(LectureFigures.field(1.5))));
         for (Figure figure : figures) {
             progress.reached((double) results.size() / figures.size(), figure.solver());
@@ -95,7 +95,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
             Panel panel = Panel.phase(LectureFigures.chart(result, title(result)),
                     Optional.of(LectureFigures.field(LectureFigures.reach(result))));
             panels.add(panel);
-            pictures.add(Picture.of(fileName(figure), caption(result), panel));
+            pictures.add(Picture.of(fileName(figure), caption(result), panel).again());
         }
         pictures.add(0, Picture.panels("all-figures", "All figures beside each other; each has its own scale.",
                 "Euler and midpoint spiral outwards, RK4 inwards: how fast depends on the step", panels));

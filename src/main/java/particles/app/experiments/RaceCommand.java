@@ -1,7 +1,9 @@
 package particles.app.experiments;
 
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import particles.messages.Digits;
 import particles.app.cli.OptionStyle;
 import particles.experiments.race.Race.Result;
@@ -15,6 +17,8 @@ import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
+import particles.scene.SceneBuilder;
+import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -32,6 +36,12 @@ public final class RaceCommand extends ExperimentCommand {
     private static final int MOST_FRAMES = 300;
     private static final int FRAMES_POSSIBLE = 2000;
     private static final int MOST_SOLVERS = 16;
+    /**
+     * Entries of the state times evaluations by rk4. So much takes about a minute by five solvers; a longer race, of a
+     * cloth, is over its first part unless a duration is asked for.
+     */
+    private static final double MOST_WORK = 1e7;
+    private static final int[] ROUND = {10, 15, 20, 30, 50, 70};
     /** The part of the time that the runs take, and not the film. */
     private static final double RUNS = 0.6;
 
@@ -67,7 +77,36 @@ public final class RaceCommand extends ExperimentCommand {
     }
 
     private SceneDescription scene() {
-        return options.scene("soft-chain", style());
+        SceneDescription scene = options.scene("soft-chain", style());
+        double first = options.haveDuration() ? scene.duration() : affordable(scene);
+        return scene.solvedBy(scene.solver(), scene.tolerances(), scene.deltaT(), first);
+    }
+
+    /** @return the scene's duration, or a round part of it that is not too much work (s) */
+    static double affordable(SceneDescription scene) {
+        double work = SceneBuilder.build(scene, new Overrides()).system().getStateSize() * 4.0 * scene.duration()
+                / scene.deltaT();
+        if (!(work > MOST_WORK)) {
+            return scene.duration();
+        }
+        double part = scene.duration() * MOST_WORK / work;
+        int exponent = (int) StrictMath.floor(StrictMath.log10(part)) - 1;
+        double round = 0;
+        for (int digits : ROUND) {
+            double next = new BigDecimal(digits).scaleByPowerOfTen(exponent).doubleValue();
+            round = next <= part ? next : round;
+        }
+        return round;
+    }
+
+    @Override
+    protected Optional<String> estimate() {
+        SceneDescription whole = options.scene("soft-chain", style());
+        double first = scene().duration();
+        return first == whole.duration() ? Optional.empty() : Optional.of("the race is over the first "
+                + Digits.few(first) + " s of this scene and takes about a minute; " + style().option("duration") + "="
+                + Digits.few(whole.duration()) + " races over all of it, which takes about "
+                + Digits.few(Math.ceil(whole.duration() / first)) + " minutes");
     }
 
     private List<SolverChoice> solvers() {

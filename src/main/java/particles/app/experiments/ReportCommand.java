@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import particles.app.cli.ChartOptions;
@@ -39,7 +40,11 @@ public final class ReportCommand extends ResultsCommand {
     /** What a scene is looked at with: all would take long on large ones. */
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
     private static final String SCENE_OPTION = "--scene";
+    /** What an experiment does with less on a page of many: frames of a film, rounds of a measurement. */
+    private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
     private static final int MOST_LINES = 8;
+    /** So many experiments take no longer than a minute or so. */
+    private static final int FEW = 2;
     private static final double NANO = 1e-9;
 
     private final List<ExperimentCommand> experiments;
@@ -77,6 +82,11 @@ public final class ReportCommand extends ResultsCommand {
     public void run(PrintWriter lines) {
         Optional<SceneDescription> about = about();
         List<ExperimentCommand> chosen = chosen();
+        if (chosen.size() > FEW) {
+            lines.println("about " + (chosen.size() + 1) / 2 + " minutes; " + style().option("experiments")
+                    + " with fewer names takes less");
+            lines.flush();
+        }
         long begin = System.nanoTime();
         PrintedProgress progress = new PrintedProgress(lines, System::nanoTime);
         List<Section> sections = new ArrayList<>();
@@ -163,6 +173,11 @@ public final class ReportCommand extends ResultsCommand {
                 options.add("--solvers=" + solvers());
             }
         }
+        SHORTER.forEach((name, value) -> {
+            if (spec.findOption(name) != null) {
+                options.add(name + "=" + value);
+            }
+        });
         return options.toArray(String[]::new);
     }
 

@@ -45,6 +45,11 @@ final class SceneOptions {
         return SceneBuilder.build(SceneReader.read(file, new StudentClasses()), overrides).description();
     }
 
+    /** @return whether a duration other than the scene's was asked for */
+    boolean haveDuration() {
+        return duration != null;
+    }
+
     /** @return the solvers that were asked for, or else these */
     List<SolverChoice> solvers(String standard, OptionStyle style) {
         try {

@@ -83,7 +83,7 @@ public final class StabilityCommand extends ExperimentCommand {
 
     private static ResultPage limits(ProgressListener progress) {
         DataTable limits = StabilityLimits.measure((part, what) -> progress.reached(part / 2, what));
-        return new ResultPage(NAME, "The longest stable step of each solver", List.of(
+        return new ResultPage(NAME, StabilityLimits.finding(), List.of(
                 "Every number was measured on the solver's code, by bisection on the test equation y' = lambda"
                         + " y. Beside it is the theory, as in the catalogue. A spring without damping lies on"
                         + " the imaginary axis, lambda = i omega; pure decay lies on the negative real axis.",

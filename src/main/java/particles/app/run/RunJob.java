@@ -7,6 +7,7 @@ import particles.NumericalErrorException;
 import particles.SimulationException;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
+import particles.app.cli.FolderSize;
 import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
 import particles.experiments.energy.NumericalErrorLimit;
@@ -97,6 +98,7 @@ final class RunJob {
             observers.drawCharts(charts);
             summary.lines().forEach(out::println);
             out.println("in " + results + ": " + String.join(", ", files.names()));
+            FolderSize.notice(results, style).ifPresent(out::println);
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);
             });

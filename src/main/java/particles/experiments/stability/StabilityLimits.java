@@ -36,6 +36,21 @@ public final class StabilityLimits {
                 DataTable.column("measured  "), DataTable.column("measured on")), rows);
     }
 
+    /** @return which solvers have no limit, and which are never stable, in a sentence */
+    public static String finding() {
+        List<String> free = SolverCatalog.all().stream().filter(info -> info.realLimit() == Double.POSITIVE_INFINITY
+                && info.imaginaryLimit() == Double.POSITIVE_INFINITY).map(SolverInfo::name).toList();
+        List<String> never = SolverCatalog.all().stream().filter(info -> info.imaginaryLimit() == 0)
+                .map(SolverInfo::name).toList();
+        return "A step has no limit with " + together(free) + "; with " + together(never)
+                + " every undamped spring grows";
+    }
+
+    private static String together(List<String> names) {
+        int last = names.size() - 1;
+        return String.join(", ", names.subList(0, last)) + " and " + names.get(last);
+    }
+
     private static List<Object> row(SolverInfo info) {
         boolean springs = info.secondOrder();
         String real = real(info).text();

@@ -24,6 +24,8 @@ public final class PanelGrid {
     /** The height of a chart above rows. */
     private static final int MAIN = 250;
     private static final double TALL = 1.5;
+    /** Taller maps are narrower than their cells. */
+    private static final double TALLEST_SHAPE = 2.4;
     private static final double AXES = 0.85;
     private static final double HEIGHT_OF_WIDTH = 0.72;
     private static final int LINE = 21;
@@ -63,7 +65,7 @@ public final class PanelGrid {
         boolean round = charts.stream().allMatch(FittedChart::hasEqualUnits);
         int tallest = panels.stream().flatMap(panel -> panel.charts().stream()).mapToInt(data -> data.rows().size())
                 .max().orElse(0);
-        double shape = oneScale && round ? shape(charts.get(0).getXYPlot()) : 1;
+        double shape = oneScale && round ? Math.min(TALLEST_SHAPE, shape(charts.get(0).getXYPlot())) : 1;
         columns = shape > TALL ? panels.size() : columns(panels.size());
         rows = (charts.size() + columns - 1) / columns;
         width = Math.max(LEAST_WIDTH, columns * (round ? CELL : CHART_CELL));

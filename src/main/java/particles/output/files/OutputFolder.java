@@ -66,6 +66,15 @@ public final class OutputFolder implements AutoCloseable {
         }
     }
 
+    /**
+     * @param path a folder
+     * @return the names of what a run made there, in the order in which it was made; none if no run did
+     * @throws IOException if that cannot be read
+     */
+    public static List<String> made(Path path) throws IOException {
+        return OutputManifest.names(path);
+    }
+
     private static void createFolder(Path path) {
         try {
             Files.createDirectories(path);

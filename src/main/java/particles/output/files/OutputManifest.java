@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 
@@ -53,6 +54,14 @@ final class OutputManifest {
         OutputFile list = new OutputFile(folder.resolve(NAME), opener, () -> { });
         list.write(text, 0, text.length);
         list.commit();
+    }
+
+    /** @return the names that the list of a folder has; none where there is no list */
+    static List<String> names(Path folder) throws IOException {
+        Path list = folder.resolve(NAME);
+        return !Files.isRegularFile(list, LinkOption.NOFOLLOW_LINKS) ? List.of()
+                : Files.readAllLines(list, StandardCharsets.UTF_8).stream()
+                        .filter(name -> PLAIN_NAME.matcher(name).matches()).toList();
     }
 
     /** Removes the listed files. The list itself stays until the new one replaces it. */

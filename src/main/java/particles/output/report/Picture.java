@@ -18,18 +18,21 @@ public final class Picture {
     private final String title;
     private final boolean oneScale;
     private final List<Panel> panels;
+    private final boolean again;
 
     private Picture(String name, String caption, String title, boolean oneScale, List<Panel> panels) {
-        this(name, caption, name + ".png", title, oneScale, panels);
+        this(name, caption, name + ".png", title, oneScale, panels, false);
     }
 
-    private Picture(String name, String caption, String file, String title, boolean oneScale, List<Panel> panels) {
+    private Picture(String name, String caption, String file, String title, boolean oneScale, List<Panel> panels,
+                    boolean again) {
         this.name = name;
         this.caption = caption;
         this.file = file;
         this.title = title;
         this.oneScale = oneScale;
         this.panels = panels;
+        this.again = again;
     }
 
     /**
@@ -101,7 +104,16 @@ public final class Picture {
      * @return a picture that is not drawn again, such as an animation
      */
     public static Picture made(String file, String caption) {
-        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", false, List.of());
+        return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", false, List.of(), false);
+    }
+
+    /** @return the picture, marked as one that shows by itself what a larger picture of the page has already */
+    public Picture again() {
+        return new Picture(name, caption, file, title, oneScale, panels, true);
+    }
+
+    boolean isAgain() {
+        return again;
     }
 
     String name() {
@@ -123,6 +135,9 @@ public final class Picture {
     /** On slides each chart is a picture; elsewhere only what has too many curves is shown by families. */
     List<Picture> laidOut(ChartFormat format) {
         boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
+        if (again && format.slide()) {
+            return List.of();                           // the larger picture is slides
+        }
         if (panels.isEmpty() || !crowded && !format.slide()) {
             return List.of(this);
         }

@@ -5,7 +5,7 @@ final class ReportStyle {
     /** On paper two charts fit on a sheet, or one of many parts; none is divided, and tables repeat their heads. */
     static final String CSS = """
             :root { color-scheme: light; }
-            body { margin: 0 auto; padding: 1rem; max-width: 62rem; color: #1b1b1f; background: #fff;
+            body { margin: 0 auto; padding: 1rem; max-width: 76rem; color: #1b1b1f; background: #fff;
               font: 1rem/1.5 system-ui, "DejaVu Sans", sans-serif; overflow-wrap: break-word; }
             h1 { font-size: 1.7rem; line-height: 1.25; margin: 0.5rem 0; }
             h2 { font-size: 1.25rem; line-height: 1.3; margin: 0 0 0.5rem; }
@@ -27,11 +27,11 @@ final class ReportStyle {
             img { display: block; max-width: 100%; max-height: 95vh; height: auto; margin: 0 auto; }
             button.large img { max-width: none; max-height: none; }
             figcaption { color: #3a3e47; font-size: 0.9rem; margin-top: 0.4rem; }
-            .table { overflow-x: auto; }
-            table { border-collapse: collapse; font-size: 0.85rem; }
-            th, td { padding: 0.2rem 0.6rem; border-bottom: 1px solid #d9dbe0; text-align: left; vertical-align: top; }
+            .table { overflow-x: auto; max-width: 100%; }
+            table { border-collapse: collapse; font-size: 0.8rem; }
+            th, td { padding: 0.2rem 0.45rem; border-bottom: 1px solid #d9dbe0; text-align: left; vertical-align: top; }
             td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-            td.text { min-width: 12rem; }
+            td.text { min-width: 6rem; }
             td:first-child { min-width: 0; white-space: nowrap; position: sticky; left: 0; background: #fff; }
             th { vertical-align: bottom; border-bottom: 2px solid #8a8f99; }
             th button { all: unset; cursor: pointer; font-weight: bold; }

@@ -88,7 +88,9 @@ public final class ReportWriter {
             ResultPage page = section.page().get();
             paragraphs(page.text());
             for (Picture picture : page.pictures()) {
-                figure(section, picture);
+                if (!picture.isAgain()) {
+                    figure(section, picture);
+                }
             }
             for (DataTable table : page.tables()) {
                 table(section, table);
@@ -105,7 +107,7 @@ public final class ReportWriter {
         put("<figure id=\"" + html.id(section.name() + "-" + picture.name()) + kind
                 + "<div class=\"scroll\"><button type=\"button\" title=\"larger or smaller\"><img alt=\"" + caption
                 + "\" src=\"data:image/" + (moves ? "gif" : "png") + ";base64,");
-        file.write(Base64.getEncoder().encode(bytes));
+        file.write(Base64.getEncoder().encode(picture.data().isEmpty() ? bytes : SmallImage.of(bytes)));
         put("\"/></button></div>\n<figcaption>" + caption + "</figcaption>\n</figure>\n");
     }
 

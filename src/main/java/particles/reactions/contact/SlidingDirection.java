@@ -66,6 +66,15 @@ public final class SlidingDirection {
         return stepBegin;
     }
 
+    /**
+     * @param particle its index
+     * @return whether it is at rest at the beginning of the step; if it slides, then where the force pulls it
+     */
+    public boolean startsFromRest(int particle) {
+        int v = Particles.STRIDE * particle + 3;
+        return v < stepBegin.length && stepBegin[v] == 0 && stepBegin[v + 1] == 0 && stepBegin[v + 2] == 0;
+    }
+
     /** Whether the last direction does not depend on the present velocity. */
     boolean isIndependentOfVelocity() {
         return independent;
@@ -140,6 +149,10 @@ public final class SlidingDirection {
      */
     private void followBeginning(Vector3 normal, int v) {
         if (stepBegin.length <= v) {
+            return;
+        }
+        if (startsFromRest(v / Particles.STRIDE)) {
+            Arrays.fill(direction, 0);                  // a velocity that is mostly round-off at first
             return;
         }
         along(normal, stepBegin, v, beginning);

@@ -267,7 +267,7 @@ class RunCommandTest {
         Path file = scenes.resolve("01-block.yaml");
         Files.writeString(file, SCENE.replace("solver: rk4", "solvr: rk4").replace("mass: 2", "mass: -2"));
         assertEquals(ExitCode.BAD_INPUT, run());
-        assertEquals(2, errors.toString().lines().count(), errors.toString());   // the misspelt key, not also the missing one
+        assertEquals(2, errors.toString().lines().count(), errors.toString());  // not also the missing key
         String place = file.toString().replace('\\', '/') + ":";
         assertTrue(errors.toString().lines().allMatch(line -> line.startsWith(place)), errors.toString());
         assertFalse(Files.exists(out));

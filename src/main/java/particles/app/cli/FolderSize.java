@@ -1,0 +1,50 @@
+package particles.app.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.Stream;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+
+/** How much of the disk a run's results take. */
+public final class FolderSize {
+    /** Less is not worth a line (bytes). */
+    static final long LARGE = 50_000_000;
+    private static final long MEGABYTE = 1_000_000;
+
+    private FolderSize() {
+    }
+
+    /**
+     * @param folder of the results
+     * @param style  how options are typed
+     * @return a line if they are large
+     * @throws OutputException if the folder cannot be read
+     */
+    public static Optional<String> notice(Path folder, OptionStyle style) {
+        long all = bytes(folder);
+        Path frames = folder.resolve(OutputFolder.FRAMES);
+        long pictures = Files.isDirectory(frames) ? bytes(frames) : 0;
+        return all < LARGE ? Optional.empty() : Optional.of("this run wrote " + all / MEGABYTE + " MB"
+                + (pictures == 0 ? "" : ", " + pictures / MEGABYTE + " MB of it frames; " + style.option("frames")
+                + "=false writes none"));
+    }
+
+    private static long bytes(Path folder) {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(Files::isRegularFile).mapToLong(FolderSize::size).sum();
+        } catch (IOException e) {
+            throw new OutputException(folder, "read", e);
+        }
+    }
+
+    private static long size(Path file) {
+        try {
+            return Files.size(file);
+        } catch (IOException e) {
+            throw new OutputException(file, "read", e);
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package particles.output.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import particles.output.files.OutputException;
+import particles.output.files.OutputFolder;
+
+/** A page that lists all folders of results, the newest first, each with its first picture. */
+public final class ResultsIndex {
+    /** The name of the page, in the folder that holds the others. */
+    public static final String FILE = "index.html";
+    private static final String STYLE = """
+            body { margin: 0 auto; padding: 1rem; max-width: 76rem; font: 1rem/1.5 system-ui, sans-serif; }
+            main { display: grid; grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); gap: 1.2rem; }
+            figure { margin: 0; }
+            img { width: 100%; height: 12rem; object-fit: contain; background: #f3f4f7; }
+            figcaption { font-size: 0.9rem; overflow-wrap: anywhere; }
+            """;
+
+    /** Results in a folder: which files, in the order in which they are worth a look, and when. */
+    private record Entry(String folder, List<String> files, FileTime made) {
+    }
+
+    private ResultsIndex() {
+    }
+
+    /**
+     * Writes the page, unless there are no results that are newer.
+     *
+     * @param results the folder that holds the folders of results
+     * @throws OutputException if it cannot be written
+     */
+    public static void update(Path results) {
+        Path page = results.resolve(FILE);
+        try {
+            List<Entry> entries = entries(results);
+            if (entries.isEmpty() || Files.exists(page)
+                    && Files.getLastModifiedTime(page).compareTo(entries.get(0).made()) > 0) {
+                return;
+            }
+            Path part = Files.createTempFile(results, ".index", ".part");
+            Files.writeString(part, html(entries), StandardCharsets.UTF_8);
+            Files.move(part, page, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+        } catch (IOException e) {
+            throw new OutputException(page, "write", e);
+        }
+    }
+
+    /** Only folders that the program made. */
+    private static List<Entry> entries(Path results) throws IOException {
+        if (!Files.isDirectory(results)) {
+            return List.of();
+        }
+        List<Entry> entries = new ArrayList<>();
+        for (Path folder : folders(results)) {
+            List<String> files = new ArrayList<>(OutputFolder.made(folder));
+            if (!files.isEmpty()) {
+                for (Path part : folders(folder)) {             // of a report
+                    OutputFolder.made(part).stream().filter(ResultsIndex::isPicture)
+                            .forEach(file -> files.add(part.getFileName() + "/" + file));
+                }
+                entries.add(new Entry(folder.getFileName().toString(), files, Files.getLastModifiedTime(folder)));
+            }
+        }
+        entries.sort(Comparator.comparing(Entry::made).reversed().thenComparing(Entry::folder));
+        return entries;
+    }
+
+    private static List<Path> folders(Path folder) throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.filter(Files::isDirectory).sorted().toList();
+        }
+    }
+
+    private static boolean isPicture(String file) {
+        return file.endsWith(".gif") || file.endsWith(".png");
+    }
+
+    private static String html(List<Entry> entries) {
+        StringBuilder html = new StringBuilder("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
+                + "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\""
+                + " content=\"width=device-width, initial-scale=1\"/>\n"
+                + "<title>Results</title>\n<style>\n" + STYLE + "</style>\n</head>\n<body>\n"
+                + "<h1>Results</h1>\n<main>\n");
+        for (Entry entry : entries) {
+            html.append("<figure>");
+            Optional<String> picture = entry.files().stream().filter(ResultsIndex::isPicture).findFirst();
+            picture.ifPresent(file -> html.append("<a href=\"").append(link(entry, file))
+                    .append("\"><img loading=\"lazy\" alt=\"\" src=\"").append(link(entry, file)).append("\"/></a>"));
+            html.append("<figcaption><strong>").append(Html.escaped(entry.folder())).append("</strong>");
+            entry.files().stream().filter(file -> file.contains(".") && !file.contains("/")
+                    && !file.endsWith(".csv")).forEach(file ->
+                    html.append(" <a href=\"").append(link(entry, file)).append("\">").append(Html.escaped(file))
+                            .append("</a>"));
+            html.append("</figcaption></figure>\n");
+        }
+        return html.append("</main>\n</body>\n</html>\n").toString();
+    }
+
+    private static String link(Entry entry, String file) {
+        return Html.escaped(Path.of("/").resolve(entry.folder()).resolve(file).toUri().getRawPath().substring(1));
+    }
+}

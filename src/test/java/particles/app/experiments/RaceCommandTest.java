@@ -1,0 +1,38 @@
+package particles.app.experiments;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import particles.app.cli.OptionStyle;
+import particles.scene.SceneReader;
+import particles.scene.format.SceneDescription;
+import picocli.CommandLine;
+
+class RaceCommandTest {
+    private static double affordable(String file, double deltaT, double duration) {
+        SceneDescription scene = SceneReader.read(Path.of("scenes", file));
+        return RaceCommand.affordable(scene.solvedBy(scene.solver(), scene.tolerances(), deltaT, duration));
+    }
+
+    /** 4170 numbers, 4 evaluations every 2 ms: 8.34e6 a second, and 1e7 are enough. */
+    @Test
+    void aClothRacesOverItsFirstPartAndSmallScenesToTheirEnd() {
+        assertEquals(1, affordable("09-cloth-in-wind.yaml", 0.002, 8));
+        assertEquals(0.1, affordable("09-cloth-in-wind.yaml", 0.0002, 8), "a tenth of the step, a tenth of the time");
+        assertEquals(1.1, affordable("09-cloth-in-wind.yaml", 0.002, 1.1), "no more than that is left as it is");
+        assertEquals(12, affordable("16-soft-chain.yaml", 0.04, 12));
+    }
+
+    @Test
+    void whatIsLeftOutIsSaidBeforeAndADurationOfOnesOwnIsKept() {
+        RaceCommand race = new RaceCommand(OptionStyle.GRADLE);
+        new CommandLine(race).parseArgs("--scene=9");
+        assertEquals(Optional.of("the race is over the first 1 s of this scene and takes about a minute;"
+                + " -Pduration=8 races over all of it, which takes about 8 minutes"), race.estimate());
+        RaceCommand whole = new RaceCommand(OptionStyle.GRADLE);
+        new CommandLine(whole).parseArgs("--scene=9", "--duration=8");
+        assertEquals(Optional.empty(), whole.estimate());
+    }
+}

@@ -1,0 +1,70 @@
+package particles.output.report;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import particles.output.files.OutputFile;
+import particles.output.files.OutputFolder;
+
+class ResultsIndexTest {
+    @TempDir
+    Path results;
+
+    private void make(String folder, long time, String... files) throws IOException {
+        try (OutputFolder made = OutputFolder.open(results.resolve(folder))) {
+            for (String name : files) {
+                try (OutputFile file = made.create(name)) {
+                    file.write(new byte[] {1});
+                    file.commit();
+                }
+            }
+        }
+        Files.setLastModifiedTime(results.resolve(folder), FileTime.fromMillis(time));
+    }
+
+    private List<String> found(String pattern) throws IOException {
+        return Pattern.compile(pattern).matcher(Files.readString(results.resolve(ResultsIndex.FILE))).results()
+                .map((MatchResult match) -> match.group(1)).toList();
+    }
+
+    @Test
+    void everyRunIsListedWithItsFirstPictureTheNewestFirst() throws IOException {
+        make("old & gone", 1000, "drift.png", "drift.md");
+        make("run", 3000, "animation.gif", "energy.png", "trajectory.csv");
+        make("report", 2000, "report.html");
+        make("report/race", 2000, "race.png");
+        Files.setLastModifiedTime(results.resolve("report"), FileTime.fromMillis(2000));
+        Files.createDirectories(results.resolve("mine"));
+        Files.writeString(results.resolve("mine/photo.png"), "not made by a run");
+        ResultsIndex.update(results);
+        assertEquals(List.of("run", "report", "old &amp; gone"), found("<strong>(.*?)</strong>"));
+        assertEquals(List.of("run/animation.gif", "report/race/race.png", "old%20&amp;%20gone/drift.png"),
+                found("src=\"(.*?)\""));
+        assertTrue(found("<a href=\"([^\"]*)\">[^<]").contains("report/report.html"));
+    }
+
+    @Test
+    void nothingIsWrittenWhereThereIsNothingNewer() throws IOException {
+        ResultsIndex.update(results.resolve("nowhere"));
+        ResultsIndex.update(results);
+        assertFalse(Files.exists(results.resolve(ResultsIndex.FILE)));
+        make("run", 1000, "a.png");
+        ResultsIndex.update(results);
+        Files.writeString(results.resolve(ResultsIndex.FILE), "as it is");
+        ResultsIndex.update(results);
+        assertEquals("as it is", Files.readString(results.resolve(ResultsIndex.FILE)));
+        make("later", System.currentTimeMillis() + 60_000, "b.png");
+        ResultsIndex.update(results);
+        assertEquals(List.of("later", "run"), found("<strong>(.*?)</strong>"));
+    }
+}
