@@ -56,7 +56,7 @@ class ScenesTest {
         SolverInfo solver = SolverCatalog.info(scene.description().solver());
         double deltaT = scene.simulation().getDeltaT();
         double omega = Stiffness.largestOmega(scene);
-        if (solver.imaginaryLimit() == 0) {
+        if (solver.imaginaryLimit() == 0 && omega > 0) {
             assertEquals("11-euler-spiral.yaml", file.getFileName().toString(), "only this one shows growth");
             return;
         }

@@ -2,6 +2,7 @@ package particles.app.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import particles.Simulation;
 import particles.app.cli.Version;
 import particles.experiments.energy.EnergyHistory;
@@ -14,6 +15,8 @@ import particles.scene.Scene;
 final class Summary {
     /** Of the energy scale: a tenth is seen in the motion. */
     private static final double LARGE_ERROR = 0.1;
+    /** These damp what their steps do not resolve, and are chosen for that. */
+    private static final Set<String> DAMPING_SOLVERS = Set.of("backward-euler", "linearised-euler");
     /** Of the energy scale: a few units in the last place. */
     private static final double ROUND_OFF = 1e-15;
 
@@ -58,9 +61,11 @@ final class Summary {
         lines.add("energy: " + joules(record.startEnergy()) + " at the start, " + joules(record.endEnergy())
                 + " at the end; largest change " + joules(record.largestEnergyDrift()));
         double error = record.largestRelativeNumericalError();
-        lines.add("numerical error: at most " + joules(record.largestNumericalError()) + " (" + Digits.few(error)
-                + " of the energy scale, " + joules(record.energyScale()) + ")");
-        if (error > LARGE_ERROR && !endedEarly) {           // a run that blew up says more of itself
+        boolean damped = DAMPING_SOLVERS.contains(record.solver()) && record.numericalError() < 0;
+        lines.add((damped ? "numerical damping: " : "numerical error: ") + "at most "
+                + joules(record.largestNumericalError()) + " (" + Digits.few(error) + " of the energy scale, "
+                + joules(record.energyScale()) + ")");
+        if (error > LARGE_ERROR && !endedEarly && !damped) {    // a run that blew up says more of itself
             lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
                     + " this motion. Try a smaller deltaT or another solver.");
         }

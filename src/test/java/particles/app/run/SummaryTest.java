@@ -8,6 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import particles.experiments.energy.EnergyHistory;
 import particles.experiments.energy.EnergyLedgerRecorder;
 import particles.scene.Scene;
@@ -42,6 +44,15 @@ class SummaryTest {
         assertEquals("numerical error: at most 0.852 J (0.63 of the energy scale, 1.35 J)", lines.get(3));
         assertEquals("warning: the numerical error is 63 % of the energy; do not trust this motion."
                 + " Try a smaller deltaT or another solver.", lines.get(4));
+    }
+
+    /** Both divide the energy by 1 + h^2 in each step: 0.5 J / (1.01)^100 = 0.185 J are left. */
+    @ParameterizedTest
+    @ValueSource(strings = {"backward-euler", "linearised-euler"})
+    void energyLostByABackwardEulerMethodIsNumericalDamping(String solver) throws IOException {
+        List<String> lines = lines(solver, 0.1, 10);
+        assertEquals(4, lines.size(), lines.toString());
+        assertEquals("numerical damping: at most 0.315 J (0.63 of the energy scale, 0.5 J)", lines.get(3));
     }
 
     @Test
