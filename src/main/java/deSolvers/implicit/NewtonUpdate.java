@@ -98,7 +98,7 @@ final class NewtonUpdate {
         int d = ((SecondOrderStateSource) source).getDimension();
         double[] largest = {0, 0};                      // of positions, of velocities
         for (int i = 0; i < update.length; i++) {
-            largest[i / d % 2] = Math.max(largest[i / d % 2], WITHIN * roundOff[i]);
+            largest[i / d % 2] = Math.max(largest[i / d % 2], roundOff[i]);
         }
         for (int i = 0; i < update.length; i++) {
             if (!(Math.abs(update[i]) <= largest[i / d % 2])) {

@@ -233,17 +233,17 @@ final class ReducedVelocitySystem implements ShiftedJacobian {
         return sum;
     }
 
-    /** The accelerations are sums of K x/m, which may cancel; positions are x + g v, and v is no better known. */
+    /** The accelerations are sums of K x/m, which may cancel. */
     @Override
     public void terms(double[] state, double[] slope, double g, double[] size) {
         for (int i = 0; i < m; i++) {
             positions[i] = Math.abs(state[place(i)]);
+            size[place(i)] = Math.abs(g * slope[place(i)]);
         }
         blocks.stiffness().applyAbsolute(positions, partForces);
         for (int i = 0; i < m; i++) {
             int at = place(i) + 3;
             size[at] = Math.abs(g) * Math.max(Math.abs(slope[at]), partForces[i] / blocks.mass(i / 3));
-            size[place(i)] = Math.abs(g) * Math.max(Math.abs(slope[place(i)]), size[at]);
         }
     }
 }

@@ -45,7 +45,8 @@ class PhasePortraitsTest {
         }
         List<Object> euler = portraits.table().rows().get(0);
         assertEquals(3, Math.hypot((Double) euler.get(3), (Double) euler.get(4)), 0.02);
-        assertEquals(StrictMath.cos(161 * 0.11737), (Double) portraits.table().rows().get(3).get(3), 1e-8);
+        double reference = (Double) portraits.table().rows().get(3).get(3);
+        assertEquals(StrictMath.cos(161 * 0.11737), reference, 1e-8);
         assertTrue((Double) portraits.table().rows().get(2).get(5) < 1e-3, "rk4");
     }
 
