@@ -32,8 +32,8 @@ final class StiffCloth {
     /** The number of solvers whose first and further steps are timed; medians are used. */
     private static final int SOLVERS = 5;
     private static final int FURTHER = 3;
-    /** The numbers of RK4 steps at which Newton's method is timed too. */
-    private static final List<Long> NEWTON = List.of(1L, 10L, 100L, 1000L, 5000L);
+    /** The numbers of RK4 steps at which Newton's method is timed too; at 100 it does not converge. */
+    private static final List<Long> NEWTON = List.of(1L, 10L);
 
     /**
      * The cost of a frame.

@@ -27,6 +27,7 @@ public final class BlowUpMessage {
     private static final String STEADY = "rk4";
     private static final String ADAPTIVE = "dormand-prince";
     private static final String STIFF = "backward-euler";
+    private static final String ACCURATE = "radau";
 
     private final Scene scene;
     private final UnaryOperator<String> options;
@@ -102,7 +103,7 @@ public final class BlowUpMessage {
         }
         if (limit == Double.POSITIVE_INFINITY) {
             return "\n" + name + " has no stability limit, but " + (name.equals(STIFF)
-                    ? "equations that it could not solve" + trying(step(Digits.few(deltaT / 2)))
+                    ? "equations that it could not solve" + trying(option("solver", ACCURATE))
                     : "it adds energy where springs buckle" + trying(option("solver", STIFF)));
         }
         return fastest == 0 || deltaT <= stableStep(solver)

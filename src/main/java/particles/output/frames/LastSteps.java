@@ -18,8 +18,8 @@ import particles.view.Camera;
 public final class LastSteps implements Observer {
     /** More steps than this would take too long to watch, one at a time. */
     private static final int MOST_STEPS = 12;
-    /** All kept states together have at most this many numbers, 32 MB, however large the system is. */
-    private static final int MOST_NUMBERS = 4_000_000;
+    /** All kept states together have at most this many numbers, 8 MB; of a system too large for two, none is kept. */
+    private static final int MOST_NUMBERS = 1_000_000;
 
     /**
      * Where everything was after a step.
@@ -64,6 +64,10 @@ public final class LastSteps implements Observer {
 
     private void keep(ParticleSystem system, double time, double[] state) {
         int numbers = system.getStateSize();            // the system's own array may be longer
+        int most = Math.min(MOST_STEPS, MOST_NUMBERS / Math.max(1, numbers));
+        if (most < 2) {
+            return;
+        }
         if (!steps.isEmpty() && steps.peekLast().state.length != numbers) {
             steps.clear();
         }
@@ -72,7 +76,7 @@ public final class LastSteps implements Observer {
             return;
         }
         gone = outside;
-        boolean full = steps.size() >= Math.max(2, Math.min(MOST_STEPS, MOST_NUMBERS / Math.max(1, numbers)));
+        boolean full = steps.size() >= most;
         double[] copy = full ? steps.removeFirst().state : new double[numbers];
         System.arraycopy(state, 0, copy, 0, numbers);
         steps.addLast(new Step(time, copy));

@@ -51,11 +51,9 @@ class PhasePortraitsTest {
     }
 
     /**
-     * Euler's last state is 3.01 from the centre of the unit circle. Symplectic Euler moves on the ellipse x^2 - h x v +
-     * v^2 = 1
-     * with h = 0.117, whose farthest point from the circle is at 1 / sqrt(1 - h / 2): 3.07 % off; measured a little
-     * more, since
-     * the start is at the beginning of a step.
+     * Euler's last state is 3.01 from the centre of the unit circle. Symplectic Euler moves on the ellipse x^2 - h x v
+     * + v^2 = 1 with h = 0.117, whose farthest point from the circle is at 1 / sqrt(1 - h / 2): 3.07 % off; measured a
+     * little more, since the start is at the beginning of a step.
      */
     @Test
     void titlesSayHowFarAPathIsFromTheCurve() {
