@@ -24,13 +24,16 @@ import particles.spec.ClassNames;
 /** The page and Java compute the same results from the same scene. */
 class SameResultsTest {
     private static final double SECONDS = 2;
-    /** Scenes that need only + - * / and square roots. */
-    private static final Set<String> SAME_BITS = Set.of("01", "06", "22");
+    /** Scenes that need only + - * / and square roots, and others that happen to have the same bits. */
+    private static final Set<String> SAME_BITS = Set.of("01", "02", "03", "06", "07", "11", "22", "25", "26",
+            "40", "41");
     /**
      * Of the largest number of the state. Springs use Java's fused multiply-add, which rounds once where a page rounds
      * twice, and sines differ in the last bit. Measured at most 1.6e-11, in the torn cloth, the most sensitive one.
      */
     private static final double BOUND = 1e-10;
+    /** Of scene 18, where radau's iterations stop at a tolerance of 1e-6. Measured 1.0e-9. */
+    private static final double BOUND_OF_RADAU = 1e-8;
     private static Browser browser;
 
     /** Runs a scene in a worker of its own. */
@@ -85,7 +88,8 @@ class SameResultsTest {
             return;
         }
         double largest = Arrays.stream(expected).map(Math::abs).max().orElse(0);
-        assertArrayEquals(expected, page, BOUND * largest);
+        boolean radau = scene.getFileName().toString().startsWith("18");
+        assertArrayEquals(expected, page, (radau ? BOUND_OF_RADAU : BOUND) * largest);
     }
 
     @ParameterizedTest
