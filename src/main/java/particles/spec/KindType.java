@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
@@ -119,7 +120,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
                     .filter(other -> other.kinds().stream().anyMatch(kind -> kind.name().equals(name)))
                     .map(other -> "'" + name + "' is " + article(other.what()) + ", not " + article(what)
                             + "; move it to '" + other.key() + "'")
-                    .orElseGet(() -> Wording.unknown(what, name, kinds.stream().map(Kind::name).toList())));
+                    .orElseGet(() -> Wording.unknown(what, name, kinds.stream().map(Kind::name).toList(),
+                            in.owners(name))));
         }
         return found;
     }
@@ -146,6 +148,11 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     /** @return what may be written instead of a kind's name; text that follows the names */
     public String orClass() {
         return byClass.map(other -> ", or " + other.form().describe()).orElse("");
+    }
+
+    @Override
+    Stream<MappingType> mappings() {
+        return kinds.stream().flatMap(kind -> kind.keys().mappings());
     }
 
     @Override

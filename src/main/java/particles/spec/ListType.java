@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 
@@ -54,6 +55,11 @@ public final class ListType<T> extends Type<List<T>> {
     public String describe() {
         return bareAllowed ? element.describe() + ", or a list of such" : "a list, each entry after a dash: "
                 + element.describe();
+    }
+
+    @Override
+    Stream<MappingType> mappings() {
+        return element.mappings();
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
@@ -58,7 +59,8 @@ public final class MappingType extends Type<Values> {
      * @return what it says, as far as it is right
      */
     public Values readRoot(Node root, Reading in) {
-        return read(root, name, in).orElseThrow();
+        Reading inFormat = new Reading(in.source(), in.problems(), in.classes(), Optional.of(this));
+        return read(root, name, inFormat).orElseThrow();
     }
 
     /** {@inheritDoc} Always returns the values that are right; {@link Values#isSound()} says whether all are. */
@@ -110,7 +112,8 @@ public final class MappingType extends Type<Values> {
                     ? "a number where a key of " + name
                     + " should be; numbers have a decimal point, not a comma, and several"
                     + " of them stand in [ ]"
-                    : Wording.unknown("key", text, known).replaceFirst("known:", "known in " + name + ":"));
+                    : Wording.unknown("key", text, known, in.owners(text))
+                            .replaceFirst("known:", "known in " + name + ":"));
         } else if (!seen.add(text)) {
             in.problem(keyNode, "'" + text + "' appears twice in " + name);
         } else if (valueNode.getTag().equals(Tag.NULL)) {
@@ -172,6 +175,11 @@ public final class MappingType extends Type<Values> {
         List<Key<?>> found = new ArrayList<>(keys.stream().filter(Key::required).toList());
         found.addAll(exactlyOneOf.stream().limit(1).toList());
         return found.isEmpty() ? keys.subList(0, Math.min(1, keys.size())) : found;
+    }
+
+    @Override
+    Stream<MappingType> mappings() {
+        return Stream.concat(Stream.of(this), keys.stream().flatMap(key -> key.type().mappings()));
     }
 
     @Override

@@ -56,7 +56,8 @@ public final class NameType extends Type<String> {
                 return read;
             }
         }
-        in.problem(node, Wording.unknown(what, text, names) + other.map(o -> ", or " + o.describe()).orElse(""));
+        in.problem(node, Wording.unknown(what, text, names, List.of())
+                + other.map(o -> ", or " + o.describe()).orElse(""));
         return Optional.empty();
     }
 

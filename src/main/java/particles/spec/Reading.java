@@ -1,5 +1,7 @@
 package particles.spec;
 
+import java.util.List;
+import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
@@ -9,13 +11,25 @@ import particles.spec.messages.Problems;
  *
  * @param source   its name in messages
  * @param problems where problems go
- * @param classes  finds what is named by a class
+ * @param classes  finds students' classes by name
+ * @param format   the format of the whole source, once it is known; for hints where a misplaced key belongs
  */
-public record Reading(String source, Problems problems, ClassNames classes) {
+public record Reading(String source, Problems problems, ClassNames classes, Optional<MappingType> format) {
 
-    /** Without classes. */
+    /** A source whose format is not known yet. */
+    public Reading(String source, Problems problems, ClassNames classes) {
+        this(source, problems, classes, Optional.empty());
+    }
+
+    /** A source that names no classes. */
     public Reading(String source, Problems problems) {
         this(source, problems, ClassNames.none());
+    }
+
+    /** @return the names of all mappings of the format that have this key */
+    List<String> owners(String key) {
+        return format.stream().flatMap(MappingType::mappings).filter(mapping -> mapping.keys().stream()
+                .anyMatch(known -> known.name().equals(key))).map(MappingType::name).distinct().toList();
     }
 
     void problem(Node node, String message) {

@@ -2,6 +2,7 @@ package particles.spec;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.snakeyaml.engine.v2.common.ScalarStyle;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
@@ -45,6 +46,11 @@ public abstract class Type<T> {
     /** @return a sample value of this type for trials; empty if there is none */
     Optional<T> sample() {
         return Optional.empty();
+    }
+
+    /** @return all mappings that a value of this type may contain, itself included */
+    Stream<MappingType> mappings() {
+        return Stream.empty();
     }
 
     /** @return the JSON Schema of this type */

@@ -45,6 +45,14 @@ class BrokenScenesTest {
                         "x.yaml:9:5: unknown effect 'gravty'; did you mean 'gravity'? known: " + EFFECTS),
                 added("efects: []\n",
                         "x.yaml:8:1: unknown key 'efects'; did you mean 'effects'? known in the scene: " + KEYS),
+                added("friction: 0.5\n",
+                        "x.yaml:8:1: unknown key 'friction'; it is a key of 'ground', 'plane', 'sphere'; known in the"
+                                + " scene: " + KEYS),
+                added("effects:\n  - friction: 0.5\n",
+                        "x.yaml:9:5: unknown effect 'friction'; it is a key of 'ground', 'plane', 'sphere'; known: "
+                                + EFFECTS),
+                added("output:\n  phase: {particle: bob, axis: X}\n",
+                        "x.yaml:9:32: unknown axis 'X'; did you mean 'x'? known: x, y, z"),
                 added("effects:\n  gravity: {}\n",
                         "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after"
                                 + " a dash: "

@@ -17,6 +17,8 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 /** Building blocks of messages: quoted text, unknown names with suggestions, numbers; always one line. */
 public final class Wording {
     private static final int LONGEST_QUOTE = 40;
+    /** A key of more parts than this, such as 'position', tells nothing about what was meant. */
+    private static final int MOST_OWNERS = 5;
     private static final int LONGEST_MESSAGE = 1000;
     /** Characters without width or with a direction, and spaces that look like the ordinary one. */
     private static final Pattern INVISIBLE = Pattern.compile("[\\p{Cf}\\xa0\\u2007\\u202f]");
@@ -35,24 +37,30 @@ public final class Wording {
     }
 
     /**
-     * @param what  what kind of name it is
-     * @param found the unknown name
-     * @param known the names that are allowed
+     * @param what   what the name names, such as {@code effect}
+     * @param found  the unknown name
+     * @param known  the names that are allowed
+     * @param owners the parts of a scene in which it is a key; told if no known name is similar
      * @return {@code unknown effect 'gravty'; did you mean 'gravity'? known: ...}
      */
-    public static String unknown(String what, String found, Collection<String> known) {
-        return "unknown " + what + " " + quote(found) + hint(found, known) + " known: " + String.join(", ", known);
+    public static String unknown(String what, String found, Collection<String> known, List<String> owners) {
+        String hint = hint(found, known);
+        boolean misplaced = hint.equals(";") && !owners.isEmpty() && owners.size() <= MOST_OWNERS;
+        return "unknown " + what + " " + quote(found)
+                + (misplaced ? "; it is a key of " + String.join(", ", owners) + ";" : hint) + " known: "
+                + String.join(", ", known);
     }
 
     /**
      * @param found an unknown name
      * @param known the names that are allowed
-     * @return {@code "; did you mean 'gravity'?"}, or {@code ";"} if no name is near, or the text has only one or two
-     *         letters
+     * @return {@code "; did you mean 'gravity'?"}, or {@code ";"} if no name is similar; one or two letters are similar
+     *         only to the same letters in the other case
      */
     public static String hint(String found, Collection<String> known) {
-        return found.length() < 3 || found.length() > LONGEST_QUOTE ? ";" : DidYouMean.hint(found, known,
-                Wording::quote);
+        Collection<String> candidates = found.length() > 2 ? known
+                : known.stream().filter(found::equalsIgnoreCase).toList();
+        return found.length() > LONGEST_QUOTE ? ";" : DidYouMean.hint(found, candidates, Wording::quote);
     }
 
     /** @return the names, or the first of them if there are many */
