@@ -14,8 +14,9 @@ import deSolvers.DEStateSource;
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> 1 a step.<br>
- * <b>Stability</b> an undamped spring for h omega &lt; 2. On x'' = -x from (1, 0) the energy error stays below h/(2 -
- * h) of the energy for ever; the exact quadratic invariant is x<sup>2</sup> + v<sup>2</sup> - h x v.<br>
+ * <b>Stability</b> an undamped spring for h omega &lt; 2, a critically damped one for h omega &lt; 0.8284. On x'' = -x
+ * from (1, 0) the energy error stays below h/(2 - h) of the energy for ever; x<sup>2</sup> + v<sup>2</sup> - h x v
+ * stays exactly the same.<br>
  * <b>When to use</b> games and first animations: one evaluation, robust; not where phase or amplitude matter, since
  * {@code verlet} costs the same and has order 2. It is not reversible.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "A Simple Particle System Algorithm"; R. de Vogelaere (1956).

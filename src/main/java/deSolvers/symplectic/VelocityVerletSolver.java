@@ -14,10 +14,11 @@ import deSolvers.DEStateSource;
  *
  * <p><b>Order</b> 2, also with drag and damping.<br>
  * <b>Evaluations</b> 1 a step (and 1 to start with); with drag or damping some more for the iteration.<br>
- * <b>Stability</b> an undamped spring for h omega &lt; 2. On x'' = -x from (1, 0) the energy error stays below
- * h<sup>2</sup>/4 of the energy for ever. Reversible: stepping back returns to where it came from.<br>
- * <b>When to use</b> long undamped motion, the default of molecular dynamics and astronomy; not with damping so stiff
- * that the iteration fails (damping rate times h/2 above 0.7), where an implicit solver belongs.<br>
+ * <b>Stability</b> an undamped spring for h omega &lt; 2, a critically damped one for h omega &lt; 0.74, beyond which
+ * the iteration fails. On x'' = -x from (1, 0) the energy error stays below h<sup>2</sup>/4 of the energy for ever.
+ * Reversible: a step back leads to where the step began.<br>
+ * <b>When to use</b> long undamped motion; the default of molecular dynamics and astronomy. Not with strong damping,
+ * which needs an implicit solver.<br>
  * <b>Source</b> L. Verlet (1967); W. C. Swope et al. (1982), J. Chem. Phys. 76, 637.
  */
 public final class VelocityVerletSolver extends SymplecticSolver {

@@ -7,9 +7,9 @@ import java.util.List;
 import particles.experiments.runs.ProgressListener;
 import particles.view.DataTable;
 
-/** The limits on both axes, measured on every solver's real code, beside what theory says. */
+/** The stability limits of all solvers, measured on their code, beside those of the theory. */
 public final class StabilityLimits {
-    /** Of the method in PECE form at 0.1 i, from its characteristic polynomial. */
+    /** Growth of adams (PECE) at 0.1 i, from its characteristic polynomial. */
     private static final double ADAMS_GROWTH = 1.6e-7;
 
     private static final String NOTHING = "-";
@@ -18,7 +18,7 @@ public final class StabilityLimits {
     }
 
     /**
-     * @param progress hears how far it is
+     * @param progress is told how much is done
      * @return the table, a row for each solver of the catalogue
      */
     public static DataTable measure(ProgressListener progress) {
@@ -28,15 +28,15 @@ public final class StabilityLimits {
             progress.reached((double) rows.size() / all.size(), "limits of " + info.name());
             rows.add(row(info));
         }
-        return new DataTable("limits", "The largest stable h |lambda|; growth is that at 0.1",
+        return new DataTable("limits", "The largest stable deltaT |lambda|; growth is that at 0.1",
                 List.of(DataTable.column("solver"),
-                DataTable.column("real axis: theory"), DataTable.column("measured"),
-                DataTable.column("imaginary axis: theory"),
-                DataTable.column("measured "), DataTable.column("critically damped spring: stated"),
+                DataTable.column("real limit: theory"), DataTable.column("measured"),
+                DataTable.column("imaginary limit: theory"),
+                DataTable.column("measured "), DataTable.column("damped limit: stated"),
                 DataTable.column("measured  "), DataTable.column("measured on")), rows);
     }
 
-    /** @return which solvers have no limit, and which are never stable, in a sentence */
+    /** @return a sentence: the solvers without a limit, and those that are never stable */
     public static String finding() {
         List<String> free = SolverCatalog.all().stream().filter(info -> info.realLimit() == Double.POSITIVE_INFINITY
                 && info.imaginaryLimit() == Double.POSITIVE_INFINITY).map(SolverInfo::name).toList();
@@ -54,15 +54,17 @@ public final class StabilityLimits {
     private static List<Object> row(SolverInfo info) {
         boolean springs = info.secondOrder();
         String real = real(info).text();
-        String what = springs ? "springs" : info.adaptive() ? "one sub-step"
-                : "a step";
+        String what = springs ? "springs" : info.adaptive() ? "one sub-step" : "a step";
         return List.of(info.name(), StabilityLimit.text(info.realLimit(), Double.NaN), springs ? NOTHING : real,
                 StabilityLimit.text(info.imaginaryLimit(), theoreticalGrowth(info.name())), imaginary(info).text(),
                 springs ? StabilityLimit.text(info.dampedLimit(), Double.NaN) : NOTHING,
                 springs ? real : NOTHING, what);
     }
 
-    /** Of a symplectic method on a critically damped spring, whose two eigenvalues are real and equal. */
+    /**
+     * The real limit, or the damped limit of a symplectic method: at critical damping, both eigenvalues of a spring are
+     * the same real number.
+     */
     static StabilityLimit real(SolverInfo info) {
         Amplification amplification = Amplification.of(info);
         return StabilityLimit.measure(h -> amplification.at(-h, 0));
@@ -73,7 +75,7 @@ public final class StabilityLimits {
         return StabilityLimit.measure(h -> amplification.at(0, h));
     }
 
-    /** @return what theory says a step at 0.1 i adds, where that is known and not 0 */
+    /** @return the growth at 0.1 i by the theory, or NaN if it is 0 or not known */
     private static double theoreticalGrowth(String solver) {
         return solver.equals("adams") ? ADAMS_GROWTH
                 : StabilityPolynomial.of(solver, StabilityLimit.SMALL).map(r -> r.amplitude(1) - 1).orElse(Double.NaN);

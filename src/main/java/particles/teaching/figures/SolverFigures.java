@@ -20,30 +20,31 @@ import particles.view.ChartData;
 import particles.view.DataTable;
 
 /**
- * What a solver does, measured on motions with known solutions.
+ * Measurements of a solver on motions with known solutions, as numbers and charts.
  *
  * @param facts         the numbers
  * @param order         error against deltaT
- * @param region        where it is stable, if steps of its own have something to say of that
- * @param growth        what a step multiplies by, likewise
+ * @param region        the stability region; empty if it cannot be measured on single steps
+ * @param growth        the factor by which a step multiplies the solution; empty likewise
  * @param energy        the energy of a spring over time
  * @param workPrecision error against evaluations, beside other solvers
  */
 public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData> region, Optional<DataTable> growth,
-        ChartData energy,
-                             ChartData workPrecision) {
+        ChartData energy, ChartData workPrecision) {
     private static final double ENERGY_STEP = 0.1;
     private static final int ENERGY_STEPS = 2000;
     private static final int BEGINNING = 12;
     private static final double BLOWN_UP = 1e12;
+    /** A smaller difference from 1 does not show in the eight digits of the table. */
+    private static final double SHOWN = 5e-9;
     private static final List<String> BESIDE = List.of("midpoint", "rk4", "verlet");
 
     /**
      * Measures.
      *
      * @param name    what the solver is called in the charts
-     * @param maker   makes a new one
-     * @param verdict what was found out about it
+     * @param maker   makes a new solver
+     * @param verdict the result of the check
      * @return the numbers and charts
      */
     public static SolverFigures of(String name, Supplier<DESolver> maker, SolverVerdict verdict) {
@@ -51,7 +52,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         List<double[]> energy = energy(maker);
         StabilityFigures stability = StabilityFigures.of(name, maker, verdict.multistep());
         boolean builtIn = SolverCatalog.names().contains(name);
-        // what does as a built-in one does is seen below it, and not hidden
+        // a student's curve is a wide band, so that it shows below an equal one of a built-in solver
         List<Series> energies = new ArrayList<>(List.of(series(name, builtIn ? Mark.LINE : Mark.BAND, energy)));
         List<Series> work = new ArrayList<>();
         for (String other : BESIDE) {
@@ -73,7 +74,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                         work));
     }
 
-    /** @return what to say of an exception of the solver's in the midst of this */
+    /** @return the finding for an exception that the solver threw while it was measured */
     public static Finding failure(RuntimeException thrown) {
         return new Finding(Finding.Kind.FAILURE, "while it was measured on springs, stepState ended in an exception: "
                 + StudentFailure.describe(thrown));
@@ -113,36 +114,41 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         return points;
     }
 
+    /** The stability limits stand among the first rows: on the screen a report ends after twelve lines. */
     private static DataTable facts(Supplier<DESolver> maker, SolverVerdict verdict, OrderMeasurement order,
-            List<double[]> energy,
-                                   StabilityFigures stability) {
+            List<double[]> energy, StabilityFigures stability) {
         List<List<Object>> rows = new ArrayList<>();
-        rows.add(List.of("order, measured", text(order.order()), "over the same time the error falls as deltaT to this "
-                + "power"));
+        rows.add(List.of("order, measured", text(order.order()), "over a fixed time, the error falls as deltaT^order"));
         long small = evaluations(maker, 0.1);
         long large = evaluations(maker, 1);
-        rows.add(List.of("evaluations in a step", String.valueOf(large), small == large ? "for any deltaT"
+        rows.add(List.of("evaluations in a step", String.valueOf(large), small == large ? "with any deltaT"
                 : "with deltaT = 1 s; " + small + " with 0.1 s"));
+        rows.addAll(stability.rows());
         if (!verdict.multistep()) {                     // else a step does not multiply the state by a matrix
             StepMatrix step = step(maker, 1);
-            rows.add(List.of("amplitude of a spring, a step of deltaT omega = 1", text(step.radius()),
-                    "exactly 1; more grows without end, less is damped"));
-            rows.add(List.of("the same with deltaT omega = 0.1", text(step(maker, 0.1).radius()), "exactly 1"));
+            rows.add(List.of("amplitude of a spring after a step of deltaT omega = 1", text(step.radius()),
+                    amplitude(step.radius())));
             double area = step.determinant() - 1;
-            rows.add(List.of("area in state space, a step of deltaT omega = 1", text(step.determinant()), small != large
-                    ? "off by what the tolerance lets pass" : Math.abs(area) > 1e-10
+            rows.add(List.of("area in state space after such a step", text(step.determinant()), small != large
+                    ? "differs from 1 by what the tolerance allows" : Math.abs(area) > 1e-10
                     ? "not symplectic: " + (area > 0 ? "gains" : "loses") + " area"
                     : "symplectic on the spring: areas are kept"));
         }
+        rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)),
+                "relative to the energy at the start"));
         double back = back(maker);
-        rows.add(List.of("a step and the same step back", text(back), back < 1e-12
+        rows.add(List.of("distance from the start after a step and a step back", text(back), back < 1e-12
                 ? "reversible: it ends where it began"
                 : "not reversible"));
-        rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)), "relative"));
-        rows.addAll(stability.rows());
         return new DataTable("facts", "What it does", List.of(DataTable.column("property"), DataTable.column("value"),
-                DataTable.column("meaning")),
-                rows);
+                DataTable.column("meaning")), rows);
+    }
+
+    private static String amplitude(double factor) {
+        if (Math.abs(factor - 1) < SHOWN) {
+            return "kept; it was 1";
+        }
+        return factor > 1 ? "it was 1: it grows in every step" : "it was 1: it shrinks in every step";
     }
 
     private static String text(double x) {
@@ -159,7 +165,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         return springs.steps();
     }
 
-    /** In a later step, when what is needed to begin with is there. */
+    /** Counted in a later step, when a multistep method has its history. */
     private static long evaluations(Supplier<DESolver> maker, double h) {
         Springs springs = new Springs();
         DESolver solver = maker.get();

@@ -20,29 +20,31 @@ import particles.view.ChartData;
 import particles.view.DataTable;
 
 /**
- * How long a step of a solver may be before something grows that should not, measured on its steps.
+ * The stability limits and the stability region of a solver, measured on its steps.
  *
- * @param rows   the limits in numbers, or why there are none: what, how much, what it means
- * @param region the places in the plane where a step does not grow, beside the built-in solver that is nearest
- * @param growth what a step multiplies by, beside the exact solution and built-in solvers
+ * @param rows   the limits, or why there are none: property, value, meaning
+ * @param region the part of the plane where a step does not grow, beside the most similar built-in solver's
+ * @param growth the factor by which a step multiplies the solution, beside the exact one and those of built-in solvers
  */
 record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Optional<DataTable> growth) {
     /** With more noise the coefficients of R are not known well enough to be named. */
     private static final double CLEAN = 1e-9;
     private static final double STABLE = 1 + 1e-8;
     private static final double LITTLE = 1e-3;
-    private static final String DRAG = "largest stable deltaT |lambda|, damping";
-    private static final String SPRING = "largest stable deltaT omega, undamped spring";
+    private static final String REAL = "real limit: largest stable deltaT |lambda|";
+    private static final String IMAGINARY = "imaginary limit: largest stable deltaT omega";
+    private static final String DAMPED = "damped limit: largest stable deltaT omega";
     private static final List<String> FOR_ALL = List.of("euler", "midpoint", "rk4", "backward-euler",
             "implicit-midpoint");
     private static final List<String> FOR_SPRINGS = List.of("symplectic-euler", "verlet", "yoshida4");
     private static final double[][] PLACES = {{-0.5, 0}, {-1, 0}, {-2, 0}, {-4, 0}, {0, 0.5}, {0, 1}, {0, 2}, {0, 4},
             {-1, 1}};
-    private static final double[][] DAMPED = {{0.5, 0}, {1, 0}, {1.5, 0}, {2, 0}, {3, 0}, {0.5, 0.1}, {1, 0.5}, {1, 2},
-            {0, 1}};
+    private static final double[][] DAMPED_PLACES = {{0.5, 0}, {1, 0}, {1.5, 0}, {2, 0}, {3, 0}, {0.5, 0.1},
+            {1, 0.5}, {1, 2}, {0, 1}};
 
     /**
-     * What is measured, in the plane that suits it: of deltaT lambda or, on springs, of deltaT omega and deltaT c/m.
+     * The plane in which a solver is measured: of deltaT lambda or, for a method that steps positions and velocities
+     * apart, of deltaT omega and deltaT c/m.
      */
     private record Plane(Amplification amplification, double noise, boolean springs) {
         double growth(double x, double y) {
@@ -53,8 +55,9 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
             return StabilityLimit.measure(h -> along.applyAsDouble(h) - 10 * noise);
         }
 
-        StabilityLimit ofDrag() {
-            return limit(h -> springs ? growth(0, h) : growth(-h, 0));
+        /** On springs, critical damping: c/m = 2 omega. */
+        StabilityLimit ofDamping() {
+            return limit(h -> springs ? growth(h, 2 * h) : growth(-h, 0));
         }
 
         StabilityLimit ofSpring() {
@@ -63,8 +66,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     /**
-     * @param name      what the solver is called
-     * @param maker     makes a new one
+     * @param name      the solver's name in charts
+     * @param maker     makes a new solver
      * @param multistep whether it uses earlier steps
      * @return the figures
      */
@@ -74,8 +77,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         Optional<Amplification> own = builtIn ? Optional.of(Amplification.of(SolverCatalog.info(name)))
                 : trial.amplification();
         if (own.isEmpty()) {
-            return new StabilityFigures(List.of(List.of(DRAG, "-", trial.objection()), List.of(SPRING, "-",
-                    "the same")),
+            return new StabilityFigures(List.of(List.of(REAL, "-", trial.objection()),
+                    List.of(IMAGINARY, "-", "the same")),
                     Optional.empty(), Optional.empty());
         }
         boolean subStep = builtIn && SolverCatalog.info(name).adaptive();
@@ -87,15 +90,17 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
                     .ifPresent(r -> rows.add(List.of("R(z), by which a step multiplies y in y' = lambda y",
                     r.text(), r.owner().isEmpty() ? "z is deltaT lambda" : r.owner())));
         }
-        StabilityLimit drag = plane.ofDrag();
+        StabilityLimit damping = plane.ofDamping();
         StabilityLimit spring = plane.ofSpring();
         String how = own.get().isOfManySteps() ? ", from the growth over many steps" : subStep ? ", of one sub-step"
                 : "";
-        rows.add(List.of(plane.springs ? "largest stable deltaT c/m, drag without a spring" : DRAG, text(drag),
-                (plane.springs ? "the drag is -c v" : "on the negative real axis") + how));
-        rows.add(List.of(SPRING, text(spring), (plane.springs ? "omega^2 is k/m" : "on the imaginary axis")
-                + (spring.value() == 0 ? "; it always grows" : "") + how));
-        return new StabilityFigures(rows, Optional.of(chart(name, plane, nearest, drag, spring)),
+        List<Object> damped = plane.springs ? List.of(DAMPED, text(damping), "of a critically damped spring" + how)
+                : List.of(REAL, text(damping), "of drag alone: on the negative real axis" + how);
+        List<Object> undamped = List.of(IMAGINARY, text(spring), "of an undamped spring"
+                + (plane.springs ? "" : ": on the imaginary axis") + (spring.value() == 0 ? "; it always grows" : "")
+                + how);
+        rows.addAll(plane.springs ? List.of(undamped, damped) : List.of(damped, undamped));
+        return new StabilityFigures(rows, Optional.of(chart(name, plane, nearest, damping, spring)),
                 Optional.of(table(name, plane, nearest)));
     }
 
@@ -111,8 +116,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     }
 
     /**
-     * By the number of places around 0 where one is stable and the other is not, and among equal ones by the growth
-     * itself.
+     * The built-in solver whose stability differs at the fewest places around 0; among equals, the one with the most
+     * similar growth.
      */
     private static String nearest(String name, Plane plane) {
         List<String> others = new ArrayList<>(FOR_ALL);
@@ -150,7 +155,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         return nearest;
     }
 
-    private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit drag,
+    private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit damping,
             StabilityLimit spring) {
         DoubleBinaryOperator other = builtIn(nearest, plane);
         StabilityView view = StabilityView.of(plane::growth, other, plane.amplification::getEvaluations,
@@ -165,7 +170,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
             double top = view.window().top();
             series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-top, top}));
         }
-        String title = "Stable where striped: " + most(drag) + " for damping, " + most(spring)
+        String title = "Stable where striped: " + most(damping)
+                + (plane.springs ? " for critical damping, " : " for damping, ") + most(spring)
                 + " for undamped springs";
         return new ChartData(title, plane.springs ? "deltaT omega: stiffness"
                 : "Re(deltaT lambda): decay to the left, growth to the right",
@@ -192,7 +198,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         columns.add(DataTable.column(name));
         others.forEach(other -> columns.add(DataTable.column(other)));
         List<List<Object>> rows = new ArrayList<>();
-        for (double[] at : plane.springs ? DAMPED : PLACES) {
+        for (double[] at : plane.springs ? DAMPED_PLACES : PLACES) {
             List<Object> row = new ArrayList<>();
             if (plane.springs) {
                 row.addAll(List.of(at[0], at[1]));
