@@ -1,6 +1,7 @@
 package particles.view;
 
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A table of results, independent of how it is shown: files get all digits, people only the significant ones.
@@ -31,6 +32,14 @@ public record DataTable(String name, String title, List<Column> columns, List<Li
                         + columns.size() + " columns");
             }
         }
+    }
+
+    /** @return this table without the columns in which every cell is an empty text or not a number */
+    public DataTable withoutEmptyColumns() {
+        List<Integer> filled = IntStream.range(0, columns.size()).filter(c -> rows.stream().anyMatch(row ->
+                !row.get(c).equals("") && !row.get(c).equals(Double.NaN))).boxed().toList();
+        return new DataTable(name, title, filled.stream().map(columns::get).toList(),
+                rows.stream().map(row -> filled.stream().<Object>map(row::get).toList()).toList());
     }
 
     /**

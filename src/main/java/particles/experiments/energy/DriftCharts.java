@@ -66,7 +66,7 @@ public final class DriftCharts {
 
     /**
      * @param comparison what was measured
-     * @return a row a solver
+     * @return a row for each solver; tolerances and failures have a column only if there are any
      */
     public static DataTable table(Comparison comparison) {
         List<List<Object>> rows = new ArrayList<>();
@@ -83,6 +83,7 @@ public final class DriftCharts {
                         new DataTable.Column("end drift", 3), new DataTable.Column("largest", 3),
                         new DataTable.Column("slope (1/s)", 3), DataTable.column("kind"),
                         DataTable.column("evaluations"),
-                        new DataTable.Column("time (s)", 2), DataTable.column("why it ended")), rows);
+                        new DataTable.Column("time (s)", 2), DataTable.column("why it ended")), rows)
+                .withoutEmptyColumns();
     }
 }

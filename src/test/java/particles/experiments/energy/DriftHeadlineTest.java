@@ -1,6 +1,7 @@
 package particles.experiments.energy;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -18,6 +19,7 @@ import particles.experiments.runs.SceneRun.Outcome;
 import particles.experiments.runs.SceneRun.Setting;
 import particles.experiments.runs.SolverChoice;
 import particles.scene.SceneReader;
+import particles.view.DataTable;
 
 /** What the headline says of curves whose shape is known, and that it says what the table says. */
 class DriftHeadlineTest {
@@ -44,10 +46,15 @@ class DriftHeadlineTest {
 
     private static String headline(Drift... drifts) {
         Comparison comparison = new Comparison("Scene", DURATION, SCALE, false, List.of(drifts));
-        List<List<Object>> rows = DriftCharts.table(comparison).rows();
+        DataTable table = DriftCharts.table(comparison);
+        List<String> columns = table.columns().stream().map(DataTable.Column::name).toList();
         for (int k = 0; k < drifts.length; k++) {
-            assertEquals(drifts[k].kind().words(), rows.get(k).get(6), "the table has the same verdict");
+            assertEquals(drifts[k].kind().words(), table.rows().get(k).get(columns.indexOf("kind")),
+                    "the table has the same verdict");
         }
+        assertFalse(columns.contains("tolerance"), "a column that would be empty");
+        boolean failed = Stream.of(drifts).anyMatch(drift -> drift.kind() == Kind.FAILED);
+        assertEquals(failed, columns.contains("why it ended"));
         return DriftCharts.finding(comparison);
     }
 
