@@ -50,10 +50,20 @@ public final class SceneBuilder {
                 problems);
         RunLimits.check(scene.deltaT(), scene.duration(), scene.places(), problems);
         MemoryEstimate.check(scene, Runtime.getRuntime().maxMemory(), problems);
-        if (problems.count() > 0) {
-            throw new SceneException(problems.lines());
-        }
+        throwIfAny(problems);
         return build(scene, solver.orElseThrow());
+    }
+
+    /**
+     * Checks options by themselves: all mistakes are found even if the scene is missing or wrong.
+     *
+     * @param overrides options that override values of a scene
+     * @throws SceneException with a line for each wrong option
+     */
+    public static void check(Overrides overrides) {
+        Problems problems = new Problems();
+        overrides.check(problems);
+        throwIfAny(problems);
     }
 
     /**
@@ -66,6 +76,10 @@ public final class SceneBuilder {
     public static void checkPictures(SceneDescription scene, String option) {
         Problems problems = new Problems();
         RunLimits.checkPictures(scene, option, problems);
+        throwIfAny(problems);
+    }
+
+    private static void throwIfAny(Problems problems) {
         if (problems.count() > 0) {
             throw new SceneException(problems.lines());
         }

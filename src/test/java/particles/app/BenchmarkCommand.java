@@ -51,10 +51,13 @@ final class BenchmarkCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        requireWithin("forks", forks, 1, Integer.MAX_VALUE);
-        requireWithin("iterations", iterations, 1, Integer.MAX_VALUE);
-        positive("seconds", seconds);
+    protected List<Runnable> checks() {
+        return List.of(() -> requireWithin("forks", forks, 1, Integer.MAX_VALUE),
+                () -> requireWithin("iterations", iterations, 1, Integer.MAX_VALUE),
+                () -> positive("seconds", seconds), this::checkNames, this::folder);
+    }
+
+    private void checkNames() {
         if (Benchmarks.names().stream().noneMatch(included())) {
             throw wrong("include", "'" + include + "' is found in none of: " + String.join(", ", Benchmarks.names()));
         }

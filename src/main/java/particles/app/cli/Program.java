@@ -59,24 +59,28 @@ public final class Program {
             return;
         }
         List<Exception> errors = parsed.errors().isEmpty() ? chosen.errors() : parsed.errors();
-        if (!errors.isEmpty()) {
-            throw new UsageFailures(style).of(errors);
+        List<String> mistakes = new UsageFailures(style).of(errors);
+        ProgramCommand command = chosen.commandSpec().userObject() instanceof ProgramCommand one ? one : null;
+        if (command != null) {
+            mistakes.addAll(command.mistakes());
+        } else if (mistakes.isEmpty()) {
+            mistakes.add(new UsageFailures(style).noCommand(program));
         }
-        if (!(chosen.commandSpec().userObject() instanceof ProgramCommand command)) {
-            throw new UsageFailures(style).noCommand(program);
+        if (!mistakes.isEmpty()) {
+            throw new Failure(ExitCode.BAD_INPUT, mistakes);
         }
         command.run(out);
     }
 
     private CommandLine commandLine(String... args) {
         CommandLine program = new CommandLine(new Root());
-        // Finding options by reflection is slow, so it is done for all commands only if none is named.
+        // finding options by reflection is slow, so it is done for all commands only if none is named
         List<ProgramCommand> named = commands.stream().filter(command -> args.length > 0
                 && name(command).equals(args[0])).toList();
         for (ProgramCommand command : named.isEmpty() ? commands : named) {
             program.addSubcommand(name(command), new CommandLine(command));
         }
-        // No @file arguments; all errors are reported together.
+        // no @file arguments; all errors are reported together
         program.setExpandAtFiles(false);
         collectErrors(program.getCommandSpec());
         program.getSubcommands().values().forEach(line -> collectErrors(line.getCommandSpec()));

@@ -13,7 +13,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** Makes the messages for invalid commands and options: what was found, what is allowed, what may be meant. */
+/** Messages for invalid commands and options: the text found, the allowed ones, and the most similar of these. */
 final class UsageFailures {
     private final OptionStyle style;
 
@@ -23,9 +23,9 @@ final class UsageFailures {
 
     /**
      * @param errors all errors of the command line parser
-     * @return the lines
+     * @return a line for each
      */
-    Failure of(List<Exception> errors) {
+    List<String> of(List<Exception> errors) {
         List<String> lines = new ArrayList<>();
         for (Exception error : errors) {
             if (!(error instanceof ParameterException e)) {
@@ -37,12 +37,12 @@ final class UsageFailures {
                 lines.add(invalid(e));
             }
         }
-        return new Failure(ExitCode.BAD_INPUT, lines);
+        return lines;
     }
 
     /** @return the line for a program that was started without a command */
-    Failure noCommand(CommandLine program) {
-        return new Failure(ExitCode.BAD_INPUT, "a command is missing; commands: " + commands(program));
+    String noCommand(CommandLine program) {
+        return "a command is missing; commands: " + commands(program);
     }
 
     private String unmatched(CommandLine line, String found) {

@@ -40,9 +40,9 @@ public final class EffectCostCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        requireWithin("columns", columns, 2, MOST_COLUMNS);
-        requireWithin("rounds", rounds, 1, Integer.MAX_VALUE);
+    protected List<Runnable> checks() {
+        return List.of(() -> requireWithin("columns", columns, 2, MOST_COLUMNS),
+                () -> requireWithin("rounds", rounds, 1, Integer.MAX_VALUE), this::folder);
     }
 
     @Override

@@ -40,9 +40,8 @@ public final class EnergyDriftCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        scene();
-        solvers();
+    protected List<Runnable> checks() {
+        return List.of(() -> options.check(style()), this::scene, this::solvers, this::folder);
     }
 
     private SceneDescription scene() {

@@ -14,7 +14,7 @@ import particles.output.report.ResultPageWriter;
 import particles.output.text.TableText;
 import picocli.CommandLine.Mixin;
 
-/** A command that measures something: its page goes to build/out/NAME, its main table to the screen. */
+/** A command that runs an experiment: a page in build/out/NAME, and the main table on the screen. */
 public abstract class ExperimentCommand extends ResultsCommand {
     @Mixin
     private final ChartOptions charts = new ChartOptions();
@@ -27,15 +27,14 @@ public abstract class ExperimentCommand extends ResultsCommand {
     /**
      * Measures.
      *
-     * @param folder   where results go that are written as they come, such as an animation
-     * @param progress hears how far it is
-     * @return what there is to show
+     * @param folder   the folder for results that are written during the experiment, such as an animation
+     * @param progress is told how much is done
+     * @return the results
      */
     protected abstract ResultPage measure(OutputFolder folder, ProgressListener progress);
 
     @Override
     public final void run(PrintWriter lines) {
-        check();
         estimate().ifPresent(lines::println);
         lines.flush();
         ResultPage page = writeInto(folder(), new PrintedProgress(lines, System::nanoTime));
@@ -48,11 +47,11 @@ public abstract class ExperimentCommand extends ResultsCommand {
     }
 
     /**
-     * Measures, and writes all there is to show.
+     * Measures, and writes the results.
      *
-     * @param path     of the folder
-     * @param progress hears how far it is
-     * @return what was written
+     * @param path     the folder
+     * @param progress is told how much is done
+     * @return the results
      */
     final ResultPage writeInto(Path path, ProgressListener progress) {
         try (OutputFolder folder = OutputFolder.open(path, name() + ".md")) {
@@ -60,17 +59,13 @@ public abstract class ExperimentCommand extends ResultsCommand {
         }
     }
 
-    /** @return what is said before it begins, if it takes longer than a minute and a half, or less is done for that */
+    /** @return a line printed first, if it takes more than a minute and a half, or covers only a part to save time */
     protected Optional<String> estimate() {
         return Optional.empty();
     }
 
-    /** @return what its charts are for */
+    /** @return the format of its charts */
     protected final ChartFormat format() {
         return charts.format();
-    }
-
-    /** Looks at the options before anything is written or removed. */
-    protected void check() {
     }
 }

@@ -51,15 +51,25 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
+    protected List<Runnable> checks() {
+        return List.of(this::checkDeltaT, this::checkSteps, this::checkSolver, this::folder);
+    }
+
+    private void checkDeltaT() {
         if (deltaT != null) {                           // picocli leaves an option null that was not given
             positive("deltaT", deltaT);
             requireSolver("deltaT");
         }
+    }
+
+    private void checkSteps() {
         if (steps != null) {
             requireWithin("steps", steps, 1, MOST_STEPS);
             requireSolver("steps");
         }
+    }
+
+    private void checkSolver() {
         if (solver != null) {
             try {
                 SolverCatalog.create(solver);

@@ -53,11 +53,13 @@ public final class PhasePlotsCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        Scene scene = SceneBuilder.build(description(), new Overrides());
-        options.solvers("euler,symplectic-euler,rk4", style());
-        ids(scene);
-        axes(scene);
+    protected List<Runnable> checks() {
+        return List.of(() -> options.check(style()), () -> ids(scene()), () -> axes(scene()),
+                () -> options.solvers("euler,symplectic-euler,rk4", style()), this::folder);
+    }
+
+    private Scene scene() {
+        return SceneBuilder.build(description(), new Overrides());
     }
 
     private SceneDescription description() {

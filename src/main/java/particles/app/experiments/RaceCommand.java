@@ -63,14 +63,25 @@ public final class RaceCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        SceneDescription scene = scene();
-        if (!(scene.duration() > 0)) {
-            throw wrong("duration", "a race has to last longer than " + Digits.few(scene.duration()) + " s");
+    protected List<Runnable> checks() {
+        return List.of(() -> options.check(style()), this::checkDuration, this::checkFrames, this::checkSolvers,
+                this::folder);
+    }
+
+    private void checkDuration() {
+        double duration = scene().duration();
+        if (!(duration > 0)) {
+            throw wrong("duration", "a race has to last longer than " + Digits.few(duration) + " s");
         }
+    }
+
+    private void checkFrames() {
         if (frames != null) {                           // picocli leaves an option null that was not given
             requireWithin("frames", frames, 1, FRAMES_POSSIBLE);
         }
+    }
+
+    private void checkSolvers() {
         if (solvers().size() > MOST_SOLVERS) {
             throw wrong("solvers", solvers().size() + " solvers are too many; at most " + MOST_SOLVERS);
         }

@@ -12,6 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import particles.app.cli.ChartOptions;
+import particles.app.cli.ExitCode;
+import particles.app.cli.Failure;
 import particles.app.cli.Failures;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.PrintedProgress;
@@ -79,6 +81,12 @@ public final class ReportCommand extends ResultsCommand {
     }
 
     @Override
+    protected List<Runnable> checks() {
+        // a wrong scene is reported here, before the experiments run
+        return List.of(this::about, () -> new SceneOptions().solvers(solvers(), style()), this::chosen, this::folder);
+    }
+
+    @Override
     public void run(PrintWriter lines) {
         Optional<SceneDescription> about = about();
         List<ExperimentCommand> chosen = chosen();
@@ -111,8 +119,6 @@ public final class ReportCommand extends ResultsCommand {
     }
 
     private Optional<SceneDescription> about() {
-        // a solver that does not exist is said before anything runs
-        new SceneOptions().solvers(solvers(), style());
         // picocli leaves options null that were not given
         return scene == null ? Optional.empty() : Optional.of(new SceneOptions().scene(scene, style()));
     }
@@ -152,7 +158,10 @@ public final class ReportCommand extends ResultsCommand {
         try {
             line.setExpandAtFiles(false).parseArgs(options(line.getCommandSpec()));
             progress.reached(0, "begins");
-            experiment.check();
+            List<String> mistakes = experiment.mistakes();
+            if (!mistakes.isEmpty()) {
+                throw new Failure(ExitCode.BAD_INPUT, mistakes);
+            }
             page = Optional.of(experiment.writeInto(into, progress));
         } catch (OutputException e) {
             throw e;

@@ -34,6 +34,16 @@ final class SceneOptions {
 
     /** @return the scene that was asked for, or else this one, with what overrides it */
     SceneDescription scene(String standard, OptionStyle style) {
+        Path file = SceneFiles.find(SCENES, scene == null ? standard : scene);
+        return SceneBuilder.build(SceneReader.read(file, new StudentClasses()), overrides(style)).description();
+    }
+
+    /** Checks the options that override a value of the scene. */
+    void check(OptionStyle style) {
+        SceneBuilder.check(overrides(style));
+    }
+
+    private Overrides overrides(OptionStyle style) {
         Overrides overrides = new Overrides();
         if (deltaT != null) {                           // picocli leaves an option null that was not given
             overrides.with("deltaT", deltaT, style.option("deltaT"));
@@ -41,8 +51,7 @@ final class SceneOptions {
         if (duration != null) {
             overrides.with("duration", duration, style.option("duration"));
         }
-        Path file = SceneFiles.find(SCENES, scene == null ? standard : scene);
-        return SceneBuilder.build(SceneReader.read(file, new StudentClasses()), overrides).description();
+        return overrides;
     }
 
     /** @return whether a duration other than the scene's was asked for */

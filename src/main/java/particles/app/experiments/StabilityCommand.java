@@ -52,12 +52,19 @@ public final class StabilityCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        if (scene.isEmpty() && !(solvers.isEmpty() && deltaT.isEmpty())) {
-            throw wrong(solvers.isEmpty() ? "deltaT" : "solvers", "goes with " + style().option("scene") + " only");
+    protected List<Runnable> checks() {
+        return List.of(() -> requireScene("solvers", solvers), () -> requireScene("deltaT", deltaT),
+                () -> solverChoices(solvers.isEmpty() ? "all" : solvers), this::checkScene, this::folder);
+    }
+
+    private void requireScene(String option, String value) {
+        if (scene.isEmpty() && !value.isEmpty()) {
+            throw wrong(option, "goes with " + style().option("scene") + " only");
         }
+    }
+
+    private void checkScene() {
         if (!scene.isEmpty()) {
-            solverChoices(solvers.isEmpty() ? "all" : solvers);
             if (SceneStability.spectrum(described()).modes().stream().noneMatch(mode -> mode.re() <= 0)) {
                 throw wrong("scene",
                         "this scene has no vibration or damping at its start that limits a step; choose a scene"

@@ -39,9 +39,8 @@ public final class StiffGalleryCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        solverChoices(solvers);
-        requireWithin("decades", decades, 5, 8);
+    protected List<Runnable> checks() {
+        return List.of(() -> solverChoices(solvers), () -> requireWithin("decades", decades, 5, 8), this::folder);
     }
 
     @Override

@@ -57,8 +57,11 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     }
 
     @Override
-    protected void check() {
-        solverChoices(solvers);
+    protected List<Runnable> checks() {
+        return List.of(() -> solverChoices(solvers), this::checkProblems, this::folder);
+    }
+
+    private void checkProblems() {
         for (String name : names()) {
             if (!WorkProblems.NAMES.contains(name)) {
                 try {

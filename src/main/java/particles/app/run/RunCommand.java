@@ -3,12 +3,14 @@ package particles.app.run;
 import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import particles.app.cli.ChartOptions;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
 import particles.app.cli.ProgramCommand;
+import particles.scene.SceneBuilder;
 import particles.scene.SceneFiles;
 import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.Overrides;
@@ -70,20 +72,34 @@ public final class RunCommand extends ProgramCommand {
     }
 
     @Override
+    protected List<Runnable> checks() {
+        return List.of(this::file, () -> SceneBuilder.check(overrides()), this::checkVideo, this::folder);
+    }
+
+    @Override
     public void run(PrintWriter lines) {
-        Path file = SceneFiles.find(scenes, scene);
+        new RunJob(file(), overrides(), folder(), frames, Optional.ofNullable(video), charts.format(), style,
+                stop).run(lines);
+    }
+
+    private Path file() {
+        return SceneFiles.find(scenes, scene);
+    }
+
+    private Overrides overrides() {
         Overrides overrides = new Overrides();
         override(overrides, "solver", solver);
         override(overrides, "deltaT", deltaT);
         override(overrides, "duration", duration);
         override(overrides, "threads", threads);
+        return overrides;
+    }
+
+    private void checkVideo() {
         if (!frames && video == Video.MP4) {
-            throw new Failure(ExitCode.BAD_INPUT,
-                    style.option("video") + "=mp4 needs pictures; remove " + style.option("frames")
-                    + "=false");
+            throw new Failure(ExitCode.BAD_INPUT, style.option("video") + "=mp4 needs pictures; remove "
+                    + style.option("frames") + "=false");
         }
-        new RunJob(file, overrides, folderFor(file), frames, Optional.ofNullable(video), charts.format(), style,
-                stop).run(lines);
     }
 
     private void override(Overrides overrides, String name, String value) {
@@ -92,9 +108,9 @@ public final class RunCommand extends ProgramCommand {
         }
     }
 
-    private Path folderFor(Path file) {
+    private Path folder() {
         if (out == null) {
-            String name = SceneName.of(file).whole();
+            String name = SceneName.of(file()).whole();
             return RESULTS.resolve(name.isBlank() || name.startsWith(".") ? "scene" + name : name);
         }
         try {

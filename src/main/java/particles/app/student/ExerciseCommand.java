@@ -1,6 +1,7 @@
 package particles.app.student;
 
 import java.io.PrintWriter;
+import java.util.List;
 import particles.app.cli.ExitCode;
 import particles.app.cli.Failure;
 import particles.app.cli.OptionStyle;
@@ -37,15 +38,27 @@ public final class ExerciseCommand extends ProgramCommand {
     }
 
     @Override
-    public void run(PrintWriter out) {
-        int count = Exercises.all().size();
-        if (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1 || Integer.parseInt(number) > count) {
+    protected List<Runnable> checks() {
+        return List.of(this::checkNumber, this::checkStudent);
+    }
+
+    private void checkNumber() {
+        int count = Exercises.all().size();             // picocli leaves an option null that is missing
+        if (number != null && (!number.matches("\\d{1,3}") || Integer.parseInt(number) < 1
+                || Integer.parseInt(number) > count)) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("number") + ": '" + number
                     + "' is not an exercise; they are numbered 1 to " + count);
         }
-        if (student.isBlank()) {
+    }
+
+    private void checkStudent() {
+        if (student != null && student.isBlank()) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("student") + ": the id is empty");
         }
+    }
+
+    @Override
+    public void run(PrintWriter out) {
         Exercise exercise = Exercises.all().get(Integer.parseInt(number) - 1);
         Draw draw = new Draw(student, Integer.parseInt(number));
         if (answer == null) {                           // picocli leaves an option null that was not given

@@ -33,6 +33,19 @@ public final class Overrides {
         return this;
     }
 
+    /**
+     * Checks each option by itself, without a scene.
+     *
+     * @param problems gets a line for each wrong one
+     */
+    public void check(Problems problems) {
+        Map<Key<?>, Place> places = new HashMap<>();
+        apply(SceneFormat.SOLVER, SolverFormat.NAME, "", places, problems);
+        apply(SceneFormat.DELTA_T, SceneFormat.DELTA_T, 1.0, places, problems);
+        apply(SceneFormat.DURATION, SceneFormat.DURATION, 1.0, places, problems);
+        apply(SceneFormat.THREADS, SceneFormat.THREADS, 1, places, problems);
+    }
+
     /** @return the description with all valid options applied */
     public SceneDescription applyTo(SceneDescription scene, Problems problems) {
         Map<Key<?>, Place> places = new HashMap<>(scene.places());

@@ -141,6 +141,28 @@ class ProgramTest {
     }
 
     @Test
+    void namesAndValuesOfOptionsAreReportedTogether() {
+        assertEquals(ExitCode.BAD_INPUT, execute(OptionStyle.SHELL, "run", "--scnee=2", "--scene=no-such-scene",
+                "--deltaT=abc", "--solver=rk5", "--threads=-1", "--video=avi", "--out="));
+        List<String> lines = err.toString().lines().toList();
+        List<String> beginnings = List.of("unknown option --scnee; did you mean --scene?", "option --video: 'avi'",
+                "there is no scene 'no-such-scene'", "--solver: unknown solver 'rk5'", "--deltaT: ", "--threads: ",
+                "--out needs a folder name");
+        for (String beginning : beginnings) {
+            assertEquals(1, lines.stream().filter(line -> line.startsWith(beginning)).count(), beginning + " in "
+                    + lines);
+        }
+        assertEquals(beginnings.size(), lines.size(), lines.toString());
+    }
+
+    @Test
+    void allWrongOptionsOfAnExperimentAreReported() {
+        assertEquals(ExitCode.BAD_INPUT, execute(OptionStyle.GRADLE, "energyDrift", "--scene=no-such-scene",
+                "--deltaT=-1", "--duration=soon", "--solvers=rk5"));
+        assertEquals(4, err.toString().lines().count(), err.toString());
+    }
+
+    @Test
     void optionWithoutItsValueIsRefused() {
         assertRefused(OptionStyle.GRADLE, "option -PdeltaT needs a value: -PdeltaT=SECONDS", "try", "--deltaT");
     }
