@@ -22,12 +22,12 @@ final class EventSteps {
      */
     private static final int MOST_EVALUATIONS = 1_000_000;
     /** After so many events in a step, and some more for each particle, its headway is looked at. */
-    private static final int FEW_EVENTS = 200;
+    private static final int FEW_EVENTS = 100;
     private static final int FEW_EVENTS_OF_EACH = 5;
     /** Events that go on as they did cover as much time as before; ever smaller bounces less. */
-    private static final double STEADY = 0.9;
+    private static final double STEADY = 0.95;
     /**
-     * The largest number of such windows of events that a step may take: 10,000 events and 250 of each particle. A
+     * The largest number of such windows of events that a step may take: 5,000 events and 250 of each particle. A
      * jelly of 27 particles on a rough ball has up to 990 events in a step, 37 of each.
      */
     private static final int MOST_WINDOWS = 50;

@@ -223,8 +223,8 @@ class BlowUpMessageTest {
     void whereThereAreNoSpringsNoneIsBlamed(String solver) {
         SceneDescription orbits = SceneReader.read(Path.of("scenes", "24-orbits.yaml"));
         String line = blowUp(SceneBuilder.build(orbits, new Overrides().with("solver", solver, "--solver")));
-        assertTrue(line.endsWith("\n" + solver + " has no stability limit, but deltaT is too long for forces that change"
-                + " so fast\ntry --solver=dormand-prince, which chooses its own sub-steps"), line);
+        assertTrue(line.endsWith("\n" + solver + " has no stability limit, but deltaT is too long for forces that"
+                + " change so fast\ntry --solver=dormand-prince, which chooses its own sub-steps"), line);
         SceneBuilder.build(orbits, new Overrides().with("solver", "dormand-prince", "--solver")).simulation().run();
     }
 

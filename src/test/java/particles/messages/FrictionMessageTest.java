@@ -43,7 +43,8 @@ class FrictionMessageTest {
         SimulationException e = assertThrows(SimulationException.class, scene.simulation()::run);
         String message = FrictionMessage.of(scene, name -> "--" + name, e).orElseThrow();
         assertTrue(message.matches("backward-euler stopped at t = 0\\.\\d+ s: Newton's iteration did not converge: .*"
-                + "\nsomething is about to stop or to begin to slide, and there Coulomb friction changes its direction too"
+                + "\nsomething is about to stop or to begin to slide, and there Coulomb friction changes its"
+                + " direction too"
                 + " fast for backward-euler\n"
                 + "try --solver=rk4, which steps across the change"), message);
         Scene asAdvised = rope("rk4");
