@@ -84,6 +84,7 @@ final class SceneFacts {
         facts.put("ageColours", look.style().ageColours());
         facts.put("trail", look.style().trail());
         facts.put("night", look.style().night());
+        facts.put("arrows", look.style().arrows());
         Map<String, Object> marks = new LinkedHashMap<>();
         look.style().marks().forEach(mark -> marks.put(mark.particle(), mark(mark)));
         facts.put("marks", marks);
@@ -94,6 +95,7 @@ final class SceneFacts {
         Map<String, Object> facts = new LinkedHashMap<>();
         mark.colour().ifPresent(colour -> facts.put("colour", colour));
         facts.put("radius", mark.radius());
+        facts.put("label", mark.label());
         return facts;
     }
 
