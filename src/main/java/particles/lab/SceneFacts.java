@@ -49,7 +49,8 @@ final class SceneFacts {
         facts.put("spheres", scene.scenery().spheres().stream().map(SceneFacts::sphere).toList());
         facts.put("wires", scene.scenery().wires().stream().map(SceneFacts::wire).toList());
         facts.put("surfaces", scene.scenery().surfaces().stream().map(SceneFacts::surface).toList());
-        scene.phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(), phase.axis())));
+        scene.phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
+                phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
         return facts;
     }
 

@@ -34,7 +34,7 @@ export class SceneCamera {
     const from = given ? new THREE.Vector3(...given.position).sub(this.target)
         : (flat ? new THREE.Vector3(0.22, 0.16, 1) : new THREE.Vector3(0.55, 0.42, 1));
     const distance = !given ? 1.15 * extent / Math.sin(Math.atan(half * Math.min(1, camera.aspect)))
-        : given.perspective ? from.length() * Math.max(1, 1.5 / camera.aspect) : given.height / 2 / half;
+        : Math.max(1, 1.5 / camera.aspect) * (given.perspective ? from.length() : given.height / 2 / half);
     camera.up.set(...(given?.up ?? [0, 1, 0]));
     camera.near = distance / 1000;
     camera.far = distance * 100;
@@ -94,6 +94,9 @@ export class SceneCamera {
   resize() {
     this.camera.aspect = this.element.clientWidth / this.element.clientHeight;
     this.camera.updateProjectionMatrix();
+    if (this.box && !this.turned) {
+      this.place();
+    }
   }
 }
 

@@ -167,7 +167,7 @@ function shown(message) {
   $('evaluations').textContent = message.evaluations;
   $('seconds').textContent = few(message.seconds) + ' s';
   if (message.failure && !looking) {
-    $('message').textContent = message.failure.replace(/; /g, ';\n');
+    $('message').textContent = message.failure;
   }
   if (message.over || message.failure) {
     setPlaying(false);

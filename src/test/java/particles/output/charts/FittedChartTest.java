@@ -149,4 +149,15 @@ class FittedChartTest {
         assertEquals(List.of(1, 2, 3, 2, 3, 3, 3, 4, 3), IntStream.rangeClosed(1, 9).mapToObj(PanelGrid::columns)
                 .toList());
     }
+
+    @Test
+    void aNameBesideAPointNeverCoversTheAxes() {
+        assertEquals(95, EndLabels.nearestFree(99, 10, 5, 95, y -> true));
+        assertEquals(85, EndLabels.nearestFree(99, 10, 5, 95, y -> y != 95), "above, as below there is the axis");
+        assertEquals(75, EndLabels.nearestFree(95, 10, 5, 95, y -> y < 80 || y > 100), "not below the axis");
+        assertEquals(15, EndLabels.nearestFree(0, 10, 5, 95, y -> y != 5));
+        assertEquals(40, EndLabels.nearestFree(50, 10, 5, 95, y -> y != 50));
+        assertEquals(60, EndLabels.nearestFree(50, 10, 5, 95, y -> y > 50));
+        assertEquals(50, EndLabels.nearestFree(50, 10, 5, 95, y -> false), "where all are taken");
+    }
 }
