@@ -25,7 +25,7 @@ public abstract class AdaptiveSolver extends DESolver {
     public static final int MOST_SUB_STEPS = 500_000;
 
     /** After each so many sub-steps, their headway is compared with the rest of the step. */
-    private static final int WINDOW = 5_000;
+    private static final int WINDOW = 10_000;
 
     private static final double SAFETY = 0.9;
     private static final double MOST_SHRINKING = 0.2;
@@ -246,7 +246,7 @@ public abstract class AdaptiveSolver extends DESolver {
     /** Whether too many sub-steps would be tried, even if the next ones grow as the last ones did. */
     private boolean isHopeless(int tried, double done, double length) {
         double headway = done - (tried == 0 ? 0 : windowBegin);
-        double growth = headway / lastHeadway;
+        double growth = Math.max(1, headway / lastHeadway);     // shorter ones may be followed by longer ones
         double reach = done;
         double next = headway;
         for (int later = tried; later < MOST_SUB_STEPS; later += WINDOW) {
