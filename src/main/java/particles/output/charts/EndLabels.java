@@ -130,11 +130,11 @@ final class EndLabels {
      * @param low    no place is less, so that no name covers the axes
      * @param high   no place is more
      * @param isFree whether nothing else stands at a place
-     * @return the nearest free place, whole lines away; where all are taken, the wanted one
+     * @return the nearest free place, quarters of a line away; where all are taken, the wanted one
      */
     static double nearestFree(double wanted, double line, double low, double high, DoublePredicate isFree) {
         double end = Math.max(low, Math.min(high, wanted));
-        for (double away = 0; away <= high - low; away += line) {
+        for (double away = 0; away <= high - low; away += line / 4) {
             for (double y : new double[] {end - away, end + away}) {
                 if (y >= low && y <= high && isFree.test(y)) {
                     return y;

@@ -153,11 +153,10 @@ class FittedChartTest {
     @Test
     void aNameBesideAPointNeverCoversTheAxes() {
         assertEquals(95, EndLabels.nearestFree(99, 10, 5, 95, y -> true));
-        assertEquals(85, EndLabels.nearestFree(99, 10, 5, 95, y -> y != 95), "above, as below there is the axis");
-        assertEquals(75, EndLabels.nearestFree(95, 10, 5, 95, y -> y < 80 || y > 100), "not below the axis");
-        assertEquals(15, EndLabels.nearestFree(0, 10, 5, 95, y -> y != 5));
-        assertEquals(40, EndLabels.nearestFree(50, 10, 5, 95, y -> y != 50));
-        assertEquals(60, EndLabels.nearestFree(50, 10, 5, 95, y -> y > 50));
+        assertEquals(80, EndLabels.nearestFree(95, 10, 5, 95, y -> Math.abs(y - 90) >= 10), "below there is the axis");
+        assertEquals(15, EndLabels.nearestFree(0, 10, 5, 95, y -> y >= 15));
+        assertEquals(60, EndLabels.nearestFree(50, 10, 5, 95, y -> y >= 60));
+        assertEquals(40, EndLabels.nearestFree(50, 10, 5, 95, y -> Math.abs(y - 50) >= 10), "first above");
         assertEquals(50, EndLabels.nearestFree(50, 10, 5, 95, y -> false), "where all are taken");
     }
 }
