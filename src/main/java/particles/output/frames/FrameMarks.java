@@ -107,7 +107,7 @@ final class FrameMarks {
         double middle = ball.getCenterX() - width / 2;
         double level = ball.getCenterY() + 6 * unit;
         List<Label> places = List.of(new Label(text, right, level), new Label(text, left, level),
-                new Label(text, middle, ball.getY() - 8 * unit), new Label(text, middle, ball.getMaxY() + 20 * unit));
+                new Label(text, middle, ball.getY() - 14 * unit), new Label(text, middle, ball.getMaxY() + 26 * unit));
         return places.stream().filter(place -> place.x >= 0 && place.x + width < view.width)
                 .filter(place -> taken.stream().noneMatch(box(place)::intersects)).findFirst()
                 .orElse(places.get(right + width < view.width ? 0 : 1));

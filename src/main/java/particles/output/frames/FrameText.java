@@ -108,8 +108,9 @@ final class FrameText {
         }
         add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.ink, margin,
                 height - margin - 29 * unit);
-        String arrows = stage.look().style().arrows() > 0 ? "; arrows: velocity" : "";
-        add(lines, stage.caption() + arrows, small, sky.soft, margin, height - margin);
+        String arrows = stage.look().style().arrows() > 0 ? "arrows: velocity" : "";
+        String between = stage.caption().isEmpty() || arrows.isEmpty() ? "" : "; ";
+        add(lines, stage.caption() + between + arrows, small, sky.soft, margin, height - margin);
         if (withStrain) {
             addScale(lines, scale(width, height), height - margin);
         }
