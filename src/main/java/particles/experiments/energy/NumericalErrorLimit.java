@@ -6,7 +6,6 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.messages.Digits;
-import particles.scene.Scene;
 
 /**
  * Fails a run that gained more energy from nothing than it has: at the end of a run if the numerical error was larger
@@ -32,23 +31,14 @@ public final class NumericalErrorLimit implements Observer {
     private int fastest;
 
     /**
-     * @param energy the run's energies; told of each step before this
-     * @param books  the run's ledger; told of each step before this
-     * @param scene  the scene
-     */
-    public NumericalErrorLimit(EnergyHistory energy, EnergyLedgerRecorder books, Scene scene) {
-        this(energy, books, scene.energyScale(), scene.simulation().getDeltaT() / scene.simulation().getDuration());
-    }
-
-    /**
+     * @param energy      the run's energies; told of each step before this
+     * @param books       the run's ledger; told of each step before this
      * @param energyScale how much energy of motion is to be expected in the scene (J)
-     * @param step        a step, as a fraction of the run
      */
-    NumericalErrorLimit(EnergyHistory energy, EnergyLedgerRecorder books, double energyScale, double step) {
+    public NumericalErrorLimit(EnergyHistory energy, EnergyLedgerRecorder books, double energyScale) {
         this.energy = energy;
         this.books = books;
         rounding = AT_REST * energyScale;
-        explained = energyScale * step * step;          // of a fall by Euler, all energy is error after one step
     }
 
     @Override
