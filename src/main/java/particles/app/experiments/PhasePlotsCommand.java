@@ -68,10 +68,10 @@ public final class PhasePlotsCommand extends ExperimentCommand {
             if (axes != null) {
                 throw wrong("about", "an angle has no axis; leave " + style().option("axes") + " out");
             }
-            if (chosen.contains(about)) {
-                throw wrong("about", "a particle has no angle about itself");
-            }
         }
+        about(scene).filter(chosen::contains).ifPresent(id -> {
+            throw wrong("about", "'" + id + "' has no angle about itself; choose another particle");
+        });
     }
 
     private SceneDescription description() {
