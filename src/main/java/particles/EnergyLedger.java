@@ -2,6 +2,7 @@ package particles;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -57,6 +58,7 @@ public final class EnergyLedger implements Observer {
     }
 
     private final List<Account> accounts = new ArrayList<>();
+    private final Map<Effect, Account> undeclared = new LinkedHashMap<>();
     private final Map<String, Double> jumps = new LinkedHashMap<>();
     private double[] middle = {};
     private double[] mean = {};
@@ -77,6 +79,11 @@ public final class EnergyLedger implements Observer {
             if (effect.getTraits().contains(Trait.DRIVING)) {
                 accounts.add(new Account(effect.getName() + " (driven)",
                         (s, state, time) -> effect.getDrivenPower(state, time), false));
+            }
+            if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
+                Account work = new Account(effect.getName(), (s, state, time) -> power(effect, s, state, time), false);
+                accounts.add(work);
+                undeclared.put(effect, work);
             }
         }
         for (Reaction reaction : system.getReactions()) {
@@ -125,6 +132,9 @@ public final class EnergyLedger implements Observer {
         }
         powersKnown = true;
         energy = system.getEnergy(motion.getEndState(), t1);
+        // what such a law stores is in that energy, and part of its work
+        undeclared.forEach((effect, account) -> account.work += effect.getPotentialEnergy(motion.getEndState(), t1)
+                - effect.getPotentialEnergy(motion.getStartState(), t0));
     }
 
     @Override
@@ -154,6 +164,21 @@ public final class EnergyLedger implements Observer {
         }
         system.addUpEffects(state, time, force);
         return force;
+    }
+
+    /** What an effect's forces do on the particles that can move (W). */
+    private double power(Effect effect, ParticleSystem system, double[] state, double time) {
+        if (pull.length != system.getStateSize()) {
+            pull = new double[system.getStateSize()];
+        }
+        Arrays.fill(pull, 0);
+        effect.addForces(state, time, pull);
+        double power = 0;
+        for (int v = 3; v < pull.length; v += STRIDE) {
+            power += system.getParticles().isFixed(v / STRIDE) ? 0
+                    : pull[v] * state[v] + pull[v + 1] * state[v + 1] + pull[v + 2] * state[v + 2];
+        }
+        return power;
     }
 
     /** The power of whatever moves the anchors: minus the internal forces on each anchor, times its velocity. */

@@ -87,7 +87,8 @@ class ArchitectureTest {
             particles.experiments.stability: deSolvers deSolvers.catalog deSolvers.problems particles
                                            particles.experiments.runs particles.experiments.spectrum particles.law
                                            particles.scene particles.scene.format particles.view
-            particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.problems particles particles.effects
+            particles.experiments.work:    deSolvers deSolvers.catalog deSolvers.implicit deSolvers.problems particles
+                                           particles.effects
                                            particles.effects.springs particles.experiments.runs particles.law
                                            particles.reactions particles.reactions.contact particles.rules
                                            particles.view

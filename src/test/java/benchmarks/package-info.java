@@ -26,10 +26,11 @@
  * steps, ours does not.
  *
  * <h2>Stiff cloth: {@code gradle stiffCloth}</h2>
- * Prints the CPU time of a frame of 1/60 s of ever stiffer cloth of 64 x 64 particles: RK4, with up to 5,000 steps,
- * against one step of backward Euler. That step takes as long as some 60 steps of {@code rk4}: a cloth for which {@code
- * rk4} needs fewer is cheaper with it, and one for which it needs 5,000 takes 85 times as long with it. Over all of
- * that the implicit step's own time varies by a factor of 3.7 (medians of fifteen steps, on the same machine).
+ * Measures the CPU time of a frame of 1/60 s of ever stiffer cloth of 64 x 64 particles: RK4, with up to 5,000 steps,
+ * against one step of backward Euler with one linear solve. That step takes as long as some 100 steps of {@code rk4}: a
+ * cloth for which {@code rk4} needs fewer is cheaper with it, and one for which it needs 5,000 takes 49 times as long
+ * with it. Over all of that the implicit step's own time varies by a factor of 7 (medians of nine steps, on the same
+ * machine with other work beside it).
  *
  * <h2>Pictures and starting up</h2>
  * A thread of its own draws and writes the pictures of a run: for a cloth of 64 x 64 particles at 1280 x 720 pixels, 32

@@ -28,6 +28,7 @@ import particles.effects.QuadraticDrag;
 import particles.effects.TurbulentWind;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
+import particles.law.ParticleForce;
 import particles.law.Plane;
 import particles.law.Vector3;
 import particles.reactions.RestingContacts;
@@ -55,6 +56,44 @@ class EnergyLedgerTest {
         spring.addSpring(0, 1, 1, 0, 0);
         system.addEffect(spring);
         return system;
+    }
+
+    /** A law that claims nothing: F = (1, -2, 0) N; it may store energy all the same. */
+    private static ParticleForce undeclared(ParticleSystem system, boolean stores) {
+        return new ParticleForce(system.getParticles()) {
+            @Override
+            protected Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time) {
+                return new Vector3(1, -2, 0);
+            }
+
+            @Override
+            protected double getPotentialEnergy(Vector3 position, double mass, double time) {
+                return stores ? 2 * position.y() - position.x() : 0;
+            }
+
+            @Override
+            public String getName() {
+                return "push";
+            }
+        };
+    }
+
+    /** A student's first force says nothing of its energy: its work is F x = 2.5 t^2, and none of it an error. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void theWorkOfALawThatClaimsNothingIsNoError(boolean stores) {
+        for (DESolver solver : List.of(new RK4Solver(), new EulerSolver())) {
+            ParticleSystem system = new ParticleSystem();
+            system.addParticle("a", 1, Vector3.ZERO, Vector3.ZERO, false);
+            system.addParticle("nail", 1, new Vector3(0, 1, 0), Vector3.ZERO, true);
+            system.moveAnchor(1, (time, values) -> values[3] = 1);
+            system.addEffect(undeclared(system, stores));
+            EnergyLedger ledger = run(system, solver, 0.125, 2);
+            boolean exact = solver instanceof RK4Solver;
+            // Euler's path is shorter by g h t/2
+            assertEquals(stores ? 0 : exact ? 10 : 10 - 5 * 0.125 * 2 / 2, ledger.getWork().get("push"), 1e-12);
+            assertEquals(exact ? 0 : 5 * 0.125 * 2 / 2, ledger.getNumericalError(), 1e-12, "m g^2 h t/2");
+        }
     }
 
     /**

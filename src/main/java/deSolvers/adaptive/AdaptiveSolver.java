@@ -24,6 +24,9 @@ public abstract class AdaptiveSolver extends DESolver {
     /** The largest number of sub-steps, taken or rejected, in a step. */
     public static final int MOST_SUB_STEPS = 500_000;
 
+    /** After each so many sub-steps, their headway is compared with the rest of the step. */
+    private static final int WINDOW = 10_000;
+
     private static final double SAFETY = 0.9;
     private static final double MOST_SHRINKING = 0.2;
     private static final double MOST_GROWTH = 10;
@@ -38,6 +41,8 @@ public abstract class AdaptiveSolver extends DESolver {
     private boolean slopeKnown;
     private double subStep;                             // length of the next sub-step, > 0 (s)
     private boolean rejected;
+    private double windowBegin;                         // how much was done before the last sub-steps (s)
+    private double lastHeadway;                         // and how much in those before them (s)
 
     /**
      * @param relativeTolerance error allowed for an entry of the state in one sub-step, relative to its size
@@ -165,7 +170,7 @@ public abstract class AdaptiveSolver extends DESolver {
             double remaining = length - done;
             double resolution = resolution(source, done);
             subStep = Math.max(subStep, resolution);    // a guess or a plan may be finer than the clock
-            requireFewSubSteps(source, tried, done);
+            requireFewSubSteps(source, tried, done, length);
             double h = subStep >= remaining ? remaining
                     // two halves rather than a long and a tiny one
                     : subStep > remaining / 2 ? remaining / 2 : subStep;
@@ -228,14 +233,29 @@ public abstract class AdaptiveSolver extends DESolver {
                 + " late a clock, or the tolerance is below rounding");
     }
 
-    private void requireFewSubSteps(StepTransaction source, int tried, double done) {
-        if (tried >= MOST_SUB_STEPS) {
+    private void requireFewSubSteps(StepTransaction source, int tried, double done, double length) {
+        if (tried >= MOST_SUB_STEPS || tried % WINDOW == 0 && isHopeless(tried, done, length)) {
             int entry = tolerance.worstEntry();
             throw source.failure(entry,
                     "given up after " + tried + " sub-steps, " + done + " s from the beginning, where"
                     + " entry " + entry + " of the state demands sub-steps of " + subStep + " s; the system is stiff"
                     + " (take an implicit solver), or deltaT is too long or the tolerance too small");
         }
+    }
+
+    /** Whether too many sub-steps would be tried, even if the next ones grow as the last ones did. */
+    private boolean isHopeless(int tried, double done, double length) {
+        double headway = done - (tried == 0 ? 0 : windowBegin);
+        double growth = Math.max(1, headway / lastHeadway);     // shorter ones may be followed by longer ones
+        double reach = done;
+        double next = headway;
+        for (int later = tried; later < MOST_SUB_STEPS; later += WINDOW) {
+            next *= growth;
+            reach += next;
+        }
+        windowBegin = done;
+        lastHeadway = headway;
+        return tried > WINDOW && reach < length;
     }
 
     @Override

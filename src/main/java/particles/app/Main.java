@@ -15,6 +15,7 @@ import particles.app.experiments.PhasePlotsCommand;
 import particles.app.experiments.RaceCommand;
 import particles.app.experiments.ReportCommand;
 import particles.app.experiments.StabilityCommand;
+import particles.app.experiments.StiffClothCommand;
 import particles.app.experiments.StiffGalleryCommand;
 import particles.app.experiments.WorkPrecisionCommand;
 import particles.app.run.GalleryCommand;
@@ -81,6 +82,7 @@ public final class Main {
                 new PhasePlotsCommand(style),
                 new StabilityCommand(style),
                 new EffectCostCommand(style),
+                new StiffClothCommand(style),
                 new RaceCommand(style),
                 new ReportCommand(style, experiments(style)),
                 new LabCommand(SCENES, exercises(), style),
@@ -97,6 +99,6 @@ public final class Main {
     private static List<ExperimentCommand> experiments(OptionStyle style) {
         return List.of(new LectureFiguresCommand(style), new EnergyDriftCommand(style), new PhasePlotsCommand(style),
                 new RaceCommand(style), new WorkPrecisionCommand(style), new StiffGalleryCommand(style),
-                new StabilityCommand(style), new EffectCostCommand(style));
+                new StabilityCommand(style), new EffectCostCommand(style), new StiffClothCommand(style));
     }
 }

@@ -49,7 +49,8 @@ final class SceneFacts {
         facts.put("spheres", scene.scenery().spheres().stream().map(SceneFacts::sphere).toList());
         facts.put("wires", scene.scenery().wires().stream().map(SceneFacts::wire).toList());
         facts.put("surfaces", scene.scenery().surfaces().stream().map(SceneFacts::surface).toList());
-        scene.phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(), phase.axis())));
+        scene.phase().ifPresent(phase -> facts.put("phase", List.of(phase.particle(),
+                phase.about().isPresent() ? 0 : phase.axis())));       // the page plots positions only
         return facts;
     }
 
@@ -84,6 +85,7 @@ final class SceneFacts {
         facts.put("ageColours", look.style().ageColours());
         facts.put("trail", look.style().trail());
         facts.put("night", look.style().night());
+        facts.put("arrows", look.style().arrows());
         Map<String, Object> marks = new LinkedHashMap<>();
         look.style().marks().forEach(mark -> marks.put(mark.particle(), mark(mark)));
         facts.put("marks", marks);
@@ -94,6 +96,7 @@ final class SceneFacts {
         Map<String, Object> facts = new LinkedHashMap<>();
         mark.colour().ifPresent(colour -> facts.put("colour", colour));
         facts.put("radius", mark.radius());
+        facts.put("label", mark.label());
         return facts;
     }
 

@@ -27,7 +27,10 @@ public interface Effect {
         /** Takes energy out: the dissipated power is never negative. */
         DISSIPATIVE,
         /** Something outside does work: the driven power may have either sign. */
-        DRIVING
+        DRIVING;
+
+        /** A law that claims none of these says nothing of its energy, and whatever work it does is its own. */
+        public static final Set<Trait> OF_ENERGY = Set.of(CONSERVATIVE, DISSIPATIVE, DRIVING);
     }
 
     /** @return the name in messages and legends, such as {@code gravity} */

@@ -58,14 +58,15 @@ public final class BlowUpMessage {
         String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
                 + ": ";
         if (e.getCause() instanceof DESolverException cause) {
+            // what follows "last change" is a guess at the cause; the advice knows more
             return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "")
-                    .replaceFirst(" \\(last change .*", "") + advice();    // a guess at the cause, which follows here
+                    .replaceFirst(" \\(last change .*", "") + advice(true);
         }
         if (e instanceof NumericalErrorException error) {
             return (error.isEarly() ? line : "from t = " + Digits.few(e.getTime()) + " s on the motion by "
-                    + scene.description().solver() + " is wrong: ") + e.getMessage() + advice();
+                    + scene.description().solver() + " is wrong: ") + e.getMessage() + advice(false);
         }
-        return line + (e instanceof BlowUpException ? energy() + advice() : e.getMessage());
+        return line + (e instanceof BlowUpException ? energy() + advice(false) : e.getMessage());
     }
 
     /** @return whether numbers grew without bounds, rather than a solver that found no solution */
@@ -84,8 +85,12 @@ public final class BlowUpMessage {
                 + Digits.few(scene.simulation().getEnergyLimit()) + " J";
     }
 
-    /** The second and the third line: the diagnosis and what to try. */
-    private String advice() {
+    /**
+     * The second and the third line: the diagnosis and what to try.
+     *
+     * @param unsolved whether the solver found no solution, rather than a wrong one
+     */
+    private String advice(boolean unsolved) {
         String name = scene.description().solver();
         if (!SolverCatalog.names().contains(name)) {
             return "\nthe stability limit of " + name + " is not known"
@@ -97,14 +102,18 @@ public final class BlowUpMessage {
                     + trying(option("solver", STIFF));
         }
         double limit = limit(solver);
+        if (limit == Double.POSITIVE_INFINITY && rates.stiffest() < 0) {
+            return "\n" + name + " has no stability limit, but deltaT is too long for forces that change so fast"
+                    + trying(option("solver", ADAPTIVE) + ", which chooses its own sub-steps");
+        }
         if (limit == 0 && fastest > 0) {
             return "\nundamped springs gain energy with " + name + " at any deltaT"
                     + trying(withStep(SolverCatalog.info(STEADY)));
         }
         if (limit == Double.POSITIVE_INFINITY) {
-            return "\n" + name + " has no stability limit, but " + (name.equals(STIFF)
-                    ? "equations that it could not solve" + trying(option("solver", ACCURATE))
-                    : "it adds energy where springs buckle" + trying(option("solver", STIFF)));
+            return "\n" + name + " has no stability limit, but " + (unsolved && name.equals(STIFF)
+                    ? "equations that it could not solve" : "it adds energy where springs buckle")
+                    + trying(option("solver", name.equals(STIFF) ? ACCURATE : STIFF));
         }
         return fastest == 0 || deltaT <= stableStep(solver)
                 ? "\n" + notSprings(name) + trying(option("solver", ADAPTIVE) + ", which chooses its own sub-steps")

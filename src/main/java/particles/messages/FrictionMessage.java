@@ -31,17 +31,23 @@ public final class FrictionMessage {
      * @return three lines, separated by line feeds; empty if friction is not the cause
      */
     public static Optional<String> of(Scene scene, UnaryOperator<String> options, SimulationException e) {
-        if (!(e.getCause() instanceof DESolverException cause) || cause.getEntry() >= 0 || !mayStop(scene)) {
+        String name = scene.description().solver();
+        if (!(e.getCause() instanceof DESolverException cause) || isBlowUp(name, cause) || !mayStop(scene)) {
             return Optional.empty();
         }
-        String name = scene.description().solver();
         String found = cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "")
                 .replaceFirst("; .*", "");
         return Optional.of(name + " stopped at t = " + Digits.few(e.getTime()) + " s: " + found + "\nsomething"
                 + " is about to stop or to begin to slide, and there Coulomb friction changes its direction"
                 + " too fast for "
                 + name + "\ntry " + options.apply("solver") + "=" + EXPLICIT + step(scene, options)
-                + ", which has no equations to solve");
+                + ", which steps across the change");
+    }
+
+    /** Numbers of a fixed step may grow without bounds; an adaptive one names the entry that changes too fast. */
+    private static boolean isBlowUp(String solver, DESolverException cause) {
+        return cause.getEntry() >= 0
+                && !(SolverCatalog.names().contains(solver) && SolverCatalog.info(solver).adaptive());
     }
 
     private static boolean mayStop(Scene scene) {

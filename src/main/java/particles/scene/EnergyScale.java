@@ -1,5 +1,6 @@
 package particles.scene;
 
+import java.util.Collections;
 import particles.ParticleSystem;
 import particles.effects.springs.SpringForce;
 import particles.law.Effect;
@@ -17,9 +18,11 @@ import particles.scene.parts.SceneAssembly;
  *     duration, since everything may fall for as long as the run lasts;</li>
  * <li>what wind, emitters and moving anchors can give: the sum of m w&sup2;/2, with w the largest of their speeds, over
  * all
- *     particles, including those born during the run.</li>
+ *     particles, including those born during the run;</li>
+ * <li>what laws can give that say nothing of their energy, as a student's own may: the sum of F&sup2; T&sup2;/(2 m),
+ *     with F the force at the start.</li>
  * </ul>
- * If all three are 0 nothing in the scene sets anything in motion. The estimate is then the kinetic energy with which
+ * If all four are 0 nothing in the scene sets anything in motion. The estimate is then the kinetic energy with which
  * every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1
  * m if that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
  */
@@ -50,8 +53,23 @@ final class EnergyScale {
         double height = g == 0 ? 0 : extent(system, assembly.acceleration().normalized());
         double byGravity = mass * g * (height + g * duration * duration / 2);
         double byWind = mass * assembly.speed() * assembly.speed() / 2;
-        double scale = Math.max(atStart, Math.max(byGravity, byWind));
+        double scale = Math.max(Math.max(atStart, byOwnLaws(system, duration)), Math.max(byGravity, byWind));
         return scale > 0 ? scale : crossing(system, mass, duration);
+    }
+
+    private static double byOwnLaws(ParticleSystem system, double duration) {
+        double[] force = new double[system.getStateSize()];
+        for (Effect effect : system.getEffects()) {
+            if (Collections.disjoint(effect.getTraits(), Trait.OF_ENERGY)) {
+                effect.addForces(system.getOwnState(), system.getTime(), force);
+            }
+        }
+        double energy = 0;
+        for (int i = 0, v = 3; i < system.getParticles().count(); i++, v += Particles.STRIDE) {
+            double square = force[v] * force[v] + force[v + 1] * force[v + 1] + force[v + 2] * force[v + 2];
+            energy += square * duration * duration / 2 * system.getParticles().inverseMasses()[i];
+        }
+        return energy;
     }
 
     /** Whether an effect is a uniform force like gravity, whose energy has no natural zero. */

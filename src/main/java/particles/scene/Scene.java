@@ -34,8 +34,9 @@ public record Scene(SceneDescription description, Simulation simulation, Particl
      * The coordinate shown by the phase-space plot.
      *
      * @param particle the index of the particle
-     * @param axis     0 for x, 1 for y, 2 for z
+     * @param axis     0 for x, 1 for y, 2 for z, 3 for the angle about another particle
+     * @param about    the id of that one
      */
-    public record Phase(int particle, int axis) {
+    public record Phase(int particle, int axis, Optional<String> about) {
     }
 }

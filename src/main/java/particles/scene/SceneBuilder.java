@@ -132,7 +132,8 @@ public final class SceneBuilder {
         scene.constraints().build(system, index, simulation, assembly);
         assembly.rules().forEach(simulation::addRule);
         Optional<Scene.Phase> phase = scene.output().phase()
-                .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis()));
+                .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis(),
+                        plot.about()));
         return new Scene(scene, simulation, system, solver, springs, assembly.scenery(surfaces), scene.camera(),
                 scene.look(), scene.output(), phase, scale);
     }

@@ -157,7 +157,8 @@ class SubStepControlTest {
         assertEquals(0, source.getTime());
 
         Scripted slow = new Scripted(false, (offset, h) -> 0.81);
-        e = assertThrows(DESolverException.class, () -> slow.stepState(constant(), 1e6));
+        slow.growth = h -> slow.tried.size() < 496_000 ? 1 + 1e-5 : 0.99;      // they grow, and give hope, to the last
+        e = assertThrows(DESolverException.class, () -> slow.stepState(constant(), 1.45e6));
         assertTrue(e.getMessage().contains("given up after 500000 sub-steps"), e.getMessage());
         assertEquals(AdaptiveSolver.MOST_SUB_STEPS, slow.tried.size());
         // A clock far from 0 resolves less.
@@ -172,6 +173,19 @@ class SubStepControlTest {
         Scripted tiny = new Scripted(false, (offset, h) -> 0.5);
         tiny.stepState(far, 1e-300);
         assertEquals(List.of(1e-300), tiny.tried);
+    }
+
+    /** Of 500,000 sub-steps that may be tried, a step that needs a million of one length tries few. */
+    @Test
+    void aStepThatMakesNoHeadwayIsGivenUpEarly() {
+        Scripted slow = new Scripted(false, (offset, h) -> 0.81);
+        DESolverException e = assertThrows(DESolverException.class, () -> slow.stepState(constant(), 1e5));
+        assertTrue(e.getMessage().contains("given up after " + slow.tried.size() + " sub-steps"), e.getMessage());
+        assertTrue(slow.tried.size() <= 30_000, slow.tried.size() + " sub-steps");         // measured: 20,000
+        Scripted growing = new Scripted(false, (offset, h) -> 0.5);
+        growing.growth = h -> 1.0005;
+        growing.stepState(constant(), 1e9);             // as hopeless after 10,000, but the next ones are longer
+        assertEquals(30_858, growing.tried.size(), 10);
     }
 
     /** A guess below the clock's resolution is raised to it. */

@@ -31,7 +31,7 @@ class ExperimentOptionsTest {
     @Test
     void chartsAreSlidesAndSvgOnlyWhereThereAreCharts() {
         Set<String> expected = Set.of("run", "lectureFigures", "energyDrift", "workPrecision", "stiffGallery",
-                "phasePlots", "stability", "effectCost", "race", "report", "checkSolver");
+                "phasePlots", "stability", "effectCost", "stiffCloth", "race", "report", "checkSolver");
         for (ProgramCommand command : Main.commands(OptionStyle.GRADLE, new StopRequest())) {
             CommandSpec spec = new CommandLine(command).getCommandSpec();
             for (String option : List.of("--slide", "--svg")) {
@@ -46,6 +46,8 @@ class ExperimentOptionsTest {
                 + " 'block'?",
         "phasePlots     | -Pparticles=        | option -Pparticles: the scene has no particle ''",
         "phasePlots     | -Paxes=xw           | option -Paxes: 'xw' has to be made of the letters x, y and z",
+        "phasePlots     | -Pabout=blok        | option -Pabout: the scene has no particle 'blok'; did you mean 'block'",
+        "phasePlots     | -Pabout=block       | option -Pabout: 'block' has no angle about itself; choose another",
         "phasePlots     | -Psolvers=rk5       | option -Psolvers: no solver is called 'rk5'; did you mean 'rk4'?",
         "phasePlots     | -Pscene=27          | option -Pscene: at its start this scene has no free particle",
         "phasePlots     | -Paxis=x            | unknown option -Paxis; did you mean -Paxes?",

@@ -67,24 +67,26 @@ class FaultsTest {
         }
     }
 
-    /** A process that a script starts in the background may ignore SIGINT, and so do the processes that it starts. */
-    private static boolean hearsCtrlC() throws IOException {
+    /** A process that a script starts in the background may ignore a signal, and so do the processes it starts. */
+    private static boolean hears(int signal) throws IOException {
         Path status = Path.of("/proc/self/status");
         return !Files.exists(status) || Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:"))
-                .allMatch(line -> (Long.parseUnsignedLong(line.substring(7).strip(), 16) & 2) == 0);
+                .allMatch(line -> (Long.parseUnsignedLong(line.substring(7).strip(), 16) >> signal - 1 & 1) == 0);
     }
 
-    @Test
-    void ctrlCEndsWithALineAndWholeFiles() throws Exception {
-        assumeTrue(hearsCtrlC(), "SIGINT is ignored here: run it in the foreground");
+    /** Signals 1, 2 and 15: the terminal was closed, Ctrl-C, and kill. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 15})
+    void aSignalEndsARunWithALineAndWholeFiles(int signal) throws Exception {
+        assumeTrue(hears(signal), "the signal is ignored here: run it in the foreground");
         Path scene = scene(LONG);
         Map<String, String> expected = unbroken(scene);
         ChildProgram child = child();
         Process process = child.start("run", "--scene=" + scene, "--out=" + out);
         awaitFile(process, out.resolve("frames/frame-00003.png"), child);
-        assertEquals(0, new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor());
+        assertEquals(0, new ProcessBuilder("kill", "-" + signal, Long.toString(process.pid())).start().waitFor());
         ChildProgram.End end = child.end(process);
-        assertEquals(130, end.code(), end.lines());
+        assertEquals(128 + signal, end.code(), end.lines());
         assertOneLine("the run was stopped at t = [0-9.]+ s of 12 s", end);
         for (String name : List.of("trajectory.csv", "run.json", "energy.png", "animation.gif")) {
             assertTrue(Files.size(out.resolve(name)) > 0, name);
@@ -140,6 +142,18 @@ class FaultsTest {
         } catch (IOException e) {
             return false;                               // the command does not exist
         }
+    }
+
+    /** A device that is always full takes the lines of a run; what is lost is said on the other stream. */
+    @Test
+    void linesThatCannotBePrintedAreNotLostInSilence() throws Exception {
+        assumeTrue(Files.exists(Path.of("/dev/full")), "needs a device that is always full");
+        ChildProgram.End end = child().startedBy("sh", "-c", "\"$@\" >/dev/full", "sh")
+                .run("run", "--scene=" + scene(SHORT), "--out=" + out);
+        assertEquals(1, end.code(), end.lines());
+        assertEquals("some output could not be printed: the destination is full or closed", end.lines().strip());
+        WholeFiles.assertWhole(out);
+        assertTrue(Files.exists(out.resolve("run.json")), "the results are written all the same");
     }
 
     @Test

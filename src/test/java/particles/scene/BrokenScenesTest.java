@@ -52,7 +52,7 @@ class BrokenScenesTest {
                         "x.yaml:9:5: unknown effect 'friction'; it is a key of 'ground', 'plane', 'sphere'; known: "
                                 + EFFECTS),
                 added("output:\n  phase: {particle: bob, axis: X}\n",
-                        "x.yaml:9:32: unknown axis 'X'; did you mean 'x'? known: x, y, z"),
+                        "x.yaml:9:32: unknown axis 'X'; did you mean 'x'? known: x, y, z, angle"),
                 added("effects:\n  gravity: {}\n",
                         "x.yaml:9:3: 'effects' is a mapping (key: value); it has to be a list, each entry after"
                                 + " a dash: "
@@ -189,7 +189,13 @@ class BrokenScenesTest {
                         "x.yaml:8:17: 'width' is 8; it has to be a whole number from 16 to 4096",
                         "x.yaml:8:31: 'frameRate' is 0; it has to be a number from 0.001 to 1000 (1/s)",
                         "x.yaml:8:52: unknown particle 'tim'; known: bob",
-                        "x.yaml:8:63: unknown axis 'w'; known: x, y, z"),
+                        "x.yaml:8:63: unknown axis 'w'; known: x, y, z, angle"),
+                added("output: {phase: {particle: bob, axis: angle}}\n",
+                        "x.yaml:8:39: 'axis: angle' needs 'about', the particle that the angle is seen from"),
+                added("output: {phase: {particle: bob, about: bob}}\n",
+                        "x.yaml:8:40: 'about' goes with 'axis: angle'"),
+                added("output: {phase: {particle: bob, axis: angle, about: bob}}\n",
+                        "x.yaml:8:53: a particle has no angle about itself"),
                 added("blowUpFactor:\n",
                         "x.yaml:8:1: 'blowUpFactor' has no value; it has to be a number over 0"),
                 added("title: again\n",

@@ -1,5 +1,7 @@
 package particles.scene;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.lang.reflect.InvocationTargetException;
 import java.net.MalformedURLException;
 import java.net.URL;
@@ -45,19 +47,42 @@ final class FreshProgram extends URLClassLoader {
     /** Reads, builds and runs a scene; returns the state at its end. */
     double[] run(String scene) throws ReflectiveOperationException {
         try {
-            Object description = loadClass("particles.scene.SceneReader").getMethod("read", String.class, byte[].class)
-                    .invoke(null, "x.yaml", scene.getBytes(StandardCharsets.UTF_8));
-            Class<?> overrides = loadClass("particles.scene.format.Overrides");
-            Object built = loadClass("particles.scene.SceneBuilder")
-                    .getMethod("build", loadClass("particles.scene.format.SceneDescription"), overrides)
-                    .invoke(null, description, overrides.getConstructor().newInstance());
-            Object simulation = built.getClass().getMethod("simulation").invoke(built);
-            simulation.getClass().getMethod("run").invoke(simulation);
-            Object system = built.getClass().getMethod("system").invoke(built);
+            Object system = buildAndRun(read(scene));
             return (double[]) system.getClass().getMethod("getOwnState").invoke(system);
         } catch (InvocationTargetException e) {
             throw new AssertionError(e.getCause());
         }
+    }
+
+    /**
+     * The memory that building and running a scene takes once its classes are loaded (bytes). Later on the compiler may
+     * spare some of it.
+     */
+    long allocated(String scene) throws ReflectiveOperationException {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        Object description = read(scene);
+        long least = Long.MAX_VALUE;
+        for (int run = 0; run < 4; run++) {
+            long before = threads.getCurrentThreadAllocatedBytes();
+            buildAndRun(description);
+            least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
+        }
+        return least;
+    }
+
+    private Object read(String scene) throws ReflectiveOperationException {
+        return loadClass("particles.scene.SceneReader").getMethod("read", String.class, byte[].class)
+                .invoke(null, "x.yaml", scene.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private Object buildAndRun(Object description) throws ReflectiveOperationException {
+        Class<?> overrides = loadClass("particles.scene.format.Overrides");
+        Object built = loadClass("particles.scene.SceneBuilder")
+                .getMethod("build", loadClass("particles.scene.format.SceneDescription"), overrides)
+                .invoke(null, description, overrides.getConstructor().newInstance());
+        Object simulation = built.getClass().getMethod("simulation").invoke(built);
+        simulation.getClass().getMethod("run").invoke(simulation);
+        return built.getClass().getMethod("system").invoke(built);
     }
 
     /** The names of all loaded classes whose names begin with this. */

@@ -120,7 +120,7 @@ class SceneBuilderTest {
         assertEquals(20, camera.height(), 1e-12, "2 d tan(45 degrees)");
         assertEquals(0x00ff10, told.look().frontColour());
         assertEquals(RenderOptions.Shown.ALWAYS, told.look().springs());
-        assertEquals(new Scene.Phase(0, 2), told.phase().orElseThrow());
+        assertEquals(new Scene.Phase(0, 2, Optional.empty()), told.phase().orElseThrow());
         assertEquals(64, told.output().width());
         assertEquals(25, told.output().frameRate());
     }

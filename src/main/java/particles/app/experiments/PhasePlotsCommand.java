@@ -1,11 +1,11 @@
 package particles.app.experiments;
 
 import deSolvers.catalog.DidYouMean;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.app.cli.OptionStyle;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhasePortraits;
@@ -42,6 +42,11 @@ public final class PhasePlotsCommand extends ExperimentCommand {
             description = "Of x, y and z, as xy (default: that of the scene's own phase plot).")
     private String axes;
 
+    @Option(names = "--about", paramLabel = "ID",
+            description = "Draws angles about this particle, not positions along axes (default: that of the scene's own"
+                    + " phase plot).")
+    private String about;
+
     /** @param style how the user types options */
     public PhasePlotsCommand(OptionStyle style) {
         super(style);
@@ -54,7 +59,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
 
     @Override
     protected List<Runnable> checks() {
-        return List.of(() -> options.check(style()), () -> ids(scene()), () -> axes(scene()),
+        return List.of(() -> options.check(style()), () -> ids(scene()), () -> axes(scene()), this::checkAbout,
                 () -> options.solvers("euler,symplectic-euler,rk4", style()), this::folder);
     }
 
@@ -62,24 +67,38 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         return SceneBuilder.build(description(), new Overrides());
     }
 
+    private void checkAbout() {
+        Scene scene = scene();
+        if (about != null) {                            // picocli leaves an option null that was not given
+            checkKnown("about", about, scene);
+            if (axes != null) {
+                throw wrong("about", "an angle has no axis; leave " + style().option("axes") + " out");
+            }
+        }
+        List<String> chosen = ids(scene);
+        about(scene).filter(chosen::contains).ifPresent(id -> {
+            throw wrong("about", "'" + id + "' has no angle about itself; choose another particle");
+        });
+    }
+
     private SceneDescription description() {
         return options.scene("euler-spiral", style());
     }
 
+    private void checkKnown(String option, String id, Scene scene) {
+        Particles all = scene.system().getParticles();
+        List<String> known = IntStream.range(0, all.count()).mapToObj(all::id).toList();
+        if (!known.contains(id)) {
+            throw wrong(option, "the scene has no particle '" + id + "'" + DidYouMean.hint(id, known,
+                    "'%s'"::formatted)
+                    + " it has " + known.size() + ", from '" + known.get(0) + "' to '" + known.get(known.size() - 1)
+                    + "'");
+        }
+    }
+
     private List<String> ids(Scene scene) {
         Particles all = scene.system().getParticles();
-        List<String> known = new ArrayList<>();
-        for (int i = 0; i < all.count(); i++) {
-            known.add(all.id(i));
-        }
-        for (String id : particles) {
-            if (!known.contains(id)) {
-                throw wrong("particles", "the scene has no particle '" + id + "'" + DidYouMean.hint(id, known,
-                        "'%s'"::formatted)
-                        + " it has " + known.size() + ", from '" + known.get(0) + "' to '" + known.get(known.size() - 1)
-                        + "'");
-            }
-        }
+        particles.forEach(id -> checkKnown("particles", id, scene));
         return particles.isEmpty()
                 ? List.of(all.id(scene.phase().map(Scene.Phase::particle).orElseGet(() -> lastFree(all))))
                 : particles;
@@ -97,7 +116,10 @@ public final class PhasePlotsCommand extends ExperimentCommand {
 
     /** None for the axis along which a particle goes farthest. */
     private List<Axis> axes(Scene scene) {
-        if (axes == null) {                             // picocli leaves an option null that was not given
+        if (about != null) {
+            return List.of(Axis.ANGLE);
+        }
+        if (axes == null) {
             return scene.phase().map(phase -> List.of(Axis.values()[phase.axis()])).orElse(List.of());
         }
         if (!axes.matches("[xyz]+")) {
@@ -107,6 +129,11 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 Axis.valueOf(letter.toUpperCase(Locale.ROOT))).toList();
     }
 
+    private Optional<String> about(Scene scene) {
+        return axes(scene).contains(Axis.ANGLE) && about == null ? scene.phase().flatMap(Scene.Phase::about)
+                : Optional.ofNullable(about);
+    }
+
     @Override
     protected ResultPage measure(OutputFolder folder, ProgressListener progress) {
         SceneDescription description = description();
@@ -114,10 +141,11 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         Portraits portraits = PhasePortraits.compare(description, options.solvers("euler,symplectic-euler,rk4",
                 style()),
                 ids(scene),
-                axes(scene), progress);
+                axes(scene), about(scene), progress);
         List<Portrait> all = portraits.portraits();
         String finding = PhasePortraits.finding(description.title(), all);
-        String caption = "Velocity over position. The pale band is the reference, dormand-prince with a tolerance of"
+        String caption = (axes(scene).contains(Axis.ANGLE) ? "Angular velocity over angle." : "Velocity over position.")
+                + " The pale band is the reference, dormand-prince with a tolerance of"
                 + " 1e-10. A cross is the end of a run that stopped, or the place where a path leaves the picture.";
         Picture picture = all.size() == 1
                 ? Picture.phase("phase-plots", caption, all.get(0).chart(), Optional.empty())

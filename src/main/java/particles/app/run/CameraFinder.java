@@ -22,11 +22,14 @@ import particles.view.Camera;
  */
 public final class CameraFinder {
     /**
-     * A rehearsal makes no more steps than this, times particles: it shows where things go, and a second or two is
-     * enough.
+     * A rehearsal makes no more evaluations than this, times particles: it shows where things go, and a second or two
+     * is enough. Steps of adaptive and implicit solvers may take hundreds of evaluations.
      */
-    private static final double MOST_PARTICLE_STEPS = 3e6;
-    /** A run that gains more than this, times its energy scale, is on its way to blow up, and leaves any picture. */
+    private static final double MOST_PARTICLE_EVALUATIONS = 1.2e7;
+    /**
+     * A run that gains more than this, times its energy scale, is on its way to blow up, and leaves any picture, unless
+     * forces did that much work: the scale knows nothing of those that students write.
+     */
     private static final double MOST_ENERGY = 20;
 
     /** Where a run blows up, the picture shows so many times the width of what happened before. */
@@ -84,7 +87,7 @@ public final class CameraFinder {
         private final EnergyLedger ledger = new EnergyLedger();
         private final Extent extent;
         private final double mostEnergy;
-        private double stepsLeft;
+        private final double mostEvaluations;
         private Box beforeBlowUp;
         private boolean blewUp;
 
@@ -92,7 +95,7 @@ public final class CameraFinder {
         Limits(Scene scene, Extent extent) {
             this.extent = extent;
             mostEnergy = MOST_ENERGY * scene.energyScale();
-            stepsLeft = MOST_PARTICLE_STEPS / scene.system().getParticles().count();
+            mostEvaluations = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
         }
 
         @Override
@@ -107,16 +110,18 @@ public final class CameraFinder {
             ParticleSystem system = motion.getSystem();
             double[] state = motion.getEndState();
             double energy = system.getKineticEnergy(state);
-            blewUp = energy > mostEnergy;
+            boolean fast = energy > mostEnergy;
             for (Effect effect : system.getEffects()) {
                 if (effect.getTraits().contains(Effect.Trait.INTERNAL)) {
                     energy += effect.getPotentialEnergy(state, motion.getEndTime());
                 }
             }
-            if (Math.abs(ledger.getNumericalError()) <= energy / 2) {
+            boolean right = Math.abs(ledger.getNumericalError()) <= energy / 2;
+            if (right) {
                 beforeBlowUp = Box.of(extent).grown(GROWTH);
             }
-            if (stepsLeft-- < 0 || blewUp) {
+            blewUp = fast && !right;
+            if (blewUp || system.getEvaluations() > mostEvaluations) {
                 throw new StoppedException();
             }
         }

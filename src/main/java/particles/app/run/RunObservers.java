@@ -64,7 +64,8 @@ final class RunObservers implements AutoCloseable {
         long energies = TrajectoryWriter.strideFor(steps, 1, MOST_ENERGIES);
         energy = new EnergyHistory(energies);
         books = new EnergyLedgerRecorder(energies);
-        phase = scene.phase().map(plot -> new PhaseHistory(scene.system().getParticles().id(plot.particle())));
+        phase = scene.phase().map(plot -> new PhaseHistory(scene.system().getParticles().id(plot.particle()),
+                plot.about()));
         add(trajectory);
         add(energy);
         add(books);

@@ -5,13 +5,16 @@ import particles.law.Particles;
 
 /** The energy scale of a scene in which nothing moves: weight times height. */
 final class RestScale {
+    /** Relative to coordinates: particles at one level may differ by this in height. */
+    private static final double ROUND_OFF = 1e-12;
+
     private RestScale() {
     }
 
     /**
      * @param system at its start
      * @return the length of the sum of all effects' forces on the particles that can move, times the extent of all
-     *         particles along it, or times 1 m where they have none (J); 0 without force
+     *         particles along it, or times 1 m where they have none beyond round-off (J); 0 without force
      */
     static double of(ParticleSystem system) {
         Particles particles = system.getParticles();
@@ -30,11 +33,13 @@ final class RestScale {
         }
         double lowest = Double.POSITIVE_INFINITY;
         double highest = Double.NEGATIVE_INFINITY;
+        double size = 0;
         for (int x = 0; x < force.length; x += Particles.STRIDE) {
             double along = (state[x] * sum[0] + state[x + 1] * sum[1] + state[x + 2] * sum[2]) / weight;
             lowest = Math.min(lowest, along);
             highest = Math.max(highest, along);
+            size = Math.max(size, Math.abs(along));
         }
-        return weight * (highest > lowest ? highest - lowest : 1);
+        return weight * (highest - lowest > ROUND_OFF * size ? highest - lowest : 1);
     }
 }

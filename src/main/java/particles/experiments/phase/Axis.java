@@ -1,18 +1,38 @@
 package particles.experiments.phase;
 
+import java.util.List;
 import java.util.Locale;
 
-/** A direction of space, by which one component of a particle's motion is chosen. */
+/** What a phase portrait shows of a particle: one component of its motion, or its angle about another particle. */
 public enum Axis {
     /** To the right. */
     X,
     /** Up. */
     Y,
     /** Towards the viewer of the default camera. */
-    Z;
+    Z,
+    /**
+     * The angle theta about another particle, in the plane of x and y: 0 straight below it, and growing
+     * counter-clockwise, also beyond pi.
+     */
+    ANGLE;
 
-    /** @return x, y or z */
+    /** The directions of space. */
+    static final List<Axis> DIRECTIONS = List.of(X, Y, Z);
+
+    /** @return x, y, z or angle */
     public String symbol() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** @return what is drawn to the right, such as "position x of 'bob' (m)"; the middle may be empty */
+    String positionLabel(String whose) {
+        return this == ANGLE ? "angle theta" + whose + " (rad)" : "position " + symbol() + whose + " (m)";
+    }
+
+    /** @return what is drawn upwards, such as "velocity vx of 'bob' (m/s)"; the middle may be empty */
+    String velocityLabel(String whose) {
+        return this == ANGLE ? "angular velocity omega" + whose + " (rad/s)"
+                : "velocity v" + symbol() + whose + " (m/s)";
     }
 }

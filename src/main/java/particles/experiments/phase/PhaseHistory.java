@@ -2,6 +2,7 @@ package particles.experiments.phase;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
@@ -12,25 +13,41 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
- * The path of one particle in its state space: position against velocity along an axis, after each step and again after
- * rules changed something, so that a bounce is a vertical line. A very long path is thinned to every 2nd, 4th, ...
+ * The path of one particle in its state space: position against velocity along an axis, or its angle about another
+ * particle against the angular velocity, after each step and again after rules changed something, so that a bounce is a
+ * vertical line. A very long path is thinned to every 2nd, 4th, ...
  * state, and then drawn as points, since lines between distant states would show a motion that was none.
  */
 public final class PhaseHistory implements Observer {
     private static final int CAPACITY = 1 << 15;
     /** A path of no more states than this shows each of them. */
     private static final int FEW = 150;
+    /** Numbers of each state that is kept: position, velocity, angle and angular velocity. */
+    private static final int COLUMNS = Particles.STRIDE + 2;
 
     private final String id;
+    private final Optional<String> about;
     private int index;
-    private double[] path = new double[Particles.STRIDE * 256];     // position and velocity of each state kept
+    private int pivot;
+    private double angle;
+    private double rate;
+    private double[] path = new double[COLUMNS * 256];
     private int count;
     private long every = 1;
     private long states;
 
     /** @param id which particle */
     public PhaseHistory(String id) {
+        this(id, Optional.empty());
+    }
+
+    /**
+     * @param id    which particle
+     * @param about the particle that its angle is seen from, if there is one
+     */
+    public PhaseHistory(String id, Optional<String> about) {
         this.id = id;
+        this.about = about;
     }
 
     @Override
@@ -51,14 +68,13 @@ public final class PhaseHistory implements Observer {
     /** Particles that come and go may move this one to another index; once it is gone, its path has ended. */
     private void add(ParticleSystem system, double[] state) {
         Particles particles = system.getParticles();
-        if (index >= particles.count() || !particles.id(index).equals(id)) {
-            index = 0;
-            while (index < particles.count() && !particles.id(index).equals(id)) {
-                index++;
-            }
-            if (index == particles.count()) {
-                return;
-            }
+        index = find(particles, id, index);
+        pivot = about.isPresent() ? find(particles, about.get(), pivot) : index;
+        if (index == particles.count() || pivot == particles.count()) {
+            return;
+        }
+        if (about.isPresent()) {
+            turn(state, Particles.STRIDE * index, Particles.STRIDE * pivot);
         }
         if (states++ % every != 0) {
             return;
@@ -66,16 +82,41 @@ public final class PhaseHistory implements Observer {
         if (count == CAPACITY) {
             halve();
         }
-        if (Particles.STRIDE * count == path.length) {
+        if (COLUMNS * count == path.length) {
             path = Arrays.copyOf(path, 2 * path.length);
         }
-        System.arraycopy(state, Particles.STRIDE * index, path, Particles.STRIDE * count++, Particles.STRIDE);
+        System.arraycopy(state, Particles.STRIDE * index, path, COLUMNS * count, Particles.STRIDE);
+        path[COLUMNS * count + Particles.STRIDE] = angle;
+        path[COLUMNS * count + Particles.STRIDE + 1] = rate;
+        count++;
+    }
+
+    /** @return where a particle is now, most often where it was before; the number of particles if it is gone */
+    private static int find(Particles particles, String id, int before) {
+        if (before < particles.count() && particles.id(before).equals(id)) {
+            return before;
+        }
+        int i = 0;
+        while (i < particles.count() && !particles.id(i).equals(id)) {
+            i++;
+        }
+        return i;
+    }
+
+    /** Finds the angle of the line from the pivot, within half a turn of the angle before, and its rate. */
+    private void turn(double[] state, int particle, int pivot) {
+        double x = state[particle] - state[pivot];
+        double y = state[particle + 1] - state[pivot + 1];
+        double vx = state[particle + 3] - state[pivot + 3];
+        double vy = state[particle + 4] - state[pivot + 4];
+        angle += StrictMath.IEEEremainder(StrictMath.atan2(x, -y) - angle, 2 * Math.PI);
+        rate = (x * vy - y * vx) / (x * x + y * y);
     }
 
     /** Of the states kept, whose number is even, every second one stays: the next one to come is due as well. */
     private void halve() {
         for (int k = 0; k < count; k += 2) {
-            System.arraycopy(path, Particles.STRIDE * k, path, Particles.STRIDE * (k / 2), Particles.STRIDE);
+            System.arraycopy(path, COLUMNS * k, path, COLUMNS * (k / 2), COLUMNS);
         }
         count /= 2;
         every *= 2;
@@ -84,7 +125,7 @@ public final class PhaseHistory implements Observer {
     /** @return the axis along which the particle went farthest; x if it did not move */
     public Axis widestAxis() {
         Axis widest = Axis.X;
-        for (Axis axis : Axis.values()) {
+        for (Axis axis : Axis.DIRECTIONS) {
             if (range(column(axis.ordinal())) > range(column(widest.ordinal()))) {
                 widest = axis;
             }
@@ -99,7 +140,7 @@ public final class PhaseHistory implements Observer {
     private double[] column(int entry) {
         double[] values = new double[count];
         for (int k = 0; k < count; k++) {
-            values[k] = path[Particles.STRIDE * k + entry];
+            values[k] = path[COLUMNS * k + entry];
         }
         return values;
     }
@@ -114,11 +155,11 @@ public final class PhaseHistory implements Observer {
         if (count == 0) {
             throw new IllegalStateException("no run with a particle '" + id + "' was observed");
         }
-        double[] x = column(axis.ordinal());
-        double[] v = column(axis.ordinal() + 3);
+        double[] x = column(axis == Axis.ANGLE ? Particles.STRIDE : axis.ordinal());
+        double[] v = column(axis == Axis.ANGLE ? Particles.STRIDE + 1 : axis.ordinal() + 3);
+        String whose = " of '" + id + "'" + (axis == Axis.ANGLE ? " about '" + about.orElseThrow() + "'" : "");
         Mark mark = every > 1 ? Mark.POINTS : count <= FEW ? Mark.LINE_AND_POINTS : Mark.LINE;
-        return new ChartData(title, "position " + axis.symbol() + " of '" + id + "' (m)",
-                "velocity v" + axis.symbol() + " of '" + id + "' (m/s)", false, false,
+        return new ChartData(title, axis.positionLabel(whose), axis.velocityLabel(whose), false, false,
                 List.of(new Series("path", mark, x, v),
                         new Series("start", Mark.POINTS, new double[] {x[0]}, new double[] {v[0]}),
                         new Series("end", Mark.POINTS, new double[] {x[count - 1]}, new double[] {v[count - 1]})));

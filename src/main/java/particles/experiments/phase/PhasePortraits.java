@@ -65,20 +65,21 @@ public final class PhasePortraits {
      * @param solvers   whom to compare
      * @param particles their ids
      * @param axes      along which they are looked at; none for the one along which each goes farthest
+     * @param about     the particle about which angles are seen, for {@link Axis#ANGLE}
      * @param progress  hears how far it is
      * @return the portraits
      */
     public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
-            List<Axis> axes,
-                                    ProgressListener progress) {
+            List<Axis> axes, Optional<String> about, ProgressListener progress) {
         progress.reached(0, "the reference");
         Setting tight = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),
                 Optional.of(REFERENCE_TOLERANCE));
-        Run reference = run(scene, tight, REFERENCE, particles);
+        Run reference = run(scene, tight, REFERENCE, particles, about);
         List<Run> runs = new ArrayList<>();
         for (SolverChoice solver : solvers) {
             progress.reached((runs.size() + 1.0) / (solvers.size() + 1), solver.label());
-            runs.add(run(scene, new Setting(solver, scene.deltaT(), Optional.empty()), solver.label(), particles));
+            runs.add(run(scene, new Setting(solver, scene.deltaT(), Optional.empty()), solver.label(), particles,
+                    about));
         }
         List<Portrait> portraits = new ArrayList<>();
         List<List<Object>> rows = new ArrayList<>();
@@ -98,11 +99,17 @@ public final class PhasePortraits {
                 rows.add(row(particles.get(p), axis, reference, exact, exact, 0));
             }
         }
+        boolean angles = axes.contains(Axis.ANGLE);
+        String length = angles ? " (rad)" : " (m)";
+        String speed = angles ? " (rad/s)" : " (m/s)";
+        String position = angles ? "angle" : "position";
+        String velocity = angles ? "angular velocity" : "velocity";
         return new Portraits(portraits, new DataTable("ends",
                 "Where the particle was at the end, and how far its path was from the reference's curve on the way",
                 List.of(DataTable.column("particle"), DataTable.column("axis"), DataTable.column("solver"),
-                        DataTable.column("position (m)"), DataTable.column("velocity (m/s)"),
-                        new DataTable.Column("position error (m)", 3), new DataTable.Column("velocity error (m/s)", 3),
+                        DataTable.column(position + length), DataTable.column(velocity + speed),
+                        new DataTable.Column(position + " error" + length, 3),
+                        new DataTable.Column(velocity + " error" + speed, 3),
                         new DataTable.Column("off the curve (%)", 2), DataTable.column("evaluations"),
                         DataTable.column("why it ended")), rows));
     }
@@ -149,8 +156,9 @@ public final class PhasePortraits {
                 : last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
     }
 
-    private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles) {
-        List<PhaseHistory> paths = particles.stream().map(PhaseHistory::new).toList();
+    private static Run run(SceneDescription scene, Setting setting, String name, List<String> particles,
+            Optional<String> about) {
+        List<PhaseHistory> paths = particles.stream().map(id -> new PhaseHistory(id, about)).toList();
         Scene built = SceneRun.build(scene, setting, scene.duration());
         return new Run(name, paths, SceneRun.run(built, MOST_EVALUATIONS, paths));
     }

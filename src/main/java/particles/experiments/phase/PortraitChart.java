@@ -64,9 +64,7 @@ final class PortraitChart {
             series.add(new Series("stopped, or out of the picture", Mark.FAILURES, new double[] {path.x()[end]},
                     new double[] {path.y()[end]}));
         }
-        return new ChartData(whose + title(axis), "position " + axis.symbol() + " (m)",
-                "velocity v" + axis.symbol() + " (m/s)",
-                false, false, series);
+        return new ChartData(whose + title(axis), axis.positionLabel(""), axis.velocityLabel(""), false, false, series);
     }
 
     private String title(Axis axis) {
@@ -74,7 +72,7 @@ final class PortraitChart {
             return solver + ": blows up";
         }
         if (Double.isNaN(off)) {
-            return rests ? solver + ": at rest along " + axis.symbol() : solver;
+            return rests ? solver + ": at rest" + (axis == Axis.ANGLE ? "" : " along " + axis.symbol()) : solver;
         }
         return solver + (off > LEFT ? ": " + percent(off) + " off the curve"
                 : ": on the curve to " + percent(off));

@@ -28,9 +28,13 @@ public final class VectorFields {
      * @param axis   along which the particle moves
      * @param x      the positions of the path (m)
      * @param v      its velocities (m/s)
-     * @return the field, or nothing if there are more degrees of freedom, or the path has no extent
+     * @return the field, or nothing for an angle, if there are more degrees of freedom, or if the path has no
+     *         extent
      */
     public static Optional<VectorField> around(ParticleSystem system, Axis axis, double[] x, double[] v) {
+        if (axis == Axis.ANGLE) {
+            return Optional.empty();
+        }
         Particles particles = system.getParticles();
         int free = -1;
         for (int i = 0; i < particles.count(); i++) {

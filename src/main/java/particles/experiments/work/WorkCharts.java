@@ -157,12 +157,12 @@ public final class WorkCharts {
         Optional<String> rough = cheapest(curves, work, ROUGH);
         Optional<String> fine = cheapest(curves, work, FINE);
         if (rough.isEmpty()) {
-            return "none has an error of 10\u207b\u00b2";
+            return "none has an error of 0.01";
         }
-        String result = rough.get() + " " + verb + " 10\u207b\u00b2";
-        return fine.isEmpty() ? result + ", none has 10\u207b\u2076" : rough.equals(fine)
-                ? result + " and 10\u207b\u2076"
-                : result + ", " + fine.get() + " " + preposition + " 10\u207b\u2076";
+        String result = rough.get() + " " + verb + " 0.01";
+        return fine.isEmpty() ? result + ", none has 1e-6" : rough.equals(fine)
+                ? result + " and 1e-6"
+                : result + ", " + fine.get() + " " + preposition + " 1e-6";
     }
 
     private static Optional<String> cheapest(List<Curve> curves, ToDoubleFunction<Point> work, double error) {
@@ -178,10 +178,10 @@ public final class WorkCharts {
         List<String> rough = fastest(curves, ROUGH);
         List<String> fine = fastest(curves, FINE);
         if (rough.isEmpty()) {
-            return "none has an error of 10\u207b\u00b2";
+            return "none has an error of 0.01";
         }
-        return said(rough) + " 10\u207b\u00b2, " + (fine.isEmpty() ? "none has 10\u207b\u2076"
-                : said(fine) + " 10\u207b\u2076");
+        return said(rough) + " 0.01" + (fine.isEmpty() ? ", none has 1e-6" : rough.equals(fine) ? " and 1e-6"
+                : ", " + said(fine) + " 1e-6");
     }
 
     private static String said(List<String> solvers) {

@@ -3,7 +3,7 @@ package particles.lab.browser;
 import deSolvers.DESolver;
 import java.util.Locale;
 
-/** What the page calls in the place of methods that it does not have: they have the same names and parameters. */
+/** Replaces methods that a page lacks, or that are slow there, by methods with the same names and parameters. */
 public final class Missing {
     private static final long MEMORY = 1L << 30;
 
@@ -13,6 +13,16 @@ public final class Missing {
     /** @return a b + c, rounded twice, where Java's rounds once: processors' fused operation is not open to pages */
     public static double fma(double a, double b, double c) {
         return a * b + c;
+    }
+
+    /**
+     * Tests the length of a spring without 64-bit integers: in a page they are objects, which took 0.4 of the time of
+     * the cloth in wind.
+     *
+     * @return whether the square of a length neither overflows nor loses digits
+     */
+    public static boolean isOrdinary(double square) {
+        return square >= 1e-280 && square < 1e280;
     }
 
     /** @return how much memory a run may take (bytes); a page is not told, and this is what most can have */

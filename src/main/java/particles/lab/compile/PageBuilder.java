@@ -25,7 +25,8 @@ public final class PageBuilder implements LabBuilder {
     private static final String PAGE = "particles/lab/page/";
 
     /** The scripts of the page that import each other, in an order in which each comes after what it imports. */
-    private static final List<String> OWN_MODULES = List.of("view", "plots", "editor", "main");
+    private static final List<String> OWN_MODULES = List.of("camera", "lines", "marks", "scenery", "view",
+            "plots", "editor", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
 
     /** Made without parameters, by its name. */

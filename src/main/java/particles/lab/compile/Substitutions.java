@@ -12,13 +12,14 @@ import org.teavm.model.instructions.InvocationType;
 import org.teavm.model.instructions.InvokeInstruction;
 
 /**
- * Lets calls that a page has no counterpart for call the method of the same name in
+ * Replaces calls of methods that a page lacks, or that are slow there, by calls of the methods of the same names in
  * {@code particles.lab.browser.Missing}.
  */
 public final class Substitutions implements ClassHolderTransformer {
     private static final String MISSING = "particles.lab.browser.Missing";
     private static final Set<String> REPLACED = Set.of("java.lang.Math.fma", "java.lang.Runtime.maxMemory",
-            "java.lang.String.format", "deSolvers.catalog.SolverCatalog.ofClass");
+            "java.lang.String.format", "deSolvers.catalog.SolverCatalog.ofClass",
+            "particles.effects.springs.SpringKernel.isOrdinary");
 
     @Override
     public void transformClass(ClassHolder owner, ClassHolderTransformerContext context) {

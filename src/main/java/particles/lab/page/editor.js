@@ -24,6 +24,14 @@ export class Editor {
     this.code.setValue(text);
   }
 
+  save(name) {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([this.text], {type: 'text/yaml'}));
+    link.download = name;
+    link.click();
+    URL.revokeObjectURL(link.href);
+  }
+
   /** Each line is 'file:line:column: what is wrong', or without a place. */
   show(errors) {
     this.marks.splice(0).forEach(mark => mark.clear());

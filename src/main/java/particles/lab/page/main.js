@@ -6,12 +6,13 @@ import {Editor} from './editor.js';
 const $ = id => document.getElementById(id);
 const few = number => Number(number.toPrecision(4)).toString();
 const REFERENCE_PARTICLES = 40, REFERENCE_MILLISECONDS = 4000;
+const PLOT_INTERVAL = 80;              // milliseconds: a curve of 4000 points takes 20 to draw
 
 const engine = URL.createObjectURL(new Blob([$('engine').textContent], {type: 'text/javascript'}));
 const worker = new Worker(engine);
 let reference = null;
 let solvers = [], facts = null, structure = null, frame = null;
-let playing = false, looking = false, run = 0, autoplay = false;
+let playing = false, looking = false, run = 0, autoplay = false, plotted = 0;
 
 const view = makeView($('view'), pick);
 const energy = new EnergyPlot($('energy'));
@@ -73,6 +74,9 @@ function opened(message) {
     return;
   }
   $('message').textContent = '';
+  if (message.facts.look.arrows !== facts?.look.arrows) {
+    view.setArrows($('arrows').checked = message.facts.look.arrows > 0);
+  }
   facts = message.facts;
   structure = null;
   looking = false;
@@ -109,6 +113,9 @@ function showStep() {
 
 function setPlaying(on) {
   playing = on;
+  if (!on && structure) {
+    askForPhase();                      // all steps, also those between the moments shown
+  }
   $('start').textContent = on ? 'Pause' : 'Start';
 }
 
@@ -160,7 +167,7 @@ function shown(message) {
   $('evaluations').textContent = message.evaluations;
   $('seconds').textContent = few(message.seconds) + ' s';
   if (message.failure && !looking) {
-    $('message').textContent = message.failure.replace(/; /g, ';\n');
+    $('message').textContent = message.failure;
   }
   if (message.over || message.failure) {
     setPlaying(false);
@@ -185,6 +192,10 @@ function startPhase() {
 
 function newPhase() {
   phase.start('xyz'[$('axis').value]);
+  askForPhase();
+}
+
+function askForPhase() {
   const wanted = {type: 'phase', id: $('particle').value, axis: Number($('axis').value)};
   worker.postMessage(wanted);
   reference?.postMessage(wanted);
@@ -247,29 +258,18 @@ $('time').oninput = () => { setPlaying(false); worker.postMessage({type: 'look',
 $('particle').onchange = $('axis').onchange = newPhase;
 $('arrows').onchange = () => view.setArrows($('arrows').checked);
 $('labels').onchange = () => view.setLabels($('labels').checked);
-$('save').onclick = () => {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([editor.text], {type: 'text/yaml'}));
-  link.download = $('scene').value;
-  link.click();
-  URL.revokeObjectURL(link.href);
-};
-$('open').onchange = async () => {
-  const [file] = $('open').files;
-  if (file) {
-    openText(await file.text());
-  }
-};
-function resize() {
-  [view, energy, phase].forEach(part => part.resize());
-}
+$('save').onclick = () => editor.save($('scene').value);
+$('open').onchange = () => $('open').files[0]?.text().then(text => openText(text));
+const resize = () => [view, energy, phase].forEach(part => part.resize());
 addEventListener('resize', resize);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', resize);
 
-function draw() {
+function draw(now = 0) {
   view.draw();
-  energy.plot && energy.draw();
-  phase.plot && phase.draw();
+  if (now - plotted > PLOT_INTERVAL) {
+    plotted = now;
+    [energy, phase].forEach(plot => plot.draw());
+  }
   requestAnimationFrame(draw);
 }
 window.lab = {view, energy, phase};          // for the browser's console, and for tests

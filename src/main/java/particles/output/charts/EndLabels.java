@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.DoublePredicate;
 import org.jfree.chart.axis.ValueAxis;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
@@ -110,12 +111,12 @@ final class EndLabels {
     private void drawInside(Graphics2D g, int k, Rectangle2D area, double line, List<Rectangle2D> taken) {
         double width = g.getFontMetrics().stringWidth(data.name(k));
         double x = endX(k, area) + 2 * GAP;
-        double end = Math.max(area.getMinY() + line / 2, Math.min(area.getMaxY() - line / 2, endY(k, area)));
-        Rectangle2D box = new Rectangle2D.Double(x - 2, end - line / 2, width + 4, line);
-        for (int n = 1; collides(box, taken) && n <= 2 * labelled.size(); n++) {
-            double y = end + (n % 2 == 0 ? 1 : -1) * (n + 1) / 2 * line;
+        Rectangle2D box = new Rectangle2D.Double(x - 2, 0, width + 4, line);
+        double place = nearestFree(endY(k, area), line, area.getMinY() + line / 2, area.getMaxY() - line / 2, y -> {
             box.setRect(box.getX(), y - line / 2, box.getWidth(), line);
-        }
+            return taken.stream().noneMatch(box::intersects);
+        });
+        box.setRect(box.getX(), place - line / 2, box.getWidth(), line);
         taken.add(box);
         g.setPaint(HALO);
         g.fill(box);
@@ -123,8 +124,24 @@ final class EndLabels {
         g.drawString(data.name(k), (float) x, (float) (box.getCenterY() + middle(g)));
     }
 
-    private static boolean collides(Rectangle2D box, List<Rectangle2D> taken) {
-        return taken.stream().anyMatch(box::intersects);
+    /**
+     * @param wanted where a name would stand best
+     * @param line   the height of a line
+     * @param low    no place is less, so that no name covers the axes
+     * @param high   no place is more
+     * @param isFree whether nothing else stands at a place
+     * @return the nearest free place, quarters of a line away; where all are taken, the wanted one
+     */
+    static double nearestFree(double wanted, double line, double low, double high, DoublePredicate isFree) {
+        double end = Math.max(low, Math.min(high, wanted));
+        for (double away = 0; away <= high - low; away += line / 4) {
+            for (double y : new double[] {end - away, end + away}) {
+                if (y >= low && y <= high && isFree.test(y)) {
+                    return y;
+                }
+            }
+        }
+        return end;
     }
 
     /** How far the base line lies below the middle of a line of text. */

@@ -65,33 +65,52 @@ final class FrameMarks {
 
     /** @return the rectangles that labels take up (pixels) */
     List<Rectangle2D> boxes(FrameState state, double ball) {
-        List<Rectangle2D> boxes = new ArrayList<>();
-        for (Label label : labels(state, ball)) {
-            Rectangle2D box = font().getStringBounds(label.text, SMOOTH);
-            boxes.add(new Rectangle2D.Double(label.x, label.y + box.getY(), box.getWidth(), box.getHeight()));
-        }
-        return boxes;
+        return labels(state, ball).stream().map(this::box).toList();
+    }
+
+    private Rectangle2D box(Label label) {
+        Rectangle2D box = font().getStringBounds(label.text, SMOOTH);
+        return new Rectangle2D.Double(label.x, label.y + box.getY(), box.getWidth(), box.getHeight());
     }
 
     private Font font() {
         return FontCheck.font(Font.PLAIN, 18 * unit);
     }
 
-    /** To the right of the ball, or to its left where the picture ends. */
     private List<Label> labels(FrameState state, double ball) {
-        List<Label> labels = new ArrayList<>();
+        List<Rectangle2D> balls = new ArrayList<>();
+        List<Integer> labelled = new ArrayList<>();
         for (int i = 0; i < state.particles; i++) {
-            String text = state.label(i);
-            Optional<double[]> seen = text.isEmpty() ? Optional.empty() : place(state, i, 0);
+            Optional<double[]> seen = state.label(i).isEmpty() ? Optional.empty() : place(state, i, 0);
             if (seen.isPresent()) {
-                double[] place = seen.get();
-                double away = state.radius(i, ball) * place[2] + 6 * unit;
-                double width = font().getStringBounds(text, SMOOTH).getWidth();
-                boolean fits = place[0] + away + width < view.width;
-                labels.add(new Label(text, fits ? place[0] + away : place[0] - away - width, place[1] + 6 * unit));
+                double[] at = seen.get();
+                double radius = state.radius(i, ball) * at[2];
+                labelled.add(i);
+                balls.add(new Rectangle2D.Double(at[0] - radius, at[1] - radius, 2 * radius, 2 * radius));
             }
         }
+        List<Label> labels = new ArrayList<>();
+        for (int k = 0; k < balls.size(); k++) {
+            List<Rectangle2D> taken = new ArrayList<>(balls);
+            taken.remove(k);
+            labels.forEach(label -> taken.add(box(label)));
+            labels.add(label(state.label(labelled.get(k)), balls.get(k), taken));
+        }
         return labels;
+    }
+
+    /** To the right of the ball or else to its left, above or below: in the picture and clear of what is there. */
+    private Label label(String text, Rectangle2D ball, List<Rectangle2D> taken) {
+        double width = font().getStringBounds(text, SMOOTH).getWidth();
+        double right = ball.getMaxX() + 6 * unit;
+        double left = ball.getX() - 6 * unit - width;
+        double middle = ball.getCenterX() - width / 2;
+        double level = ball.getCenterY() + 6 * unit;
+        List<Label> places = List.of(new Label(text, right, level), new Label(text, left, level),
+                new Label(text, middle, ball.getY() - 14 * unit), new Label(text, middle, ball.getMaxY() + 26 * unit));
+        return places.stream().filter(place -> place.x >= 0 && place.x + width < view.width)
+                .filter(place -> taken.stream().noneMatch(box(place)::intersects)).findFirst()
+                .orElse(places.get(right + width < view.width ? 0 : 1));
     }
 
     private void drawArrows(Graphics2D g, FrameState state) {

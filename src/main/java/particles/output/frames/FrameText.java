@@ -6,11 +6,14 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.font.FontRenderContext;
 import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import particles.output.painters.FrameState;
 import particles.output.raster.Colours;
 import particles.output.raster.Sky;
@@ -23,6 +26,8 @@ import particles.output.text.FontCheck;
 final class FrameText {
     /** Of a time that is shown exactly, since steps are shorter than frames. */
     private static final int MOST_DECIMALS = 6;
+    /** How opaque the ground of words is, of 255: what is behind them shows through as a shade. */
+    private static final int BACKING = 220;
     private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
 
     private final FrameSetup stage;
@@ -52,6 +57,9 @@ final class FrameText {
         }
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        if (!state.notes.isEmpty()) {
+            drawBacking(g, width, height, boxes(width, height, state, withStrain));
+        }
         if (withStrain) {
             drawScale(g, scale(width, height));
         }
@@ -60,6 +68,20 @@ final class FrameText {
             g.setFont(line.font);
             g.drawString(line.text, line.x, line.y);
         }
+    }
+
+    /** A blow-up spreads over the whole picture, so the words in each corner get a ground of their own. */
+    private void drawBacking(Graphics2D g, int width, int height, List<Rectangle2D> boxes) {
+        Map<Boolean, Map<Boolean, List<Rectangle2D>>> corners = boxes.stream().collect(
+                Collectors.groupingBy(box -> box.getCenterX() < width / 2.0,
+                        Collectors.groupingBy(box -> box.getCenterY() < height / 2.0)));
+        double room = 8 * unit;
+        g.setColor(new Color(sky.halo.getRed(), sky.halo.getGreen(), sky.halo.getBlue(), BACKING));
+        corners.values().forEach(side -> side.values().forEach(corner -> {
+            Rectangle2D all = corner.stream().reduce(Rectangle2D::createUnion).orElseThrow();
+            g.fill(new RoundRectangle2D.Double(all.getX() - room, all.getY() - room, all.getWidth() + 2 * room,
+                    all.getHeight() + 2 * room, 2 * room, 2 * room));
+        }));
     }
 
     /** @return the rectangles that words and the scale of strain take up (pixels); bodies should stay clear of them */
@@ -86,8 +108,9 @@ final class FrameText {
         }
         add(lines, "t = " + seconds(state) + " s", FontCheck.font(Font.PLAIN, 24 * unit), sky.ink, margin,
                 height - margin - 29 * unit);
-        String arrows = stage.look().style().arrows() > 0 ? "; arrows: velocity" : "";
-        add(lines, stage.caption() + arrows, small, sky.soft, margin, height - margin);
+        String arrows = stage.look().style().arrows() > 0 ? "arrows: velocity" : "";
+        String between = stage.caption().isEmpty() || arrows.isEmpty() ? "" : "; ";
+        add(lines, stage.caption() + between + arrows, small, sky.soft, margin, height - margin);
         if (withStrain) {
             addScale(lines, scale(width, height), height - margin);
         }

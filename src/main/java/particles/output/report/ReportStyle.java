@@ -49,7 +49,7 @@ final class ReportStyle {
               a { color: inherit; text-decoration: none; }
               section { break-before: page; border: 0; margin: 0; padding: 0; }
               h1, h2, h3 { break-after: avoid; }
-              figure, tr { break-inside: avoid; }
+              figure, .table, tr { break-inside: avoid; }
               figure { margin: 2mm 0; }
               figcaption { margin-top: 0.5mm; font-size: 8.5pt; line-height: 1.3; }
               figure.animation, .folded { display: none; }

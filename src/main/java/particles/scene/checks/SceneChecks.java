@@ -10,6 +10,7 @@ import particles.effects.EffectKind;
 import particles.scene.format.CameraFormat;
 import particles.scene.format.MarkFormat;
 import particles.scene.format.OutputDescription;
+import particles.scene.format.OutputDescription.Phase;
 import particles.scene.format.RenderFormat;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.SceneFormat;
@@ -222,6 +223,18 @@ public final class SceneChecks {
 
     private void checkPhase() {
         scene.find(SceneFormat.OUTPUT).flatMap(output -> output.find(OutputDescription.PHASE))
-                .ifPresent(phase -> isKnown(phase, OutputDescription.Phase.PARTICLE));
+                .ifPresent(phase -> {
+                    isKnown(phase, Phase.PARTICLE);
+                    isKnown(phase, Phase.ABOUT);
+                    boolean angle = phase.find(Phase.AXIS).equals(Optional.of(Phase.ANGLE));
+                    if (angle && phase.isSound() && phase.find(Phase.ABOUT).isEmpty()) {
+                        problems.add(phase.place(Phase.AXIS), "'axis: angle' needs 'about', the particle that the angle"
+                                + " is seen from");
+                    } else if (!angle && phase.isSound() && phase.find(Phase.ABOUT).isPresent()) {
+                        problems.add(phase.place(Phase.ABOUT), "'about' goes with 'axis: angle'");
+                    } else if (phase.isSound() && phase.find(Phase.ABOUT).equals(phase.find(Phase.PARTICLE))) {
+                        problems.add(phase.place(Phase.ABOUT), "a particle has no angle about itself");
+                    }
+                });
     }
 }

@@ -59,19 +59,26 @@ public record OutputDescription(double frameRate, int width, int height, boolean
      * A plot of velocity over position.
      *
      * @param particle the id of the particle
-     * @param axis     0 for x, 1 for y, 2 for z
+     * @param axis     0 for x, 1 for y, 2 for z, 3 for the angle about another particle
+     * @param about    the id of that one
      * @param place    its place in the file
      */
-    public record Phase(String particle, int axis, Place place) {
+    public record Phase(String particle, int axis, Optional<String> about, Place place) {
+        private static final List<String> AXES = List.of("x", "y", "z", "angle");
+        public static final String ANGLE = AXES.get(3);
         public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
                 "The particle to plot.");
-        static final Key<String> AXIS = Key.withDefault("axis", NameType.of("axis", List.of("x", "y", "z")), "y",
-                "The component of position and velocity to plot.");
+        public static final Key<String> AXIS = Key.withDefault("axis", NameType.of("axis", AXES), "y",
+                "The component of position and velocity to plot; or angle, for the angle about another particle.");
+        public static final Key<String> ABOUT = Key.optional("about", SpringDescription.ANY_ID,
+                "With axis: angle, the particle that the angle is seen from: 0 straight below it, in the plane of x and"
+                        + " y.");
 
-        static final MappingType TYPE = MappingType.of("the phase-space plot", PARTICLE, AXIS);
+        static final MappingType TYPE = MappingType.of("the phase-space plot", PARTICLE, AXIS, ABOUT);
 
         public static Phase of(Values values) {
-            return new Phase(values.get(PARTICLE), "xyz".indexOf(values.get(AXIS)), values.place(PARTICLE));
+            return new Phase(values.get(PARTICLE), AXES.indexOf(values.get(AXIS)), values.find(ABOUT),
+                    values.place(PARTICLE));
         }
     }
 

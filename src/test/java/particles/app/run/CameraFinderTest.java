@@ -1,8 +1,11 @@
 package particles.app.run;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -16,6 +19,7 @@ import particles.scene.SceneBuilder;
 import particles.scene.SceneReader;
 import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
+import particles.view.Camera;
 
 /** Cameras for scenes that name none. */
 class CameraFinderTest {
@@ -70,5 +74,45 @@ class CameraFinderTest {
         });
         scene.simulation().run();
         assertTrue(size(view, scene) < HEIGHT);
+    }
+
+    private static final String PUSHED = """
+            title: Pushed
+            teaches: The energy scale knows nothing of a student's own force.
+            solver: SOLVER
+            deltaT: 0.01
+            duration: DURATION
+            particles:
+              - {id: a, position: [0, 0, 0]}
+              - {id: b, position: [0, 1, 0]}
+            springs:
+              - {from: a, to: b, stiffness: 1e4}
+            effects:
+              - particles.app.run.Push
+            """;
+
+    private static CameraProjection viewOfPushed(DoubleUnaryOperator strength, String solver, double duration) {
+        SceneDescription described = SceneReader.read("pushed.yaml", PUSHED.replace("SOLVER", solver)
+                .replace("DURATION", "" + duration).getBytes(StandardCharsets.UTF_8), new StudentClasses());
+        Push.strength = strength;
+        Push.calls = 0;
+        Camera camera = CameraFinder.find(SceneBuilder.build(described, new Overrides()), described, new Overrides());
+        return new CameraProjection(camera, WIDTH, HEIGHT);
+    }
+
+    /** A push of t N does 1,250 J of work on each mass of 1 kg in 10 s; at the start nothing promises 0.1 J. */
+    @Test
+    void whatOwnForcesDoIsNoBlowUp() {
+        assertTrue(viewOfPushed(t -> t, "rk4", 10).isInPicture(166, 0, 0), "x = t^3/6");
+    }
+
+    /**
+     * bulirsch-stoer takes 13.5 evaluations a step: 12 million of a particle are enough. The ledger makes 2.7 million
+     * of its own beside them. 1.5 million steps, as many as are enough with rk4, would make 50 million.
+     */
+    @Test
+    void aRehearsalWithADearSolverIsAsShortAsWithACheapOne() {
+        viewOfPushed(t -> 1, "bulirsch-stoer", 20_000);
+        assertEquals(1.47e7, Push.calls, 1e5, "evaluations times particles");
     }
 }

@@ -17,6 +17,7 @@ import particles.NumericalErrorException;
 import particles.ParticleSystem;
 import particles.Simulation;
 import particles.SimulationException;
+import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
 import particles.effects.springs.SpringForce;
@@ -137,6 +138,20 @@ class NumericalErrorLimitTest {
         run(scene.simulation(), scene.energyScale());
         assertTrue(books.getNumericalError() > 1.5 * energy.getScale(),
                 books.getNumericalError() + " J of " + energy.getScale() + " J");
+    }
+
+    /**
+     * A level net at rest has no energy, and a height of round-off. After Euler's first step it has m (g h)^2/2, all of
+     * which is error, as it is still where it was.
+     */
+    @Test
+    void aLevelNetMayBeginToFallByEuler() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("a", 1, new Vector3(0, 0.3, 0), Vector3.ZERO, false);
+        system.addParticle("b", 1, new Vector3(1, Math.nextUp(0.3), 0), Vector3.ZERO, false);
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -10, 0)));
+        run(of(system, new EulerSolver(), 0.01, 1), 100);
+        assertEquals(-10, system.getOwnState()[4], 1e-12);
     }
 
     private static final String DROPS = """

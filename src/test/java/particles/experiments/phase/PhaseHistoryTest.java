@@ -58,6 +58,30 @@ class PhaseHistoryTest {
         assertEquals(path.x()[path.x().length - 1], chart.series().get(2).x()[0], "the end is marked");
     }
 
+    /** A spring without length holds a bob on a circle: theta = 2 t. RK4's phase error is 20 (h omega)^4 / 120. */
+    @Test
+    void anAngleGrowsBeyondAWholeTurn() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("bob", 1, new Vector3(3, 0, 0), new Vector3(2, 0, 0), false);
+        system.addParticle("hub", 1, new Vector3(3, 1, 0), Vector3.ZERO, true);
+        SpringForce springs = new SpringForce(system.getParticles());
+        springs.addSpring(0, 1, 4, 0, 0);
+        system.addEffect(springs);
+        Simulation simulation = new Simulation(system, new RK4Solver(), 1.0 / 64, 10, Double.POSITIVE_INFINITY);
+        PhaseHistory phase = new PhaseHistory("bob", Optional.of("hub"));
+        simulation.addObserver(phase);
+        simulation.run();
+        ChartData chart = phase.chart(Axis.ANGLE, "a circle");
+        Series path = chart.series().get(0);
+        assertEquals("angle theta of 'bob' about 'hub' (rad)", chart.xLabel());
+        assertEquals("angular velocity omega of 'bob' about 'hub' (rad/s)", chart.yLabel());
+        assertEquals(641, path.x().length);
+        for (int k = 0; k < path.x().length; k++) {
+            assertEquals(2.0 * k / 64, path.x()[k], 1e-6);
+            assertEquals(2, path.y()[k], 1e-6);
+        }
+    }
+
     @Test
     void fewStatesAreMarkedAndManyAreThinnedToPoints() {
         assertEquals(Mark.LINE_AND_POINTS, observe(oscillator(0.25, 4)).chart(Axis.Z, "").series().get(0).mark());

@@ -21,8 +21,7 @@ class PhasePortraitsTest {
 
     private static Portraits compare(SceneDescription scene, String solvers) {
         return PhasePortraits.compare(scene, SolverChoice.list(solvers), List.of("block"), List.of(Axis.X),
-                (part, what) ->
-                { });
+                Optional.empty(), (part, what) -> { });
     }
 
     /**
@@ -82,10 +81,11 @@ class PhasePortraitsTest {
     void withoutAxesEachParticleIsSeenAlongItsWidest() {
         SceneDescription ball = SceneReader.read(Path.of("scenes/06-bouncing-ball.yaml"));
         Portraits portraits = PhasePortraits.compare(ball.solvedBy("rk4", Optional.empty(), ball.deltaT(), 0.5),
-                SolverChoice.list("rk4"), List.of("ball"), List.of(), (part, what) -> { });
+                SolverChoice.list("rk4"), List.of("ball"), List.of(), Optional.empty(), (part, what) -> { });
         assertEquals(List.of(Axis.Y), portraits.portraits().stream().map(Portrait::axis).toList());
         Portraits both = PhasePortraits.compare(ball.solvedBy("rk4", Optional.empty(), ball.deltaT(), 0.5),
-                SolverChoice.list("rk4,verlet"), List.of("ball"), List.of(Axis.Z, Axis.Y), (part, what) -> { });
+                SolverChoice.list("rk4,verlet"), List.of("ball"), List.of(Axis.Z, Axis.Y), Optional.empty(),
+                (part, what) -> { });
         assertEquals(List.of(Axis.Z, Axis.Z, Axis.Y, Axis.Y), both.portraits().stream().map(Portrait::axis).toList());
         assertTrue(Double.isNaN(both.portraits().get(0).off()), "nothing moves along z, and there is no curve");
         assertEquals("'ball', rk4: at rest along z", both.portraits().get(0).chart().title());
@@ -103,5 +103,19 @@ class PhasePortraitsTest {
         assertEquals(5, square.largest(new double[] {4, 0.5}, new double[] {50, 0}), 1e-15);    // 3 and 4 from a corner
         assertEquals(4, square.outwards(4, 20), 1e-15);
         assertTrue(new CurveDistance(new double[] {1, 1}, new double[] {0, 0}).isDegenerate());
+    }
+
+    @Test
+    void aSceneMayShowAnAngleAboutAnotherParticle() {
+        SceneDescription pendulum = SceneReader.read(Path.of("scenes/41-double-pendulum.yaml"));
+        Portraits portraits = PhasePortraits.compare(pendulum.solvedBy("rk4", Optional.empty(), pendulum.deltaT(), 1),
+                SolverChoice.list("rk4"), List.of("hand"), List.of(Axis.ANGLE), Optional.of("elbow"),
+                (part, what) -> { });
+        ChartData chart = portraits.portraits().get(0).chart();
+        assertEquals("angle theta (rad)", chart.xLabel());
+        assertEquals("angular velocity omega (rad/s)", chart.yLabel());
+        assertEquals(2 * Math.PI / 3, chart.series().get(1).x()[0], 1e-7);      // 120 degrees from hanging down
+        assertEquals(0, chart.series().get(1).y()[0]);
+        assertTrue(portraits.table().columns().stream().anyMatch(column -> column.name().equals("angle (rad)")));
     }
 }

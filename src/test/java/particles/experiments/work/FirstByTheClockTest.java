@@ -31,7 +31,7 @@ class FirstByTheClockTest {
     @Test
     void oneSolverIsFirstWhereNoQuartilesOverlap() {
         String title = title(curve("rk4", point(1e-3, 1, 2, 3)), curve("verlet", point(1e-3, 3.1, 4, 5)));
-        assertTrue(title.endsWith(": rk4 is first to 10\u207b\u00b2, none has 10\u207b\u2076"), title);
+        assertTrue(title.endsWith(": rk4 is first to 0.01, none has 1e-6"), title);
     }
 
     @Test
@@ -39,7 +39,7 @@ class FirstByTheClockTest {
         List<Curve> curves = List.of(curve("verlet", point(1e-3, 2.9, 4, 5)), curve("rk4", point(1e-3, 1, 2, 3)),
                 curve("euler", point(1e-3, 6, 7, 8)));
         assertEquals(List.of("rk4", "verlet"), WorkCharts.fastest(curves, 1e-2));
-        assertTrue(title(curves.toArray(Curve[]::new)).contains(": rk4 and verlet tie for 10\u207b\u00b2,"));
+        assertTrue(title(curves.toArray(Curve[]::new)).contains(": rk4 and verlet tie for 0.01,"));
     }
 
     /** Each solver counts by its cheapest run that is precise enough: verlet's fast one is too rough for 1e-6. */
@@ -47,13 +47,13 @@ class FirstByTheClockTest {
     void roughAndFineAreToldApart() {
         String title = title(curve("rk4", point(1e-3, 4, 5, 6), point(1e-7, 7, 8, 9)),
                 curve("verlet", point(1e-3, 1, 2, 3), point(1e-7, 20, 21, 22)));
-        assertTrue(title.endsWith(": verlet is first to 10\u207b\u00b2, rk4 is first to 10\u207b\u2076"), title);
+        assertTrue(title.endsWith(": verlet is first to 0.01, rk4 is first to 1e-6"), title);
     }
 
     @Test
     void manyThatTieAreCounted() {
         Curve[] curves = List.of("rk4", "verlet", "euler", "midpoint").stream()
                 .map(name -> curve(name, point(1e-7, 1, 2, 3))).toArray(Curve[]::new);
-        assertTrue(title(curves).endsWith(": 4 solvers tie for 10\u207b\u00b2, 4 solvers tie for 10\u207b\u2076"));
+        assertTrue(title(curves).endsWith(": 4 solvers tie for 0.01 and 1e-6"));
     }
 }

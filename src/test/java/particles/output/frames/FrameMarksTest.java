@@ -1,6 +1,7 @@
 package particles.output.frames;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.geom.Rectangle2D;
@@ -100,6 +101,23 @@ class FrameMarksTest {
         assertTrue(right.getMinY() < 100 && right.getMaxY() > 100, right.toString());
         Rectangle2D left = marks.boxes(state(style, 6.8), RADIUS).get(0);
         assertTrue(left.getMaxX() < 160 + 20 * 5.8 && left.getMinX() > 0, left.toString());
+    }
+
+    /** Two balls, 40 pixels wide and 20 to 180 apart, with labels of 60 pixels and more. */
+    @Test
+    void labelsOfNeighboursStandClearOfEachOtherAndOfTheBalls() {
+        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a long label"),
+                new ParticleMark("plain", OptionalInt.empty(), 0, "another one"));
+        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
+        for (double x = -3; x <= 5; x++) {
+            List<Rectangle2D> boxes = marks.boxes(state(style, x), RADIUS);
+            assertEquals(2, boxes.size());
+            assertFalse(boxes.get(0).intersects(boxes.get(1)), "x = " + x + ": " + boxes);
+            for (double ball : new double[] {-4, x}) {
+                Rectangle2D disc = new Rectangle2D.Double(140 + 20 * ball, 80, 40, 40);
+                assertTrue(boxes.stream().noneMatch(disc::intersects), "x = " + x + ": " + boxes);
+            }
+        }
     }
 
     /** 41 springs are too many for coils, but a hundred times softer than the others is told from them. */

@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -71,7 +72,7 @@ class FrameObserverTest {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
         RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3, 0.1,
                 0x00ff00, 0, 0, 0, ParticleStyle.STANDARD);
-        return new FrameRenderer(new FrameSetup(camera, look, Scenery.NONE, "", ""), W, H, 2);
+        return new FrameRenderer(new FrameSetup(camera, look, Scenery.NONE, "", ""), W, H, Optional.empty());
     }
 
     /** Thrown up from y = -4 m with 8 m/s under 8 m/s^2: y = -4 + 8 t - 4 t^2, which Hermite's cubic gives exactly. */

@@ -1,4 +1,4 @@
-package benchmarks;
+package particles.experiments.work;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

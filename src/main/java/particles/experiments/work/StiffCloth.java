@@ -1,0 +1,227 @@
+package particles.experiments.work;
+
+import deSolvers.DESolver;
+import deSolvers.RK4Solver;
+import deSolvers.implicit.BackwardEulerSolver;
+import deSolvers.implicit.ImplicitWork;
+import deSolvers.implicit.LinearisedEulerSolver;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import particles.ParticleSystem;
+import particles.effects.Gravity;
+import particles.effects.springs.SpringForce;
+import particles.experiments.runs.CpuClock;
+import particles.experiments.runs.ProgressListener;
+import particles.law.Vector3;
+import particles.view.ChartData;
+import particles.view.ChartData.Mark;
+import particles.view.ChartData.Series;
+import particles.view.DataTable;
+
+/**
+ * Compares an implicit with an explicit solver on one frame (1/60 s) of a cloth of 64 x 64 particles with ever stiffer
+ * springs. RK4 has to take steps of 2.8284/omega, where omega is the fastest vibration of the cloth, found by power
+ * iteration; backward Euler takes one step.
+ */
+public final class StiffCloth {
+    static final double FRAME = 1.0 / 60;
+    /** The numbers of RK4 steps for which stiffnesses are chosen. */
+    public static final List<Long> SWEEP = List.of(1L, 3L, 10L, 30L, 100L, 300L, 1000L, 5000L);
+    private static final int EDGE = 64;
+    private static final double MASS = 0.01;
+    private static final double SPACING = 0.05;
+    /**
+     * Offsets of each particle's springs: to its neighbours, across the squares, and to the next but one against
+     * bending.
+     */
+    private static final int[][] JOINTS = {{0, 1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}};
+    private static final double RK4_LIMIT = 2.8284;
+    /** The number of RK4 steps that are timed; all cost the same, some 1 ms. */
+    private static final int TIMED = 400;
+    /** The number of solvers whose first and further steps are timed; medians are used. */
+    private static final int SOLVERS = 3;
+    private static final int FURTHER = 3;
+    /** Times of two runs may differ by this factor; a smaller difference makes nobody cheaper. */
+    private static final double SPREAD = 1.2;
+    /** Newton's method is timed up to so many RK4 steps; at 100 it does not converge. */
+    private static final long NEWTON = 10;
+
+    /**
+     * The cost of a frame in CPU time.
+     *
+     * @param stiffness  of every spring (N/m)
+     * @param rk4Steps   that RK4 needs to be stable
+     * @param rk4        time of these (s)
+     * @param first      median time of first steps of backward Euler with one linear solve, which include the symbolic
+     *                   factorisation (s)
+     * @param linearised median time of further such steps (s)
+     * @param newton     time of a step iterated to tolerance (s); NaN if not measured
+     */
+    public record Row(double stiffness, long rk4Steps, double rk4, double first, double linearised, double newton) {
+    }
+
+    private StiffCloth() {
+    }
+
+    /** A cloth that hangs from two corners, slightly crumpled. */
+    private static ParticleSystem cloth(double stiffness) {
+        ParticleSystem system = new ParticleSystem();
+        for (int n = 0; n < EDGE * EDGE; n++) {
+            int row = n / EDGE;
+            int column = n % EDGE;
+            system.addParticle(row + "," + column, MASS, new Vector3(SPACING * column, -SPACING * row,
+                    0.01 * ((7 * row + 13 * column) % 5)), Vector3.ZERO, n == 0 || n == EDGE - 1);
+        }
+        system.addEffect(new Gravity(system.getParticles(), new Vector3(0, -9.81, 0)));
+        SpringForce springs = new SpringForce(system.getParticles());
+        for (int n = 0; n < EDGE * EDGE; n++) {
+            for (int[] joint : JOINTS) {
+                int row = n / EDGE + joint[0];
+                int column = n % EDGE + joint[1];
+                if (row < EDGE && column >= 0 && column < EDGE) {
+                    double length = SPACING * Math.sqrt(joint[0] * joint[0] + joint[1] * joint[1]);
+                    springs.addSpring(n, row * EDGE + column, stiffness, length, 0);
+                }
+            }
+        }
+        system.addEffect(springs);
+        return system;
+    }
+
+    /** The steps that RK4 needs for a frame of a cloth with this stiffness. */
+    static long rk4Steps(double stiffness) {
+        return (long) StrictMath.ceil(FRAME * fastest(stiffness) / RK4_LIMIT);
+    }
+
+    /** The stiffness for which RK4 needs that many steps: omega grows with its root. */
+    static double stiffnessFor(long steps) {
+        double ratio = (steps - 0.01) * RK4_LIMIT / FRAME / fastest(1);
+        return ratio * ratio;
+    }
+
+    /** omega of the fastest vibration (1/s): the root of the largest eigenvalue of -M^-1 dF/dx. */
+    private static double fastest(double stiffness) {
+        ParticleSystem cloth = cloth(stiffness);
+        int n = cloth.getStateSize();
+        double[] direction = new double[n];
+        double[] product = new double[n];
+        for (int x = 0; x < n; x++) {
+            direction[x] = x % 6 < 3 ? (x * 7919 % 101) - 50 : 0;
+        }
+        double eigenvalue = 0;
+        for (int i = 0; i < 200; i++) {                 // converges to 1 %, enough to count steps
+            double length = 0;
+            for (double value : direction) {
+                length += value * value;
+            }
+            length = Math.sqrt(length);
+            for (int x = 0; x < n; x++) {
+                direction[x] /= length;
+            }
+            cloth.getJacobianProduct(direction, product);
+            eigenvalue = 0;
+            for (int x = 0; x < n; x += 6) {
+                for (int c = x; c < x + 3; c++) {
+                    eigenvalue -= direction[c] * product[c + 3];
+                    direction[c] = -product[c + 3];
+                }
+            }
+        }
+        return Math.sqrt(eigenvalue);
+    }
+
+    static ImplicitWork linearisedWork(double stiffness) {
+        LinearisedEulerSolver solver = new LinearisedEulerSolver();
+        solver.stepState(cloth(stiffness), FRAME);
+        return solver.getWork();
+    }
+
+    private static double seconds(DESolver solver, ParticleSystem system, double deltaT, int steps) {
+        double before = CpuClock.seconds();
+        for (int i = 0; i < steps; i++) {
+            solver.stepState(system, deltaT);
+        }
+        return CpuClock.seconds() - before;
+    }
+
+    private static Row measure(double stiffness) {
+        long steps = rk4Steps(stiffness);
+        double rk4 = seconds(new RK4Solver(), cloth(stiffness), FRAME / steps, TIMED) / TIMED * steps;
+        double[] first = new double[SOLVERS];
+        double[] further = new double[SOLVERS * FURTHER];
+        for (int i = 0; i < further.length; i += FURTHER) {
+            LinearisedEulerSolver linearised = new LinearisedEulerSolver();
+            first[i / FURTHER] = seconds(linearised, cloth(stiffness), FRAME, 1);
+            for (int j = i; j < i + FURTHER; j++) {
+                further[j] = seconds(linearised, cloth(stiffness), FRAME, 1);
+            }
+        }
+        double newton = steps > NEWTON ? Double.NaN
+                : seconds(new BackwardEulerSolver(), cloth(stiffness), FRAME, 1);
+        return new Row(stiffness, steps, rk4, median(first), median(further), newton);
+    }
+
+    private static double median(double[] times) {
+        Arrays.sort(times);
+        return times[times.length / 2];
+    }
+
+    /**
+     * @param sweep    how many steps RK4 needs with each cloth, the softest first
+     * @param progress hears how far it is
+     * @return the costs of each
+     */
+    public static List<Row> measure(List<Long> sweep, ProgressListener progress) {
+        progress.reached(0, "warm-up");
+        measure(stiffnessFor(2));
+        measure(stiffnessFor(100));
+        List<Row> rows = new ArrayList<>();
+        for (long steps : sweep) {
+            progress.reached((rows.size() + 1.0) / (sweep.size() + 1), "rk4 with " + steps + " steps");
+            rows.add(measure(stiffnessFor(steps)));
+        }
+        return rows;
+    }
+
+    /**
+     * @param rows the costs, the softest cloth first
+     * @return up to where RK4 is cheaper, and by how much the implicit step is with the stiffest cloth
+     */
+    public static String finding(List<Row> rows) {
+        Row stiffest = rows.get(rows.size() - 1);
+        long most = rows.stream().filter(row -> SPREAD * row.rk4() < row.linearised()).mapToLong(Row::rk4Steps)
+                .max().orElse(0);
+        double ratio = stiffest.rk4() / stiffest.linearised();
+        return "One frame of stiff cloth: " + (most > 0 ? "rk4 is cheaper up to " + most + " steps" : "")
+                + (most > 0 && ratio > 1 ? "; " : "") + (ratio > 1 ? String.format(Locale.ROOT, "where rk4 needs %d,"
+                + " a step of linearised-euler is %.0f times cheaper", stiffest.rk4Steps(), ratio) : "");
+    }
+
+    /**
+     * @param rows the costs, the softest cloth first
+     * @return the time of a frame over the steps that RK4 needs
+     */
+    public static ChartData chart(List<Row> rows) {
+        double[] steps = rows.stream().mapToDouble(Row::rk4Steps).toArray();
+        return new ChartData(finding(rows), "steps of rk4 that a frame needs", "CPU time of a frame (s)", true, true,
+                List.of(new Series("rk4", Mark.LINE_AND_POINTS, steps, rows.stream().mapToDouble(Row::rk4).toArray()),
+                        new Series("linearised-euler", Mark.LINE_AND_POINTS, steps,
+                                rows.stream().mapToDouble(Row::linearised).toArray())));
+    }
+
+    /**
+     * @param rows the costs
+     * @return a row for each
+     */
+    public static DataTable table(List<Row> rows) {
+        return new DataTable("stiffCloth", "CPU time of a frame of 1/60 s of a cloth of " + EDGE + " x " + EDGE
+                + " particles", List.of(new DataTable.Column("stiffness (N/m)", 3), DataTable.column("steps of rk4"),
+                        new DataTable.Column("rk4 (s)", 3), new DataTable.Column("first step of linearised-euler (s)",
+                        3), new DataTable.Column("further ones (s)", 3), new DataTable.Column("backward-euler (s)", 3),
+                        new DataTable.Column("rk4 / further ones", 3)),
+                rows.stream().map(row -> List.<Object>of(row.stiffness(), row.rk4Steps(), row.rk4(), row.first(),
+                        row.linearised(), row.newton(), row.rk4() / row.linearised())).toList());
+    }
+}

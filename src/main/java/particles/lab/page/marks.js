@@ -1,0 +1,60 @@
+// Labels of particles and arrows along their velocities, over the picture so that nothing hides them.
+const MOST_NAMES = 60, HEAD = 11, LONGEST = 1e5;         // pixels
+
+export class Marks {
+  constructor(element) {
+    this.element = element;
+    this.labels = [];
+    const drawing = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    this.arrows = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+    drawing.setAttribute('class', 'arrows');
+    drawing.append(this.arrows);
+    element.append(drawing);
+  }
+
+  /** The labels that the scene gives to particles and, where names are wanted, the names of the first particles. */
+  setLabels(ids, marks, withNames) {
+    this.labels.splice(0).forEach(({element}) => element.remove());
+    ids.forEach((id, particle) => {
+      const texts = [withNames && particle < MOST_NAMES ? id : '', marks[id]?.label ?? ''].filter(text => text);
+      if (texts.length) {
+        const element = document.createElement('span');
+        element.className = 'name';
+        element.textContent = texts.join(': ');
+        this.element.append(element);
+        this.labels.push({particle, element});
+      }
+    });
+  }
+
+  /**
+   * place(i, seconds) is where particle i is seen, or will be seen at its present velocity: pixels from the left and
+   * from the top, or null behind the camera; away(i) is how many pixels its label keeps from its middle
+   */
+  draw(place, away, moving, seconds) {
+    for (const {particle, element} of this.labels) {
+      const at = place(particle, 0);
+      element.hidden = !at;
+      if (at) {
+        const gap = away(particle), fits = at[0] + gap + element.offsetWidth < this.element.clientWidth;
+        const x = fits ? at[0] + gap : at[0] - gap - element.offsetWidth;
+        element.style.transform = `translate(${x}px, ${at[1] - element.offsetHeight / 2}px)`;
+      }
+    }
+    this.arrows.setAttribute('d', seconds > 0
+        ? moving.map(i => arrow(place(i, 0), place(i, seconds))).join('') : '');
+  }
+}
+
+/** A line with a head at its end, as an SVG path. */
+function arrow(from, to) {
+  const length = from && to ? Math.hypot(to[0] - from[0], to[1] - from[1]) : 0;
+  if (!(length > 1 && length < LONGEST)) {
+    return '';
+  }
+  const ex = (to[0] - from[0]) / length, ey = (to[1] - from[1]) / length, head = Math.min(length, HEAD);
+  const side = k => [to[0] - head * ex - 0.45 * k * head * ey, to[1] - head * ey + 0.45 * k * head * ex];
+  const points = [from, [to[0] - 0.9 * head * ex, to[1] - 0.9 * head * ey], to, side(1), side(-1)]
+      .map(point => point.map(value => value.toFixed(1)).join(' '));
+  return `M${points[0]}L${points[1]}M${points[2]}L${points[3]}L${points[4]}Z`;
+}

@@ -1,0 +1,53 @@
+package browser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.logging.Level;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.openqa.selenium.logging.LogType;
+
+/** Opens the page for each test, and fails where the page reports an error of its own. */
+abstract class LabPageTestCase {
+    Browser page;
+
+    @BeforeEach
+    void open() {
+        page = Browser.open(1280, 900);
+    }
+
+    @AfterEach
+    void closeWithoutMistakes() {
+        List<String> mistakes = page.driver().manage().logs().get(LogType.BROWSER).getAll().stream()
+                .filter(entry -> entry.getLevel() == Level.SEVERE).map(Object::toString).toList();
+        page.close();
+        assertEquals(List.of(), mistakes);
+    }
+
+    void edit(String from, String to) {
+        page.script("const code = document.querySelector('.CodeMirror').CodeMirror;"
+                + " const text = code.getValue().replace(arguments[0], arguments[1]);"
+                + " code.replaceRange(text, {line: 0, ch: 0}, {line: code.lineCount(), ch: 0}, '+input');", from, to);
+    }
+
+    void setStep(String seconds) {
+        page.script("const step = document.getElementById('deltaTNumber'); step.value = arguments[0];"
+                + " step.dispatchEvent(new Event('change'));", seconds);
+        page.await("deltaT = " + seconds, () -> page.text("steps").equals("0"));
+    }
+
+    void runToTheEnd() {
+        page.choose("speed", "5");
+        page.click("start");
+        page.await("the end", () -> page.text("start").equals("Start") && page.number("steps") > 0);
+    }
+
+    /** The total energy at the end over that at the start. */
+    double energyRatio() {
+        return ((Number) page.script("""
+                const data = window.lab.energy.data[1];
+                return data[data.length - 1] / data[0];
+                """)).doubleValue();
+    }
+}

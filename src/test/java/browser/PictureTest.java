@@ -1,0 +1,153 @@
+package browser;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.openqa.selenium.OutputType;
+
+/** What the page draws: the scene with its labels and arrows, and plots. */
+class PictureTest extends LabPageTestCase {
+
+    @Test
+    void pictureAndPlotsAreDrawn() {
+        page.openScene("09-cloth-in-wind");
+        page.await("the cloth", () -> redPixels("#view canvas") > 1000);
+        long before = redPixels("#view canvas");
+        page.click("start");
+        page.await("a second", () -> page.number("clock") > 0.5);
+        page.click("start");
+        assertTrue(redPixels("#view canvas") != before);
+        assertTrue(linePixels("#energy canvas") > 200);
+        assertTrue(linePixels("#phase canvas") > 100);
+        page.screenshot("cloth");
+    }
+
+    /** Those of the cloth's front. */
+    private long redPixels(String canvas) {
+        return pixels(canvas, "r > 1.5 * g && r > 1.5 * b && a > 0");
+    }
+
+    /** Those of a curve, in the second colour. */
+    private long linePixels(String canvas) {
+        return pixels(canvas, "b > r + 60 && b > g + 20 && a > 0");
+    }
+
+    private long pixels(String canvas, String condition) {
+        return (Long) page.script("""
+                const from = document.querySelector(arguments[0]);
+                const copy = document.createElement('canvas');
+                copy.width = from.width;
+                copy.height = from.height;
+                copy.getContext('2d').drawImage(from, 0, 0);
+                const data = copy.getContext('2d').getImageData(0, 0, copy.width, copy.height).data;
+                let count = 0;
+                for (let i = 0; i < data.length; i += 4) {
+                  const [r, g, b, a] = data.subarray(i, i + 4);
+                  count += (%s) ? 1 : 0;
+                }
+                return count;
+                """.formatted(condition), canvas);
+    }
+
+    @Test
+    void labelsOfASceneAreBesideItsParticles() {
+        page.openScene("14-thrown-dumbbell");
+        page.await("the labels", () -> !labels().isEmpty());
+        assertEquals(List.of("2 kg", "1 kg"), labels());
+        page.click("labels");
+        assertEquals(List.of("heavy: 2 kg", "light: 1 kg", "stone"), labels());
+        List<?> gaps = (List<?>) page.script("""
+                const view = document.getElementById('view').getBoundingClientRect();
+                return [...document.querySelectorAll('#view .name')].flatMap((name, i) => {
+                  const box = name.getBoundingClientRect(), [x, y] = window.lab.view.onScreen(i);
+                  return [box.left - view.left - x, (box.top + box.bottom) / 2 - view.top - y];
+                });
+                """);
+        for (int i = 0; i < gaps.size(); i += 2) {
+            assertEquals(20, ((Number) gaps.get(i)).doubleValue(), 14);     // a ball's radius and 6 pixels
+            assertEquals(0, ((Number) gaps.get(i + 1)).doubleValue(), 1);
+        }
+    }
+
+    private List<?> labels() {
+        return (List<?>) page.script("return [...document.querySelectorAll('#view .name')]"
+                + ".map(name => name.textContent);");
+    }
+
+    @Test
+    void arrowsFollowTheVelocitiesWhereASceneSaysSo() {
+        page.openScene("01-falling-particle");
+        page.await("arrows", () -> arrowPixels() > 50);
+        assertEquals(List.of(true, true), page.script(SIGNS));              // to the right and up
+        page.click("arrows");
+        page.await("no arrows", () -> arrowPixels() == 0);
+        page.click("arrows");
+        runToTheEnd();
+        page.await("arrows", () -> arrowPixels() > 50);
+        assertEquals(List.of(true, false), page.script(SIGNS));             // to the right and down
+        page.screenshot("arrows");
+        page.openScene("02-one-spring");
+        page.await("no arrows", () -> arrowPixels() == 0);
+    }
+
+    /** Whether the first arrow goes to the right, and up. */
+    private static final String SIGNS = """
+            const [x0, y0, x1, y1] = document.querySelector('#view .arrows path').getAttribute('d').match(/[-.0-9]+/g);
+            return [x1 - x0 > 0, y1 - y0 < 0];
+            """;
+
+    /** Pixels of the colour of arrows in what is seen. */
+    private long arrowPixels() {
+        try {
+            BufferedImage seen = ImageIO.read(new ByteArrayInputStream(
+                    page.driver().getScreenshotAs(OutputType.BYTES)));
+            return IntStream.of(seen.getRGB(0, 0, 760, 600, null, 0, 760)).filter(rgb -> (rgb & 0xffffff) == 0x009e73)
+                    .count();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    @Test
+    void withoutACameraOfItsOwnASceneStaysInThePicture() {
+        page.openScene("01-falling-particle");
+        setStep("0.001");
+        runToTheEnd();
+        List<?> place = (List<?>) page.script("const {clientWidth, clientHeight} = document.getElementById('view');"
+                + " const [x, y] = window.lab.view.onScreen(0); return [x / clientWidth, y / clientHeight];");
+        for (Object part : place) {
+            assertEquals(0.5, ((Number) part).doubleValue(), 0.49);
+        }
+        assertTrue(pixels("#view canvas", "r > 1.5 * b && a > 0") > 100);
+    }
+
+    @Test
+    void withOmegaOneTheExactCurveIsDrawnAsACircle() {
+        page.openScene("02-one-spring");
+        runToTheEnd();
+        List<?> pixels = (List<?>) page.script("const u = window.lab.phase.plot;"
+                + " return [u.valToPos(1, 'x') - u.valToPos(-1, 'x'), u.valToPos(-1, 'y') - u.valToPos(1, 'y')];");
+        double across = ((Number) pixels.get(0)).doubleValue();
+        assertEquals(across, ((Number) pixels.get(1)).doubleValue(), 0.01 * across);
+    }
+
+    @Test
+    void theChosenParticleIsTheOneThatIsClicked() {
+        page.openScene("05-hanging-chain");
+        List<?> place = (List<?>) page.script("const view = document.getElementById('view').getBoundingClientRect();"
+                + " const at = window.lab.view.onScreen(3); return [view.left + at[0], view.top + at[1],"
+                + " window.lab.view.structure.ids[3]];");
+        double x = ((Number) place.get(0)).doubleValue();
+        double y = ((Number) place.get(1)).doubleValue();
+        new org.openqa.selenium.interactions.Actions(page.driver()).moveToLocation((int) x, (int) y).click().perform();
+        assertEquals(place.get(2), page.element("particle").getAttribute("value"));
+    }
+}

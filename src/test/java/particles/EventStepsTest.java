@@ -1,0 +1,112 @@
+package particles;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import deSolvers.EulerSolver;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.law.Vector3;
+
+/** Steps with very many events: those that end are made, and those that would not are given up early. */
+class EventStepsTest {
+    /** Events at times that a sequence gives. */
+    private abstract static class Sequence implements EventRule {
+        private double next;
+        private int events;
+
+        /** The time from event number n to the next (s); infinite after the last. */
+        abstract double gap(int n);
+
+        @Override
+        public String getName() {
+            return "events";
+        }
+
+        @Override
+        public void start(ParticleSystem system) {
+            next = gap(0);
+        }
+
+        @Override
+        public boolean afterStep(ParticleSystem system, double deltaT) {
+            return false;
+        }
+
+        @Override
+        public void findEvents(Motion motion, List<Event> found) {
+            if (motion.getEndTime() <= next) {
+                return;
+            }
+            found.add(new Event() {
+                @Override
+                public double time() {
+                    return Math.max(next, motion.getStartTime());
+                }
+
+                @Override
+                public double value(ParticleSystem system) {
+                    return next - system.getTime();
+                }
+
+                @Override
+                public void act(ParticleSystem system) {
+                    events++;
+                    next += gap(events);
+                }
+            });
+        }
+    }
+
+    private static ParticleSystem run(Sequence sequence) {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("a", 1, Vector3.ZERO, new Vector3(1, 0, 0), false);
+        Simulation simulation = new Simulation(system, new EulerSolver(), 0.1, 0.2, Double.POSITIVE_INFINITY);
+        simulation.addEventRule(sequence, new EulerSolver());
+        simulation.run();
+        return system;
+    }
+
+    /** Twice 105 events for one particle, where 100,000 are allowed. */
+    @Test
+    void eventsThatGoOnAsTheyDidAreGivenUpSoon() {
+        Sequence sequence = new Sequence() {
+            @Override
+            double gap(int n) {
+                return 1e-8;
+            }
+        };
+        SimulationException e = assertThrows(SimulationException.class, () -> run(sequence));
+        assertEquals(210, sequence.events);
+        assertEquals(210e-8, e.getTime(), 1e-12);
+        assertEquals("contacts make no headway: the last 105 impacts or changes of contact cover 1.05e-06 s, and"
+                + " 0.100 s of the step are left; clamped impacts change contacts only between steps", e.getMessage());
+    }
+
+    /** The bounces of a ball with restitution 0.998 take 0.05 s; the last ones are 1e-11 s apart. */
+    @Test
+    void everSmallerBouncesAreAllMade() {
+        Sequence sequence = new Sequence() {
+            @Override
+            double gap(int n) {
+                return n < 8_000 ? 1e-4 * StrictMath.pow(0.998, n) : Double.POSITIVE_INFINITY;
+            }
+        };
+        assertEquals(0.2, run(sequence).getOwnState()[0], 1e-12);
+        assertEquals(8_000, sequence.events);
+    }
+
+    /** At regular times, one step of 0.1 s may have 50 times 105 events; here it has 4,545. */
+    @Test
+    void regularEventsThatTheStepHoldsAreMade() {
+        Sequence sequence = new Sequence() {
+            @Override
+            double gap(int n) {
+                return 2.2e-5;
+            }
+        };
+        assertEquals(0.2, run(sequence).getTime(), 1e-15);
+        assertTrue(sequence.events == 9_090, sequence.events + " events");
+    }
+}

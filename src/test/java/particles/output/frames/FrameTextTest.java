@@ -1,0 +1,59 @@
+package particles.output.frames;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import particles.law.Vector3;
+import particles.output.painters.FrameState;
+import particles.view.Camera;
+import particles.view.ParticleStyle;
+import particles.view.RenderOptions;
+import particles.view.Scenery;
+
+/** The words of a picture can be read, whatever is behind them. */
+class FrameTextTest {
+    private static final int W = 960;
+    private static final int H = 540;
+    private static final Color SPRING = new Color(0xc4161c);
+
+    private static BufferedImage onRed(FrameText text, FrameState state) {
+        BufferedImage picture = new BufferedImage(W, H, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = picture.createGraphics();
+        g.setColor(SPRING);
+        g.fillRect(0, 0, W, H);
+        text.draw(g, W, H, state, true);
+        g.dispose();
+        return picture;
+    }
+
+    /** Just left of the first letter nothing is drawn but the ground. */
+    @Test
+    void wordsOfABlowUpHaveAGroundOfTheirOwn() {
+        Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
+        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 1, 0.1,
+                0x0000ff, 0, 0, 0, ParticleStyle.STANDARD);
+        FrameText text = new FrameText(new FrameSetup(camera, look, Scenery.NONE, "A title", "rk4"), H, 2);
+        FrameState state = new FrameState();
+        List<Rectangle2D> usual = text.boxes(W, H, state, true);
+        BufferedImage without = onRed(text, state);
+        usual.forEach(box -> assertEquals(SPRING.getRGB(), ground(without, box)));
+        state.notes = List.of("blew up at t = 1 s", "slow motion");
+        List<Rectangle2D> boxes = text.boxes(W, H, state, true);
+        BufferedImage with = onRed(text, state);
+        assertEquals(usual.size() + 2, boxes.size());
+        for (Rectangle2D box : boxes) {
+            int rgb = ground(with, box);
+            assertTrue((rgb & 255) > 180, "light, as words are dark: " + Integer.toHexString(rgb));
+        }
+    }
+
+    private static int ground(BufferedImage picture, Rectangle2D box) {
+        return picture.getRGB((int) box.getX() - 3, (int) box.getCenterY());
+    }
+}
