@@ -22,7 +22,7 @@ public final class Simulation {
     private final EnergyLimit energyLimit;
     private final List<Rule> rules = new ArrayList<>();
     private final List<Observer> observers = new ArrayList<>();
-    private final Observers audience = new Observers(observers);
+    private final Observers notifier = new Observers(observers);
     private final EventSteps eventSteps;
     private double endTime;
     private long steps;
@@ -47,7 +47,7 @@ public final class Simulation {
         this.deltaT = deltaT;
         this.duration = duration;
         this.energyLimit = new EnergyLimit(energyLimit);
-        this.eventSteps = new EventSteps(system, solver, audience);
+        this.eventSteps = new EventSteps(system, solver, notifier);
     }
 
     /** @param rule called after every step, after the rules added before */
@@ -127,7 +127,7 @@ public final class Simulation {
             rule.beforeStep(system, h);
         }
         double end = system.getTime() + h;
-        boolean observed = eventSteps.areLookedFor() || audience.isInterested(end + ROUNDING * deltaT);
+        boolean observed = eventSteps.areLookedFor() || notifier.isInterested(end + ROUNDING * deltaT);
         try {
             observed = eventSteps.move(h, observed);
         } catch (DESolverException e) {
@@ -136,13 +136,13 @@ public final class Simulation {
         }
         steps++;
         if (observed) {
-            audience.reportMotion(eventSteps.getMotion());
+            notifier.reportMotion(eventSteps.getMotion());
         }
         boolean changed = false;
         for (Rule rule : rules) {
             if (rule.afterStep(system, h)) {
                 changed = true;
-                audience.reportChange(system, rule);
+                notifier.reportChange(system, rule);
             }
         }
         if (changed) {

@@ -16,17 +16,15 @@ import java.util.List;
  * @param backColour     the colour of its back
  * @param style          how free particles are drawn
  */
-public record RenderOptions(Shown particles, Shown springs, double particleRadius, double strainRange,
-        int particleColour,
-                   int fixedColour, int frontColour, int backColour, ParticleStyle style) {
+public record RenderOptions(Visibility particles, Visibility springs, double particleRadius, double strainRange,
+        int particleColour, int fixedColour, int frontColour, int backColour, ParticleStyle style) {
 
     /** The defaults. */
-    public static final RenderOptions STANDARD = new RenderOptions(Shown.BESIDE_SURFACES, Shown.BESIDE_SURFACES, 0, 0.1,
-            0xf0a43c, 0x5a6270,
-            0xd9534f, 0x4a78b5, ParticleStyle.STANDARD);
+    public static final RenderOptions STANDARD = new RenderOptions(Visibility.BESIDE_SURFACES,
+            Visibility.BESIDE_SURFACES, 0, 0.1, 0xf0a43c, 0x5a6270, 0xd9534f, 0x4a78b5, ParticleStyle.STANDARD);
 
     /** Which of the particles, or of the springs, are drawn. */
-    public enum Shown {
+    public enum Visibility {
         /** All. */
         ALWAYS,
         /**

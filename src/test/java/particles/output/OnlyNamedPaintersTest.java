@@ -25,6 +25,7 @@ import particles.output.painters.FrameState;
 import particles.view.CurveView;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 import particles.view.Surface;
 
@@ -50,7 +51,7 @@ class OnlyNamedPaintersTest {
     }
 
     static List<Case> cases() {
-        RenderOptions noSprings = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.NEVER, 1, 0.1, 1, 2,
+        RenderOptions noSprings = new RenderOptions(Visibility.ALWAYS, Visibility.NEVER, 1, 0.1, 1, 2,
                 3, 4, ParticleStyle.STANDARD);
         return List.of(new Case("balls", BALLS, Scenery.NONE, false, Set.of()),
                 new Case("points", look(ParticleStyle.Kind.POINTS, 1, 0), Scenery.NONE, false, Set.of()),

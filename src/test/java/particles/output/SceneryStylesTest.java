@@ -20,6 +20,7 @@ import particles.view.Camera;
 import particles.view.CurveView;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** Sizes and positions of drawn rods, wires and spheres. */
@@ -57,7 +58,7 @@ class SceneryStylesTest {
     /** Rods are straight grey bars at any length, without a strain scale. */
     @Test
     void rodsAreBars() {
-        RenderOptions look = new RenderOptions(RenderOptions.Shown.NEVER, RenderOptions.Shown.ALWAYS, 0.5, 0.1, 0, 0, 0,
+        RenderOptions look = new RenderOptions(Visibility.NEVER, Visibility.ALWAYS, 0.5, 0.1, 0, 0, 0,
                 0, ParticleStyle.STANDARD);
         int[] empty = renderer(FRONT, look, Scenery.NONE).render(state()).clone();
         int[] heights = new int[2];

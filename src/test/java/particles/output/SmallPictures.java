@@ -7,6 +7,7 @@ import particles.output.painters.FrameState;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** Small pictures seen from the front, 20 pixels a metre, for tests that count pixels. */
@@ -20,7 +21,7 @@ final class SmallPictures {
     }
 
     static RenderOptions look(ParticleStyle.Kind kind, double radius, double trail) {
-        return new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, radius, 0.1, 0x3366cc,
+        return new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, radius, 0.1, 0x3366cc,
                 0x202020, 0xff0000, 0x0000ff,
                 new ParticleStyle(kind, ParticleStyle.STANDARD.ageColours(), trail, kind == ParticleStyle.Kind.GLOW));
     }

@@ -21,6 +21,7 @@ import particles.view.CurveView;
 import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 class SceneBuilderTest {
@@ -119,7 +120,7 @@ class SceneBuilderTest {
         assertEquals(new Vector3(0, 1, 0), camera.up());
         assertEquals(20, camera.height(), 1e-12, "2 d tan(45 degrees)");
         assertEquals(0x00ff10, told.look().frontColour());
-        assertEquals(RenderOptions.Shown.ALWAYS, told.look().springs());
+        assertEquals(Visibility.ALWAYS, told.look().springs());
         assertEquals(new Scene.Phase(0, 2, Optional.empty()), told.phase().orElseThrow());
         assertEquals(64, told.output().width());
         assertEquals(25, told.output().frameRate());

@@ -26,7 +26,7 @@ import particles.scene.Scene;
 import particles.view.Camera;
 
 /** Watches a race, and makes its film. The panels take their shape from where the reference goes. */
-final class RacePictures implements Race.Audience, AutoCloseable {
+final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     /**
      * Room around where the reference goes, as a part of the largest extent; who leaves it is still seen for a while.
      */

@@ -41,15 +41,15 @@ public final class Race {
     /** A run farther than this from the reference, in units of the scene's extent, has left the race. */
     private static final double BEYOND = 0.25;
 
-    /** Listens to a race, for example to make pictures of it. */
-    public interface Audience {
+    /** Makes the observers of each run, for example to draw pictures of it. */
+    public interface ObserverFactory {
         /**
-         * A run begins; the first one is the reference's.
+         * Called when a run begins; the first run is the reference's.
          *
          * @param scene  about to run
-         * @param solver who runs; nobody for the reference
+         * @param solver of this run; empty for the reference
          * @param extent where the reference goes
-         * @return who looks on
+         * @return the observers of this run
          */
         List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent);
     }
@@ -105,12 +105,14 @@ public final class Race {
     }
 
     /**
-     * @param audience who looks on
-     * @param progress hears how far it is
-     * @return what happened
+     * Runs the reference and all solvers.
+     *
+     * @param factory  makes the observers of each run
+     * @param progress is told how far the race is
+     * @return the result of every solver
      * @throws SimulationException if the reference cannot be computed
      */
-    public Result run(Audience audience, ProgressListener progress) {
+    public Result run(ObserverFactory factory, ProgressListener progress) {
         progress.reached(0, "the reference");
         double rate = frames / scene.duration();
         FrameStates reference = new FrameStates(rate);
@@ -123,12 +125,12 @@ public final class Race {
                 : EqualWork.ofFrames(scene, evaluations, frames).share(solvers, half);
         progress.reached(0.5, "the race: the reference");
         Scene again = SceneRun.build(scene, tight(), scene.duration());
-        SceneRun.run(again, MOST_EVALUATIONS, audience.of(again, Optional.empty(), extent));
+        SceneRun.run(again, MOST_EVALUATIONS, factory.of(again, Optional.empty(), extent));
         List<Lane> lanes = new ArrayList<>();
         for (Match match : shares.matches()) {
             progress.reached(0.5 + 0.5 * (lanes.size() + 1) / (solvers.size() + 1), "the race: "
                     + match.setting().solver().label());
-            lanes.add(lane(match, rate, scale, reference.states(), extent, audience));
+            lanes.add(lane(match, rate, scale, reference.states(), extent, factory));
         }
         double[] times = new double[reference.states().size()];
         for (int k = 0; k < times.length; k++) {
@@ -157,11 +159,11 @@ public final class Race {
     }
 
     private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent,
-            Audience audience) {
+            ObserverFactory factory) {
         Scene built = SceneRun.build(scene, match.setting(), scene.duration());
         FrameStates states = new FrameStates(rate);
         List<Observer> observers = new ArrayList<>(List.of(new Fence(extent), states));
-        observers.addAll(audience.of(built, Optional.of(match.setting().solver()), extent));
+        observers.addAll(factory.of(built, Optional.of(match.setting().solver()), extent));
         Drift drift = EnergyDrift.measure(built, match.setting(), scale, observers);
         double[] distance = new double[states.states().size()];
         Arrays.fill(distance, Double.NaN);

@@ -29,6 +29,7 @@ import particles.output.raster.RoundShapes;
 import particles.output.raster.Sky;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 
 /**
  * Draws frames of a run, in software and without a screen: surfaces shaded on both sides, springs coloured by their
@@ -154,7 +155,7 @@ public final class FrameRenderer {
         raster.clear();
         surfaces.ifPresent(painter -> stage.scenery().surfaces().forEach(each -> painter.paint(each, state,
                 projected)));
-        if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != RenderOptions.Shown.NEVER) {
+        if (springs.isEmpty() && state.springs > 0 && stage.look().springs() != Visibility.NEVER) {
             springs = Optional.of(new SpringPainter(shapes, view, stage.look(), sizes));
         }
         springs.ifPresent(painter -> springsSeen |= painter.paint(state, projected, shown));

@@ -3,6 +3,7 @@ package particles.output.painters;
 import java.util.Arrays;
 import java.util.List;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Surface;
 
 /**
@@ -57,14 +58,14 @@ public final class VisibilityFilter {
 
     /** @return whether particle i is drawn */
     public boolean particle(int i) {
-        return look.particles() == RenderOptions.Shown.ALWAYS
-                || look.particles() == RenderOptions.Shown.BESIDE_SURFACES && !isIn(inSurface, i);
+        return look.particles() == Visibility.ALWAYS
+                || look.particles() == Visibility.BESIDE_SURFACES && !isIn(inSurface, i);
     }
 
     /** @return whether a spring between these particles is drawn */
     public boolean spring(int from, int to) {
-        return look.springs() == RenderOptions.Shown.ALWAYS
-                || look.springs() == RenderOptions.Shown.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface,
+        return look.springs() == Visibility.ALWAYS
+                || look.springs() == Visibility.BESIDE_SURFACES && !(isIn(inSurface, from) && isIn(inSurface,
                 to))
                 && !isIn(onClosed, from) && !isIn(onClosed, to);
     }

@@ -13,11 +13,12 @@ import particles.spec.Values;
 import particles.spec.messages.Problems;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 
 /** The keys of how a scene is drawn. */
 public final class RenderFormat {
     static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
-    private static final List<String> SHOWN = Arrays.stream(RenderOptions.Shown.values()).map(RenderFormat::nameOf)
+    private static final List<String> SHOWN = Arrays.stream(Visibility.values()).map(RenderFormat::nameOf)
             .toList();
     private static final List<String> KINDS = Arrays.stream(ParticleStyle.Kind.values()).map(RenderFormat::nameOf)
             .toList();
@@ -114,7 +115,7 @@ public final class RenderFormat {
         return choice.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    private static RenderOptions.Shown shown(String name) {
-        return RenderOptions.Shown.valueOf(name.toUpperCase(Locale.ROOT).replace('-', '_'));
+    private static Visibility shown(String name) {
+        return Visibility.valueOf(name.toUpperCase(Locale.ROOT).replace('-', '_'));
     }
 }

@@ -43,7 +43,7 @@ final class Leaf extends ReferenceProblem {
      * @param weight how much of each stage makes the step
      * @return v after these steps (m/s)
      */
-    double afterSlip(int steps, double deltaT, double[] times, double[][] stages, double[] weight) {
+    double afterMistake(int steps, double deltaT, double[] times, double[][] stages, double[] weight) {
         double v = state()[0];
         double time = 0;
         for (int n = 0; n < steps; n++) {

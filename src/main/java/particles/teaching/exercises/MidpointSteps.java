@@ -36,16 +36,16 @@ final class MidpointSteps extends NumericExercise {
                         List.of(
                 new CommonMistake(new Leaf(a, b, v).after("euler", STEPS, h),
                         "This is the Euler method: take the step with gMid, the derivative half way."),
-                new CommonMistake(slip(a, b, v, h, 0, 0.5, 1),
+                new CommonMistake(wrong(a, b, v, h, 0, 0.5, 1),
                         "gMid was evaluated at time t; half way the clock stands at t + deltaT/2."),
-                new CommonMistake(slip(a, b, v, h, 1, 1, 1),
+                new CommonMistake(wrong(a, b, v, h, 1, 1, 1),
                         "gMid was evaluated at the end of the Euler step; half way means s + deltaS/2 and t + "
                                 + "deltaT/2."),
-                new CommonMistake(slip(a, b, v, h, 0.5, 1, 1), "The state half way is s + deltaS/2, not s + deltaS."),
-                new CommonMistake(slip(a, b, v, h, 1, 0.5, 1), "The time half way is t + deltaT/2, not t + deltaT."),
-                new CommonMistake(slip(a, b, v, h, 0.5, 0.5, 0.5),
+                new CommonMistake(wrong(a, b, v, h, 0.5, 1, 1), "The state half way is s + deltaS/2, not s + deltaS."),
+                new CommonMistake(wrong(a, b, v, h, 1, 0.5, 1), "The time half way is t + deltaT/2, not t + deltaT."),
+                new CommonMistake(wrong(a, b, v, h, 0.5, 0.5, 0.5),
                         "The last step was half as long as it should be: deltaT gMid, from the start."),
-                new CommonMistake(new Leaf(a, b, v).afterSlip(STEPS, h, new double[] {0, 0.5}, new double[][] {{},
+                new CommonMistake(new Leaf(a, b, v).afterMistake(STEPS, h, new double[] {0, 0.5}, new double[][] {{},
                         {0.5}},
                         new double[] {0.5, 1}),
                         "Go back to the start: the step with gMid begins at s, not at the point half way."),
@@ -54,8 +54,8 @@ final class MidpointSteps extends NumericExercise {
                         "The mass is missing: the acceleration is the force over m.")));
     }
 
-    private static double slip(double a, double b, double v, double h, double time, double state, double weight) {
-        return new Leaf(a, b, v).afterSlip(STEPS, h, new double[] {0, time}, new double[][] {{}, {state}},
+    private static double wrong(double a, double b, double v, double h, double time, double state, double weight) {
+        return new Leaf(a, b, v).afterMistake(STEPS, h, new double[] {0, time}, new double[][] {{}, {state}},
                 new double[] {0,
                 weight});
     }

@@ -86,10 +86,10 @@ public abstract class NumericExercise implements Exercise {
     }
 
     private static String reason(Question question, double value, String hint) {
-        Optional<CommonMistake> slip = question.mistakes().stream().filter(s -> question.isNear(value, s.value()))
+        Optional<CommonMistake> mistake = question.mistakes().stream().filter(s -> question.isNear(value, s.value()))
                 .findFirst();
-        if (slip.isPresent()) {
-            return slip.get().hint();
+        if (mistake.isPresent()) {
+            return mistake.get().hint();
         }
         double answer = question.answer();
         if (question.isNear(-value, answer)) {

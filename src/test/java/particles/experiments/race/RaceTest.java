@@ -26,14 +26,14 @@ import particles.view.DataTable;
 class RaceTest {
     private static final SceneDescription SPIRAL = SceneReader.read(Path.of("scenes/11-euler-spiral.yaml"));
     private static final SceneDescription CHAIN = SceneReader.read(Path.of("scenes/16-soft-chain.yaml"));
-    private static final Race.Audience NOBODY = (scene, solver, extent) -> List.of();
+    private static final Race.ObserverFactory NOBODY = (scene, solver, extent) -> List.of();
 
     private static SceneDescription lasting(SceneDescription scene, double duration) {
         return scene.solvedBy("rk4", Optional.empty(), scene.deltaT(), duration);
     }
 
-    private static Result run(SceneDescription scene, String solvers, int frames, Race.Audience audience) {
-        return new Race(scene, SolverChoice.list(solvers), frames).run(audience, (part, what) -> { });
+    private static Result run(SceneDescription scene, String solvers, int frames, Race.ObserverFactory observers) {
+        return new Race(scene, SolverChoice.list(solvers), frames).run(observers, (part, what) -> { });
     }
 
     @Test
@@ -78,9 +78,9 @@ class RaceTest {
         assertTrue(midpoint.distance()[77] > 1e-3, "midpoint is not exact");
     }
 
-    /** Who makes pictures sees, at the frames' times, what was measured: the ghost is the reference, bit for bit. */
+    /** At the frames' times observers see the states that were measured: the ghost is the reference, bit for bit. */
     @Test
-    void audienceSeesWhatIsMeasured() {
+    void observersSeeWhatIsMeasured() {
         List<Optional<SolverChoice>> order = new ArrayList<>();
         List<FrameStates> seen = new ArrayList<>();
         SceneDescription scene = lasting(CHAIN, 2);

@@ -28,7 +28,7 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.view.CurveView;
 import particles.view.ParticleStyle;
-import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Surface;
 
 /** In every scene, near the start, in the middle and at the end: words are clear of bodies, and bodies are seen. */
@@ -94,7 +94,7 @@ class FrameLayoutTest {
         }
 
         private void check(ParticleSystem system, FrameState state) {
-            boolean springs = setup.look().springs() != RenderOptions.Shown.NEVER && state.springs > 0;
+            boolean springs = setup.look().springs() != Visibility.NEVER && state.springs > 0;
             List<Rectangle2D> words = new FrameText(setup, HEIGHT, 2).boxes(WIDTH, HEIGHT, state, springs);
             List<Rectangle2D> labels = new FrameMarks(view, setup.look().style()).boxes(state, sizes.ball());
             String when = " at t = " + state.time;

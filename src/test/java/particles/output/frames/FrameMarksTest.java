@@ -21,6 +21,7 @@ import particles.view.Camera;
 import particles.view.ParticleMark;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** Particles with a colour, a size and a label of their own, and arrows, in pictures of 20 pixels a metre. */
@@ -47,7 +48,7 @@ class FrameMarksTest {
     }
 
     private static int[] picture(ParticleStyle style) {
-        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, RADIUS, 0.1,
+        RenderOptions look = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, RADIUS, 0.1,
                 0x0000ff, 0, 0, 0, style);
         FrameRenderer renderer = new FrameRenderer(new FrameSetup(FRONT, look, Scenery.NONE, "", ""), W, H,
                 Optional.empty());

@@ -28,6 +28,7 @@ import particles.output.files.OutputFolder;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** Frames at regular times, drawn in another thread. */
@@ -70,7 +71,7 @@ class FrameObserverTest {
 
     private static FrameRenderer renderer() {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3, 0.1,
+        RenderOptions look = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, 0.3, 0.1,
                 0x00ff00, 0, 0, 0, ParticleStyle.STANDARD);
         return new FrameRenderer(new FrameSetup(camera, look, Scenery.NONE, "", ""), W, H, Optional.empty());
     }

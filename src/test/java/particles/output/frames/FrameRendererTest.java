@@ -15,6 +15,7 @@ import particles.output.painters.VisibilityFilter;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 import particles.view.Surface;
 
@@ -25,7 +26,7 @@ class FrameRendererTest {
     /** 20 pixels a metre, the origin in the middle. */
     private static final Camera FRONT = new Camera(new Vector3(0, 0, 50), Vector3.ZERO, new Vector3(0, 1, 0), false, 0,
             10);
-    private static final RenderOptions LOOK = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS,
+    private static final RenderOptions LOOK = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS,
             0.5, 0.1, 0x00ff00, 0x000000,
             0xff0000, 0x0000ff, ParticleStyle.STANDARD);
 
@@ -94,7 +95,7 @@ class FrameRendererTest {
         state.rigid = new boolean[1];
         state.from = new int[] {0};
         state.to = new int[] {1};
-        RenderOptions springsOnly = new RenderOptions(RenderOptions.Shown.NEVER, RenderOptions.Shown.ALWAYS, 0.5, 0.1,
+        RenderOptions springsOnly = new RenderOptions(Visibility.NEVER, Visibility.ALWAYS, 0.5, 0.1,
                 0, 0, 0, 0, ParticleStyle.STANDARD);
         double[][] middle = new double[2][];
         for (int k = 0; k < 2; k++) {

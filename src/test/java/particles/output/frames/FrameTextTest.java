@@ -14,6 +14,7 @@ import particles.output.painters.FrameState;
 import particles.view.Camera;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 /** The words of a picture can be read, whatever is behind them. */
@@ -36,7 +37,7 @@ class FrameTextTest {
     @Test
     void wordsOfABlowUpHaveAGroundOfTheirOwn() {
         Camera camera = new Camera(new Vector3(0, 0, 5), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        RenderOptions look = new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 1, 0.1,
+        RenderOptions look = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, 1, 0.1,
                 0x0000ff, 0, 0, 0, ParticleStyle.STANDARD);
         FrameText text = new FrameText(new FrameSetup(camera, look, Scenery.NONE, "A title", "rk4"), H, 2);
         FrameState state = new FrameState();

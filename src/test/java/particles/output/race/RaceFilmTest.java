@@ -36,6 +36,7 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
+import particles.view.RenderOptions.Visibility;
 import particles.view.Scenery;
 
 class RaceFilmTest {
@@ -44,7 +45,7 @@ class RaceFilmTest {
 
     private static FrameSetup stage() {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
-        return new FrameSetup(camera, new RenderOptions(RenderOptions.Shown.ALWAYS, RenderOptions.Shown.ALWAYS, 0.3,
+        return new FrameSetup(camera, new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, 0.3,
                 0.1, 0xff0000, 0, 0, 0,
                 ParticleStyle.STANDARD), Scenery.NONE, "", "");
     }

@@ -44,10 +44,10 @@ class ThousandStudentsTest {
             assertTrue(question.mistakes().size() >= 5, "at least five typical mistakes");
             assertEquals(List.of("This is right."), NumericExercise.mark(question,
                     Double.toString(question.answer()), "").lines());
-            for (CommonMistake slip : question.mistakes()) {
-                Mark mark = NumericExercise.mark(question, Double.toString(slip.value()), "");
-                assertFalse(mark.right(), slip.hint());
-                assertEquals(List.of(slip.hint()), mark.lines(), "for id-" + s);
+            for (CommonMistake mistake : question.mistakes()) {
+                Mark mark = NumericExercise.mark(question, Double.toString(mistake.value()), "");
+                assertFalse(mark.right(), mistake.hint());
+                assertEquals(List.of(mistake.hint()), mark.lines(), "for id-" + s);
             }
             assertTrue(Double.parseDouble(range.group(1)) <= question.answer()
                     && question.answer() <= Double.parseDouble(range.group(2)), text + question.answer());
