@@ -166,7 +166,7 @@ public final class EnergyLedger implements Observer {
         return force;
     }
 
-    /** What an effect's forces do on the particles that can move (W). */
+    /** The power of an effect's forces on the particles that can move (W). */
     private double power(Effect effect, ParticleSystem system, double[] state, double time) {
         if (pull.length != system.getStateSize()) {
             pull = new double[system.getStateSize()];

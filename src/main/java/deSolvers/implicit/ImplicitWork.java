@@ -3,7 +3,7 @@ package deSolvers.implicit;
 import deSolvers.linear.LinearWork;
 
 /**
- * What an implicit solver has done since it was made, beyond the calls of the derivative that the source counts itself.
+ * The work of an implicit solver since it was made, beyond the derivative calls that the source counts itself.
  *
  * @param newtonIterations corrections that Newton's method computed
  * @param jacobians        Jacobians (dense or block by block) that were set up

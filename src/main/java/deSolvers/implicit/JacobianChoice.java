@@ -22,7 +22,7 @@ final class JacobianChoice {
         this.work = work;
     }
 
-    /** What serves a source; each is made when it is first needed. */
+    /** The form of I - g J for a source; each is made when it is first needed. */
     ShiftedJacobian of(DEStateSource source) {
         int size = source.getStateSize();
         if (size != n) {

@@ -61,7 +61,7 @@ final class Newton {
     private double part;                                // the part of it that was added
     private int iterations;
 
-    /** What was done in all steps so far. */
+    /** The work of all steps so far. */
     ImplicitWork getWork() {
         return work.read();
     }

@@ -5,8 +5,8 @@ import deSolvers.JacobianStateSource;
 import deSolvers.SecondOrderStateSource;
 
 /**
- * What Newton's method adds to its unknowns: the solution of the linearised equation, and how large that is beside
- * them.
+ * The update of Newton's method: the solution of the linearised equation, and its size relative to
+ * the unknowns.
  */
 final class NewtonUpdate {
     /** Round-off of a sum, relative to its terms. */

@@ -24,7 +24,7 @@ final class RadauTableau {
         {-4.17871859155190428, -0.32768282076106237, 0.47662355450055044},
         {0.50287263494578682, -2.57192694985560522, 0.59603920482822492}};
 
-    /** What the stages count in the estimate of the error. */
+    /** The weights of the stages in the error estimate. */
     private static final double[] ERROR = {(-13 - 7 * S6) / 3, (-13 + 7 * S6) / 3, -1.0 / 3};
 
     /** The collocation polynomial: what each stage counts in u, u<sup>2</sup> and u<sup>3</sup>. */

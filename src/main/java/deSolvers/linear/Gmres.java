@@ -10,7 +10,7 @@ import java.util.Arrays;
 public final class Gmres {
     private static final int RESTART = 40;
     private static final int MOST_ITERATIONS = 2000;
-    /** What is left of a vector is rounding where it is no more than this part of it. */
+    /** A remainder of at most this part of a vector is round-off. */
     private static final double ROUNDING = 1e-14;
 
     private final LinearWork work;
@@ -125,7 +125,7 @@ public final class Gmres {
         right[k] *= cosine[k];
     }
 
-    /** What the last vector had left before it was normalised; 0 says that the Krylov space is exhausted. */
+    /** The last vector's norm before it was normalised; 0 means that the Krylov space is exhausted. */
     private double hessenbergNorm(int k) {
         return hessenberg[k][k - 1];
     }

@@ -27,7 +27,7 @@ final class EnergyParts {
         names.add("numerical error");
     }
 
-    /** What the numbers are. */
+    /** The names of the numbers. */
     List<String> names() {
         return names;
     }

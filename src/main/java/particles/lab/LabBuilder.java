@@ -9,7 +9,7 @@ import java.util.Optional;
 public interface LabBuilder {
 
     /**
-     * What the page holds.
+     * The content of the page.
      *
      * @param scenes    its scenes
      * @param first     the one that it opens with

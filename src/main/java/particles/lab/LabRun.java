@@ -67,7 +67,7 @@ public final class LabRun {
         }
     }
 
-    /** What is wanted lies within the latest motion. */
+    /** Shows a time within the latest motion. */
     private void showBetween() {
         int size = latest.getEndState().length;
         if (between.length != size) {

@@ -11,7 +11,7 @@ import particles.reactions.RestingContacts;
 import particles.scene.Scene;
 
 /**
- * What is printed when a solver finds no step because Coulomb friction changes its direction in it. Near a stop the
+ * The message for a step that fails because Coulomb friction changes its direction within it. Near a stop the
  * direction changes as fast as the velocity's, however slow that is, so a shorter step may not help, and springs and
  * drag are not the cause. An explicit solver steps across the change, and the rule after the step sees that it was a
  * stop.

@@ -1,5 +1,5 @@
 /**
- * What all checks of students' work share: {@link particles.teaching.Finding} is one mistake or note,
+ * Shared by all checks of students' work: {@link particles.teaching.Finding} is one mistake or note,
  * {@link particles.teaching.GuardedRun} runs a student's class with a limit to its computing time, and
  * {@link particles.teaching.StudentFailure} names the line of it that failed.
  *

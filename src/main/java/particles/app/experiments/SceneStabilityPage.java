@@ -17,7 +17,7 @@ import particles.scene.format.SceneDescription;
 import particles.view.ChartData;
 import particles.view.DataTable;
 
-/** What {@code gradle stability -Pscene} shows: how long a step each solver may take in this scene. */
+/** The page of {@code gradle stability -Pscene}: the longest stable step of each solver in this scene. */
 final class SceneStabilityPage {
     private static final int MOST_MODES = 12;
     /** Whose regions are pictured where none is asked for. */

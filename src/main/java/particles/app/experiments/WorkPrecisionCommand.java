@@ -33,7 +33,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
     static final String NAME = "workPrecision";
 
     private static final double SECONDS_A_CURVE = 1.4;
-    /** What takes longer (s) says so before. */
+    /** A problem that takes longer than this (s) is announced. */
     private static final double LONG = 45;
     private static final String FAILURES = " Below: the runs without a result.";
 

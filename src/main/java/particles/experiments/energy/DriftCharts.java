@@ -15,7 +15,7 @@ import particles.view.DataTable;
 
 /** Energy drift as charts and as a table. */
 public final class DriftCharts {
-    /** What crosses are called in the legend. */
+    /** The name of the crosses in the legend. */
     public static final String STOPPED = "stopped";
     /** The linear chart ends where an error is no longer a small one. */
     private static final double LINEAR = 0.1;

@@ -39,7 +39,7 @@ final class DriftHeadline {
             .comparing((Drift drift) -> drift.kind() != Kind.FAILED)
             .thenComparingDouble(drift -> drift.kind() == Kind.FAILED ? drift.outcome().endTime() : -size(drift));
 
-    /** What has drifted is off by where it ends, what swings by its largest swing. */
+    /** A drift is measured at its end, an oscillation by its largest amplitude. */
     private static double size(Drift drift) {
         return drift.kind() == Kind.SECULAR ? Math.abs(drift.end()) : drift.largest();
     }

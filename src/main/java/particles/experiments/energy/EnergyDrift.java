@@ -26,7 +26,7 @@ public final class EnergyDrift {
      * A straight line that rises by more than so many times the scatter about it is no accident of where a wave ends.
      */
     private static final double SECULAR = 2;
-    /** What grows in proportion to time is twice as large in the second half of a run as in the first. */
+    /** An error that grows in proportion to time is twice as large in a run's second half as in its first. */
     private static final double GROWS = 1.4;
     /** A decay that is complete grows no more; its error ends at the largest there was. */
     private static final double STILL = 0.98;

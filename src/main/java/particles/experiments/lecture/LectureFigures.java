@@ -65,7 +65,7 @@ public final class LectureFigures {
     }
 
     /**
-     * What R(ih) says.
+     * A method's stability on the imaginary axis, from R(ih).
      *
      * @param amplitude  |R|<sup>N</sup>
      * @param phaseError N (arg R - h) (rad)

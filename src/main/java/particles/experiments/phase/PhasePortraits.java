@@ -45,7 +45,7 @@ public final class PhasePortraits {
     }
 
     /**
-     * What came of the runs.
+     * The result of the runs.
      *
      * @param portraits for each particle and axis, one a solver
      * @param table     where each solver's particle was at the end, and how far from the reference

@@ -35,7 +35,7 @@ import particles.scene.format.SceneDescription;
  */
 public final class Race {
     private static final double REFERENCE_TOLERANCE = 1e-11;
-    /** What the reference is, in words. */
+    /** The reference in words. */
     public static final String REFERENCE = "dormand-prince with a tolerance of 1e-11";
     private static final long MOST_EVALUATIONS = 20_000_000;
     /** A run farther than this from the reference, in units of the scene's extent, has left the race. */

@@ -15,7 +15,7 @@ import particles.scene.format.SceneDescription;
  * derivative as another one.
  */
 public final class EqualWork {
-    /** What costs so many times the work that was asked for raises nobody else's. */
+    /** A solver that costs this many times the work asked for does not raise the others' share. */
     static final double MOST_RAISE = 30;
     private static final int TRIALS = 14;
     private static final long FEW = 1000;
@@ -43,7 +43,7 @@ public final class EqualWork {
     }
 
     /**
-     * What each of several solvers gets.
+     * The shares of several solvers.
      *
      * @param matches one a solver
      * @param work    evaluations, or seconds, that each was to cost

@@ -24,11 +24,11 @@ import java.util.function.Supplier;
  * A step that the solver refuses counts as infinite growth.
  */
 public final class Amplification {
-    /** What rounding and Newton's tolerance leave of "does not grow". */
+    /** Growth below this is round-off or Newton's tolerance. */
     static final double ROUNDING = 1e-8;
     /** Steps of a multistep method before its growth is measured, and as many again while it is. */
     private static final int STEPS = 300;
-    /** What oscillates from step to step is measured by the largest value in so many steps. */
+    /** An oscillation from step to step is measured by its largest value in this many steps. */
     private static final int WINDOW = 60;
     private static final double RELATIVE = 1e-6;
     private static final double EVERYTHING = 1e30;

@@ -43,7 +43,7 @@ public final class SceneStability {
     private final Map<Mode, Twins> fine = new HashMap<>();
 
     /**
-     * What is known of one solver.
+     * The result for one solver.
      *
      * @param solver    which
      * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an

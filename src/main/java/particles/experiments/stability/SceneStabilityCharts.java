@@ -11,7 +11,7 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
-/** What decides over a scene's steps, as pictures: its eigenvalues in the solvers' regions, and how growth sets in. */
+/** Charts of a scene's stability: its eigenvalues in the solvers' regions, and how growth sets in. */
 public final class SceneStabilityCharts {
     private static final int POINTS = 400;
     private static final double CELLS = 90;

@@ -3,7 +3,7 @@ package particles.experiments.stability;
 import java.util.Optional;
 
 /**
- * What one step of a method does to the slides' oscillator x'' = -x: as z = x - i v obeys z' = i z, it multiplies z by
+ * One step of a method on the slides' oscillator x'' = -x: as z = x - i v obeys z' = i z, the step multiplies z by
  * R(ih). N steps multiply the amplitude by |R|<sup>N</sup>, and the phase runs ahead of the exact one by N (arg R - h).
  *
  * @param re the real part of R(ih)

@@ -56,7 +56,7 @@ public final class EffectCost {
     }
 
     /**
-     * What one variant costs.
+     * The cost of one variant.
      *
      * @param name     what it has
      * @param seconds  for a step of rk4 (s)

@@ -144,7 +144,7 @@ public final class WorkCharts {
                 fitted.stream().mapToDouble(Point::evaluations).toArray(), y));
     }
 
-    /** What theory foretells of the solvers whose order is reduced, if one of them has a slope. */
+    /** The order predicted by theory for solvers with order reduction, if one of them has a slope. */
     private static Optional<String> reduction(List<Curve> curves) {
         return curves.stream().filter(curve -> curve.expected() < curve.solver().order()
                 && !Double.isNaN(curve.fit().slope()))

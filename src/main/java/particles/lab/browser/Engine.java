@@ -4,7 +4,7 @@ import org.teavm.jso.JSByRef;
 import org.teavm.jso.JSExport;
 import particles.lab.Session;
 
-/** What the page's scripts may call of our classes; each is the method of {@link Session} of the same name. */
+/** The functions that the page's scripts may call; each is the method of {@link Session} of the same name. */
 public final class Engine {
     private static final Session SESSION = new Session(new PageClasses());
 

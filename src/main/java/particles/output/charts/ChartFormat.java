@@ -1,7 +1,7 @@
 package particles.output.charts;
 
 /**
- * What charts are made for.
+ * The format in which charts are drawn.
  *
  * @param slide whether each is a slide of 16:9 with large type and few curves, or else a picture for page and screen
  * @param svg   whether each is written as a vector graphic, too

@@ -32,7 +32,7 @@ public final class RaceFilm implements AutoCloseable {
     private PanelFilm ghost;
 
     /**
-     * What stands above all panels.
+     * The text above all panels.
      *
      * @param title   the scene, and what is equal
      * @param finding who won
@@ -42,7 +42,7 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * What is said of a run.
+     * The text beside a run.
      *
      * @param name    the solver's, with which {@link #watch} was called
      * @param step    its step or tolerance

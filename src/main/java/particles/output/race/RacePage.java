@@ -114,7 +114,7 @@ final class RacePage {
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
-    /** What is equal, beside it room for the clock, below it who won and what the ghost is. */
+    /** States the equal budget, leaves room for the clock, and names below the winner and the ghost. */
     static void drawHead(Graphics2D g, RaceFilm.Head head, int width) {
         g.setColor(ChartStyle.TEXT);
         drawFitting(g, TITLE, head.title(), 24, width - CLOCK_WIDTH);

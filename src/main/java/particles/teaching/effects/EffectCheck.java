@@ -83,7 +83,7 @@ public final class EffectCheck {
         return EffectWriting.entry(system, k);
     }
 
-    /** What stores all of its energy neither takes any out nor puts any in. */
+    /** A law that stores all of its energy neither takes energy out nor puts any in. */
     private Optional<Finding> contradiction() {
         Set<Trait> claims = effect.getTraits();
         return claims.contains(Trait.CONSERVATIVE) && (claims.contains(Trait.DISSIPATIVE)

@@ -144,7 +144,7 @@ final class NamedDirection {
         return sum;
     }
 
-    /** What the part of the force that comes from fast motion does with that motion. */
+    /** How the velocity-dependent part of the force acts on fast motion. */
     private double powerOfSpeed() {
         double[] fast = at(1, FAST);
         double[] force = force(fast);

@@ -32,7 +32,7 @@ final class SceneDesign implements Exercise {
     private static final double ACCURACY = 0.01;
 
     /**
-     * What is asked for.
+     * The task.
      *
      * @param particles   that can move, at least
      * @param springs     at least
@@ -160,7 +160,7 @@ final class SceneDesign implements Exercise {
             lines.add((holds ? "holds: " : "does not hold: ") + names.get(wanted) + " (here: " + found + ")");
         }
 
-        /** What could not be looked at any more does not hold. */
+        /** A condition that could not be checked counts as not met. */
         Mark mark() {
             for (int k = lines.size(); k < names.size(); k++) {
                 right = false;

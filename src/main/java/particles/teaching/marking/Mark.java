@@ -3,7 +3,7 @@ package particles.teaching.marking;
 import java.util.List;
 
 /**
- * What became of an answer.
+ * The mark of an answer.
  *
  * @param right whether it is right
  * @param lines what there is to say: the likely mistake, or what holds and what does not

@@ -20,7 +20,7 @@ import particles.teaching.sources.NonlinearOscillators;
 final class ImplicitFormula {
     /** Solved: newton iterations to 1e-6 leave 1e-11, simple ones to 1e-6 leave up to 1e-6. */
     private static final double SOLVED = 1e-5;
-    /** What is this close to an equation, and closer than to any other, is meant to solve it. */
+    /** A step this close to an equation, and closer than to any other, is meant to solve it. */
     private static final double EXACT = 1e-7;
     private static final double[] STEPS = {1.0 / 4, 1.0 / 8, 1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128};
     private static final double START = 0.5;

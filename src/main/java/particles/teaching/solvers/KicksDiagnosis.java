@@ -110,7 +110,7 @@ final class KicksDiagnosis {
         return new Diagnosis("This is a method of one's own, but for what is wrong below.", findings);
     }
 
-    /** What is said to a known method under another one's name. */
+    /** The message for a known method that has another method's name. */
     static Finding instead(Known known, NamePromise promise) {
         if (known.name.equals(NamePromise.EULER) && promise.methods().contains(NamePromise.SYMPLECTIC)) {
             return oldVelocity();

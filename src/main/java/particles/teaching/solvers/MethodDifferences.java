@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 
-/** What sets coefficients that were read off apart from those of a known method, each in a sentence. */
+/** The differences between measured coefficients and those of a known method, each in a sentence. */
 final class MethodDifferences {
     private final KnownMethod method;
     private final double[][] a;

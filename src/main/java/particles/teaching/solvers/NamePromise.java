@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * What the name of a solver's class promises.
+ * The method that the name of a solver's class promises.
  *
  * @param says    what the name stands for
  * @param order   the lowest order of all methods that it can stand for

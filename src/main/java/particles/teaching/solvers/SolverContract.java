@@ -12,7 +12,7 @@ import particles.teaching.StudentFailure;
 import particles.teaching.sources.WindyOscillators;
 
 /**
- * What any method has to keep, whatever its formula: each step from the source's own state, any source, any number of
+ * The contract of every solver, whatever its formula: each step from the source's own state, any source, any number of
  * them.
  */
 final class SolverContract {

@@ -177,7 +177,7 @@ final class TableauDiagnosis {
         return fault.isEmpty();
     }
 
-    /** What the sum of a row's coefficients does when deltaT is doubled and when its sign changes. */
+    /** How the sum of a row's coefficients changes when deltaT is doubled and when its sign changes. */
     private String fault(double once, double doubled, double negative) {
         if (once == 0 || Formula.same(doubled / once, 2)) {
             return once != 0 && negative == once ? "the sign of deltaT is lost, and a step back goes forward" : "";

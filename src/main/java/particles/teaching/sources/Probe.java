@@ -12,7 +12,7 @@ public class Probe extends StudentSource {
     /** More evaluations than this in a step are no tableau that anybody writes by hand. */
     public static final int MOST_EVALUATIONS = 16;
 
-    /** What the derivative is. */
+    /** The derivative. */
     public interface Answer {
         /**
          * @param evaluation the number of this evaluation, from 0
