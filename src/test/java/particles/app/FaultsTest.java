@@ -103,7 +103,7 @@ class FaultsTest {
     @Test
     void aFullDiskEndsTheRunWithALineAndNoHalfFile() throws Exception {
         assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "needs bash for its ulimit");
-        Path scene = scene(LONG);
+        Path scene = scene(3);
         Map<String, String> expected = unbroken(scene);
         long kilobytes = Files.size(top.resolve("whole/trajectory.csv")) * 3 / 4 / 1024;
         ChildProgram.End end = child().startedBy("/bin/bash", "-c", "ulimit -f " + kilobytes + "; exec \"$@\"", "bash")

@@ -14,12 +14,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The program is killed at a random moment, 25 times, by SIGTERM and by SIGKILL. Every file in the folder is whole
+ * The program is killed at a random moment, 12 times, by SIGTERM and by SIGKILL. Every file in the folder is whole
  * each time, and a later run into the same folder leaves exactly what a run into a new folder does.
  */
 @Tag("slow")
 class KilledRunsTest {
-    private static final int KILLS = 25;
+    private static final int KILLS = 12;
     private static final double DURATION = 2;
     private static final int STOPPED_BY_SIGTERM = 143;
     private static final int STOPPED_BY_SIGKILL = 137;
