@@ -43,8 +43,8 @@ final class OwnScenes {
                     + "  - sphere: {centre: [0, 1, 0], radius: 1, hollow: true, FRICTION}\n");
     private static final String FRICTION = "restitution: 0.2, friction: {law: coulomb, coefficient: 0.4}";
 
-    private static final Map<String, String> OTHERS = Map.ofEntries(
-            Map.entry("trammel of Archimedes", """
+    /** A rod whose ends slide along a vertical and a horizontal wire. */
+    static final String TRAMMEL = """
             particles:
               - {id: across, position: [0.6, 0, 0], mass: 1}
               - {id: up, position: [0, 0.8, 0], mass: 1}
@@ -53,7 +53,10 @@ final class OwnScenes {
               - line: {bead: up, direction: [0, 1, 0]}
             rods:
               - {from: across, to: up}
-            """), Map.entry("chain of four rods", """
+            """;
+
+    /** Four rods that hang from a fixed particle. */
+    static final String CHAIN = """
             particles:
               - {id: a, position: [0, 0, 0], fixed: true}
               - {id: b, position: [0.6, 0.8, 0]}
@@ -65,7 +68,22 @@ final class OwnScenes {
               - {from: b, to: c}
               - {from: c, to: d}
               - {from: d, to: e}
-            """), Map.entry("rigid body, one rod too many", """
+            """;
+
+    /** A gram between a pivot and a tonne. */
+    static final String UNEVEN = """
+            particles:
+              - {id: pivot, position: [0, 0, 0], fixed: true}
+              - {id: light, position: [0.6, -0.8, 0], mass: 1e-3}
+              - {id: heavy, position: [1.2, -1.6, 0], mass: 1000}
+            rods:
+              - {from: pivot, to: light}
+              - {from: light, to: heavy}
+            """;
+
+    private static final Map<String, String> OTHERS = Map.ofEntries(
+            Map.entry("trammel of Archimedes", TRAMMEL), Map.entry("chain of four rods", CHAIN),
+            Map.entry("rigid body, one rod too many", """
             particles:
               - {id: a, position: [0, 1, 0]}
               - {id: b, position: [1, 1, 0]}
@@ -90,15 +108,8 @@ final class OwnScenes {
             rules:
               - plane: {point: [0, 0, 0], normal: [0, 1, 0], restitution: 0, friction: {law: coulomb, coefficient: 0.2}}
               - plane: {point: [0, 0, 0], normal: [1, 0, 0], restitution: 0}
-            """), Map.entry("masses of ratio a million on rods", """
-            particles:
-              - {id: pivot, position: [0, 0, 0], fixed: true}
-              - {id: light, position: [0.6, -0.8, 0], mass: 1e-3}
-              - {id: heavy, position: [1.2, -1.6, 0], mass: 1000}
-            rods:
-              - {from: pivot, to: light}
-              - {from: light, to: heavy}
-            """), Map.entry("a weight under a bead hits the ground", """
+            """), Map.entry("masses of ratio a million on rods", UNEVEN),
+            Map.entry("a weight under a bead hits the ground", """
             particles:
               - {id: slider, position: [-1, 0.5, 0]}
               - {id: weight, position: [-1, 0.1, 0.1], mass: 0.5}

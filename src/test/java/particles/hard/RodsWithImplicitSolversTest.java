@@ -21,32 +21,6 @@ class RodsWithImplicitSolversTest {
     private static final String HEAD = "title: t\nteaches: t\nsolver: rk4\ndeltaT: 0.01\nduration: 1\n"
             + "effects:\n  - gravity\n";
 
-    /** A rod whose ends slide along a vertical and a horizontal wire, with the pen at its middle. */
-    private static final String TRAMMEL = HEAD + """
-            particles:
-              - {id: across, position: [0.6, 0, 0], mass: 1}
-              - {id: up, position: [0, 0.8, 0], mass: 1}
-            wires:
-              - line: {bead: across, direction: [1, 0, 0]}
-              - line: {bead: up, direction: [0, 1, 0]}
-            rods:
-              - {from: across, to: up}
-            """;
-
-    private static final String CHAIN = HEAD + """
-            particles:
-              - {id: a, position: [0, 0, 0], fixed: true}
-              - {id: b, position: [0.6, 0.8, 0], mass: 1}
-              - {id: c, position: [1.6, 0.8, 0], mass: 1}
-              - {id: d, position: [2.2, 0, 0], mass: 1}
-              - {id: e, position: [3.2, 0, 0], mass: 1}
-            rods:
-              - {from: a, to: b}
-              - {from: b, to: c}
-              - {from: c, to: d}
-              - {from: d, to: e}
-            """;
-
     /** A bead on a horizontal wire that carries a pendulum. */
     private static final String ELLIPTIC = HEAD + """
             particles:
@@ -67,16 +41,6 @@ class RodsWithImplicitSolversTest {
             rules:
               - plane: {point: [0, 0, 0], normal: [0, 1, 0], restitution: 0}
               - plane: {point: [0, 0, 0], normal: [1, 0, 0], restitution: 0}
-            """;
-
-    private static final String UNEVEN = HEAD + """
-            particles:
-              - {id: pivot, position: [0, 0, 0], fixed: true}
-              - {id: light, position: [0.6, -0.8, 0], mass: 1e-3}
-              - {id: heavy, position: [1.2, -1.6, 0], mass: 1000}
-            rods:
-              - {from: pivot, to: light}
-              - {from: light, to: heavy}
             """;
 
     private static double[] end(String yaml, String solver, double deltaT, double duration) {
@@ -111,13 +75,13 @@ class RodsWithImplicitSolversTest {
     @ParameterizedTest
     @CsvSource({"backward-euler, 1", "linearised-euler, 1", "implicit-midpoint, 2"})
     void aTrammelOfArchimedesConvergesWithTheOrder(String solver, double order) {
-        assertOrder(TRAMMEL, solver, order, 0.5);
+        assertOrder(HEAD + OwnScenes.TRAMMEL, solver, order, 0.5);
     }
 
     @ParameterizedTest
     @CsvSource({"backward-euler, 1", "linearised-euler, 1", "implicit-midpoint, 2"})
     void aChainOfRodsConvergesWithTheOrder(String solver, double order) {
-        assertOrder(CHAIN, solver, order, 0.25);
+        assertOrder(HEAD + OwnScenes.CHAIN, solver, order, 0.25);
     }
 
     @ParameterizedTest
@@ -133,7 +97,7 @@ class RodsWithImplicitSolversTest {
     @ParameterizedTest
     @CsvSource({"backward-euler, 1", "linearised-euler, 1", "implicit-midpoint, 2"})
     void massesOfRatioAMillionConvergeWithTheOrder(String solver, double order) {
-        assertOrder(UNEVEN, solver, order, 0.25, 2, 0.05);
+        assertOrder(HEAD + OwnScenes.UNEVEN, solver, order, 0.25, 2, 0.05);
     }
 
     /**

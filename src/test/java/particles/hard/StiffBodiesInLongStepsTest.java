@@ -84,7 +84,8 @@ class StiffBodiesInLongStepsTest {
         assertEquals(2, mean(system, 3), bound);
         assertEquals(0, mean(system, 4), bound);
         assertEquals(2, mean(system, 0), bound);
-        assertTrue(fastest(system) < 3.2, "no faster than at the start: " + fastest(system));
+        // 2.67 m/s at the start, measured at most 2.78: the springs vibrate a little
+        assertTrue(fastest(system) < 2.9, "speed " + fastest(system));
     }
 
     /** At 1e9 N/m a turn by 0.05 rad in a step is too much for Newton's method, and it says so at once. */
