@@ -62,10 +62,10 @@ final class SceneStabilityPage {
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {
         String limit = limits.stream().filter(known -> known.measured() > 0
                 && known.measured() < Double.POSITIVE_INFINITY).findFirst()
-                .map(known -> String.format(Locale.ROOT, ", and %s may step by %.4g s at most", known.solver().label(),
-                        known.measured()))
+                .map(known -> String.format(Locale.ROOT, ", and %s may step by %.3g s at most", known.solver().label(),
+                        known.predicted() > 0 ? Math.min(known.predicted(), known.measured()) : known.measured()))
                 .orElse("");
-        return String.format(Locale.ROOT, "%s: the fastest mode has |lambda| = %.5g /s%s", scene.title(),
+        return String.format(Locale.ROOT, "%s: the fastest mode has |lambda| = %.3g /s%s", scene.title(),
                 fastest.size(), limit);
     }
 
@@ -83,6 +83,7 @@ final class SceneStabilityPage {
                 "By running: two runs of the whole scene, rules included, begin a ten-millionth of its size apart. A"
                         + " step is unsafe if 512 of them bring the runs 20 times farther apart than the motion itself"
                         + " does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 of it."
+                        + " Growth, too, is counted over that of the motion itself."
                         + " What grows by less than 0.6 % a step is not seen in 512 steps, so that euler's limit comes"
                         + " out a little large. Both agree as long as the scene stays near its start. If"
                         + " springs turn, stretch or hit something, the spectrum changes; then trust the runs.",

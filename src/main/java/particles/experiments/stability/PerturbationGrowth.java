@@ -75,21 +75,26 @@ final class PerturbationGrowth {
         }
 
         /**
-         * @return by how much one step multiplies the distance, from the second quarter to the last;
-         *         infinite if there is none
+         * @param motion a pair that shows what the motion itself does to the distance, at the same times
+         * @return the factor by which one step of the solver multiplies the distance, from the second quarter to the
+         *         last, over that of the motion itself; infinite if there is no distance
          */
-        double factor() {
-            if (distances.length < 2) {
-                return Double.POSITIVE_INFINITY;
-            }
-            for (int k = 1; k < distances.length; k++) {
+        double factor(Twins motion) {
+            int count = Math.min(distances.length, motion.distances.length);
+            double[] ratios = new double[count];
+            for (int k = 0; k < count; k++) {
+                ratios[k] = distances[k] / motion.distances[k];
                 if (distances[k] > NO_LONGER_SMALL * distances[0]) {
-                    return StrictMath.pow(distances[k] / distances[0], 1.0 / steps.get(k));
+                    return StrictMath.pow(ratios[k], 1.0 / steps.get(k));
                 }
             }
-            double end = duration();
-            double growth = largest(3 * end / 4, end) / largest(end / 4, end / 2);
-            return StrictMath.pow(growth, 2.0 / steps.get(distances.length - 1));
+            if (count < 2) {
+                return Double.POSITIVE_INFINITY;
+            }
+            Twins beside = new Twins(deltaT, steps, ratios, failure);
+            double end = beside.duration();
+            double growth = beside.largest(3 * end / 4, end) / beside.largest(end / 4, end / 2);
+            return StrictMath.pow(growth, 2.0 / steps.get(count - 1));
         }
 
         private double largest(double from, double to) {
@@ -109,20 +114,31 @@ final class PerturbationGrowth {
      * @return the pair
      */
     Twins run(Setting setting, Mode mode, int steps) {
-        Recorder first = run(setting, steps, Optional.empty());
-        Recorder second = run(setting, steps, Optional.of(mode));
+        return run(setting, mode, steps, 1);
+    }
+
+    /**
+     * @param setting solver and step
+     * @param mode    along which the runs differ at the beginning
+     * @param steps   how many
+     * @param parts   of this many parts each, with the setting's step for a part
+     * @return the pair, with a distance for each step
+     */
+    Twins run(Setting setting, Mode mode, int steps, int parts) {
+        Recorder first = run(setting, steps, parts, Optional.empty());
+        Recorder second = run(setting, steps, parts, Optional.of(mode));
         double[] distances = new double[Math.min(first.states.size(), second.states.size())];
         for (int k = 0; k < distances.length; k++) {
             distances[k] = distance(first, second, k, mode.size());
         }
-        return new Twins(setting.deltaT(), first.steps, distances, first.failure.isPresent() ? first.failure
+        return new Twins(parts * setting.deltaT(), first.steps, distances, first.failure.isPresent() ? first.failure
                 : second.failure);
     }
 
-    private Recorder run(Setting setting, int steps, Optional<Mode> mode) {
-        Scene built = SceneRun.build(scene, setting, steps * setting.deltaT());
+    private Recorder run(Setting setting, int steps, int parts, Optional<Mode> mode) {
+        Scene built = SceneRun.build(scene, setting, steps * parts * setting.deltaT());
         mode.ifPresent(along -> displace(built.system(), along));
-        Recorder recorder = new Recorder();
+        Recorder recorder = new Recorder(parts);
         built.simulation().addObserver(recorder);
         try {
             built.simulation().run();
@@ -174,25 +190,31 @@ final class PerturbationGrowth {
         private final List<Integer> steps = new ArrayList<>();
         private double[] masses = {};
         private Optional<String> failure = Optional.empty();
-        private int step;
+        private final int parts;
+        private int part;
         private boolean comparable = true;
+
+        Recorder(int parts) {
+            this.parts = parts;
+        }
 
         @Override
         public void started(ParticleSystem system) {
             masses = system.getParticles().masses().clone();
-            add(system, system.getOwnState());
+            add(system, system.getOwnState(), 0);
         }
 
         @Override
         public void moved(Motion motion) {
-            step++;
+            part++;
             comparable &= motion.getSystem().getStateSize() == states.get(0).length;
-            if (comparable && (step < EVERY || step % EVERY == 0)) {
-                add(motion.getSystem(), motion.getEndState());
+            int step = part / parts;
+            if (comparable && part % parts == 0 && (step < EVERY || step % EVERY == 0)) {
+                add(motion.getSystem(), motion.getEndState(), step);
             }
         }
 
-        private void add(ParticleSystem system, double[] state) {
+        private void add(ParticleSystem system, double[] state, int step) {
             double[] copy = new double[system.getStateSize()];
             System.arraycopy(state, 0, copy, 0, copy.length);
             states.add(copy);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -11,6 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.SceneStability.Limit;
+import particles.scene.SceneFiles;
 import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 
@@ -134,5 +136,26 @@ class SceneStabilityTest {
         Limit limit = limits(scene, "verlet").get(0);
         assertEquals(2 / Math.sqrt(200), limit.predicted(), 1e-8);
         assertEquals(1, limit.measured() / limit.predicted(), 0.01, limit.toString());
+    }
+
+    /**
+     * A stretched spring that damping brings to its rest length: its pull sideways fades, so that a distance sideways
+     * grows by itself, by 2.5e-3 a step. Measured of midpoint beside the motion itself: below 5e-6 either way.
+     */
+    @Test
+    void growthByRunningIsCountedOverThatOfTheMotion() {
+        Limit limit = limits(scene("03"), "midpoint").get(0);
+        assertEquals(1.389e-6, limit.predictedGrowth(), 1e-8);
+        assertEquals(0, limit.measuredGrowth(), 2e-5, limit.toString());
+    }
+
+    /** A skydiver at rest feels no drag that is quadratic: its derivative, by differences, is 1e-9 /s. */
+    @Test
+    void modesTooSlowToSeeAreNone() {
+        assertEquals(List.of(), SceneStability.spectrum(scene("22")).modes());
+    }
+
+    private static SceneDescription scene(String name) {
+        return SceneReader.read(SceneFiles.find(Path.of("scenes"), name));
     }
 }
