@@ -59,7 +59,7 @@ public final class SolverCatalog {
                     2, "symplectic", "1, more with damping", 2, 0.74,
                     "Kick, drift, kick; in small steps the energy does not drift."),
             symplectic(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class,
-                    4, "symplectic", "3, more with damping", 1.5734, 0.44,
+                    4, "symplectic", "3, more with damping", 1.5734, 0.438,
                     "Three leapfrogs in one; in small steps no energy drift."),
             entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
                     1, "implicit", "Newton", UNLIMITED, UNLIMITED,

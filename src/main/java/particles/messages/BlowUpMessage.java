@@ -141,8 +141,8 @@ public final class BlowUpMessage {
         boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
         double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
         return "deltaT is " + Digits.few(times) + " times too long for the fastest " + (byFixedPoint
-                ? "damping (rate * deltaT = " + Digits.few(damping * deltaT) + "; " + solver.name() + " needs "
-                        + FIXED_POINT + " or less"
+                ? "damping (rate * deltaT = " + Digits.few(damping * deltaT) + "; " + solver.name() + " converges well up to "
+                        + FIXED_POINT
                 : "vibration (omega * deltaT = " + Digits.few(deltaT * rate(solver)) + "; the limit of " + solver.name()
                         + " is " + Digits.few(limit)) + spring + ")";
     }

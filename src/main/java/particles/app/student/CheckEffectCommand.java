@@ -2,7 +2,9 @@ package particles.app.student;
 
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import particles.law.Effect;
 import particles.output.report.ResultPage;
 import particles.teaching.Finding.Kind;
@@ -46,13 +48,17 @@ public final class CheckEffectCommand extends CheckCommand {
             Effect made = law.maker().apply(EffectSample.system().getParticles());
             findings = EffectCheck.check(law);
             subject = made.getClass().getSimpleName();
-            identity = "The effect '" + made.getName() + "' claims " + (made.getTraits().isEmpty() ? "no property."
-                    : new TreeSet<>(made.getTraits()).toString());
+            identity = "The effect '" + made.getName() + "' claims " + claims(made.getTraits()) + ".";
         } catch (NoSuchElementException | IllegalArgumentException e) {
             identity = "It cannot be checked.";
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));
         }
         return new Checked(subject, identity, findings, new ResultPage(NAME, subject + ": " + identity,
                 paragraphs(findings), List.of(), List.of()));
+    }
+
+    private static String claims(Set<Effect.Trait> traits) {
+        return traits.isEmpty() ? "no property"
+                : new TreeSet<>(traits).stream().map(Enum::name).collect(Collectors.joining(", "));
     }
 }

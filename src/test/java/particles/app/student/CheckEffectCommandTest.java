@@ -199,7 +199,7 @@ class CheckEffectCommandTest {
     @Test
     void aRightLawHasNothingWrong(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.DONE, "damped-springs", folder);
-        assertTrue(screen.startsWith("SpringForce: right. The effect 'springs' claims ["), screen);
+        assertTrue(screen.startsWith("SpringForce: right. The effect 'springs' claims INTERNAL, "), screen);
         assertTrue(screen.lines().count() <= 12, screen);
         assertTrue(Files.readString(folder.resolve("report/checkEffect.md")).contains("Nothing is wrong."));
     }

@@ -32,12 +32,14 @@ class StabilityLimitsTest {
         }
     }
 
-    /** Of verlet and yoshida4 it depends on the iteration's tolerance, so that two digits are stated. */
+    /** Of verlet and yoshida4 it depends on the iteration's tolerance: what is stated is no more than was measured. */
     @Test
     void limitsUnderDampingAreMeasured() {
         for (String name : List.of("symplectic-euler", "verlet", "yoshida4")) {
             SolverInfo info = SolverCatalog.info(name);
-            assertEquals(info.dampedLimit(), StabilityLimits.real(info).value(), 0.005, name);
+            double measured = StabilityLimits.real(info).value();
+            assertEquals(info.dampedLimit(), measured, 5e-4, name);     // measured 3e-4, of verlet
+            assertTrue(info.dampedLimit() <= measured, name);
         }
     }
 
