@@ -93,7 +93,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         List<double[]> points = new ArrayList<>();
         for (int step = 1; step <= ENERGY_STEPS && springs.energy() < BLOWN_UP; step++) {
             solver.stepState(springs, ENERGY_STEP);
-            if (step % 7 == 0) {
+            if (step % 7 == 0 || step == ENERGY_STEPS) {
                 points.add(new double[] {step * ENERGY_STEP, Math.abs(springs.energy() / first - 1)});
             }
         }

@@ -297,7 +297,7 @@ class RunCommandTest {
     void aThousandfoldGainIsABlowUp() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--solver=euler", "--duration=20", "--frames=false"));
         assertTrue(errors.toString().matches("euler stopped at t = 9\\.\\d+ s at particle 'block': the numerical error"
-                + " is \\d+ J, over 1000 times the energy to be expected, [\\d.]+ J\\R"
+                + " is \\d+ J, over 1000 times the energy that the forces explain, [\\d.]+ J\\R"
                 + "undamped springs gain energy with euler at any deltaT\\Rtry -Psolver=rk4\\R"), errors.toString());
     }
 
