@@ -1,19 +1,20 @@
 package deSolvers;
 
 /**
- * What a client - a particle system, or any other system of ordinary differential equations - provides to a
- * {@link DESolver}: its state s in R<sup>n</sup>, its clock t, and its derivative ds/dt = f(s, t).
+ * A system of ordinary differential equations as a {@link DESolver} sees it: its state s in R<sup>n</sup>, its clock t
+ * and its derivative ds/dt = f(s, t). A particle system is one.
  *
- * <p>A source is a cursor: a solver moves it to trial states and times, asks for the derivative there, and moves it on.
- * Arrays belong to the caller, are exactly {@link #getStateSize()} long, and are copied: no source keeps a reference.
+ * <p>A source has one current state and time. A solver sets them to trial values, asks for the derivative there, and
+ * goes on. Arrays belong to the caller and are exactly {@link #getStateSize()} long; these methods copy them and keep
+ * no reference.
  *
- * <p>Source: COMPSCI 715 (2003), slide "DEStateSource". The slide's body is lost but for the calls that the slide's
- * Euler solver makes; {@link #getStateSize()} and {@link #getTime()} are therefore this project's choice.
+ * <p>Source: COMPSCI 715 (2003), slide "DEStateSource". Of that slide only the calls in the slide "Euler Solver Code"
+ * survive; {@link #getStateSize()} and {@link #getTime()} are therefore this project's choice.
  */
 public interface DEStateSource {
 
     /**
-     * The number of doubles in the state.
+     * Returns the number of doubles in the state.
      *
      * @return n, 0 or more; constant during a step
      */
@@ -41,7 +42,7 @@ public interface DEStateSource {
     void getStateDerivative(double[] dSdt);
 
     /**
-     * The source's clock.
+     * Returns the time on the source's clock.
      *
      * @return t (s)
      */
@@ -50,7 +51,7 @@ public interface DEStateSource {
     /**
      * Moves the clock. The state stays what it is.
      *
-     * @param deltaT what to add to the time (s); may be negative
+     * @param deltaT the time to add (s); may be negative
      */
     void incTime(double deltaT);
 }

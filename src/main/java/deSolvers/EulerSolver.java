@@ -2,17 +2,18 @@ package deSolvers;
 
 /**
  * The Euler method: one straight step along the derivative, s(t + h) = s(t) + h f(s(t), t).
- * (The package {@code deSolvers} explains the symbols and the small table.)
+ * {@link FixedStepSolver} reads the state before the step, and writes it back and moves the clock after it. (The
+ * package {@code deSolvers} explains the symbols and the small table.)
  * <pre>
  *    0 |
  *   ---+---
  *      | 1
  * </pre>
- * <b>Order</b> 1: the error of a step is O(h<sup>2</sup>), over a given time it falls linearly with h.<br>
+ * <b>Order</b> 1: the error of a step is O(h<sup>2</sup>); the error after a given time is proportional to h.<br>
  * <b>Evaluations</b> 1 a step.<br>
  * <b>Stability</b> R(z) = 1 + z: stable for h |lambda| &le; 2 on the negative real axis and nowhere on the imaginary
- * axis: the amplitude of an undamped spring grows by (1 + (h omega)<sup>2</sup>)<sup>1/2</sup> a step, however small h
- * is.<br>
+ * axis. The amplitude of an undamped spring grows by the factor (1 + (h omega)<sup>2</sup>)<sup>1/2</sup> a step,
+ * however small h is.<br>
  * <b>When to use</b> to see why the others exist, and for smooth, strongly damped systems; not for anything
  * that oscillates. "An Euler solver is too horrible. NEVER use it. Yeah I know you will anyway."<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "The Euler Method" and "Euler Solver Code".

@@ -12,8 +12,8 @@ package deSolvers;
  * <b>Order</b> 2.<br>
  * <b>Evaluations</b> 2 a step.<br>
  * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2: stable for h |lambda| &le; 2 on the negative real axis, nowhere on
- * the imaginary axis: the amplitude of an undamped spring grows by (h omega)<sup>4</sup>/8 a step where h omega is
- * small, so that it takes many steps to show.<br>
+ * the imaginary axis. If h omega is small, the amplitude of an undamped spring grows by the fraction
+ * (h omega)<sup>4</sup>/8 a step, which takes many steps to show.<br>
  * <b>When to use</b> short or damped animations where a second evaluation buys a lot; not for long undamped
  * oscillation, where {@code verlet} costs half and does not grow.<br>
  * <b>Source</b> COMPSCI 715 (2003), slides "Mid-point Method" to "Mid-point method: Algorithm (cont'd)".

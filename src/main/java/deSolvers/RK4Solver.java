@@ -1,7 +1,8 @@
 package deSolvers;
 
 /**
- * The classical Runge-Kutta method of fourth order, "for ploughing the fields".
+ * The classical Runge-Kutta method of fourth order (RK4): four Euler steps from different points, and their weighted
+ * mean.
  * <pre>
  *    0  |
  *   1/2 | 1/2
@@ -13,22 +14,23 @@ package deSolvers;
  * <b>Order</b> 4.<br>
  * <b>Evaluations</b> 4 a step.<br>
  * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24: stable for h |lambda| &le;
- * 2.7853 on the negative real axis and for h omega &le; 2.8284 on the imaginary axis: the amplitude of an undamped
- * spring shrinks by (h omega)<sup>6</sup>/144 a step where h omega is small.<br>
- * <b>When to use</b> smooth motion and whenever in doubt; not for stiff springs, and not for very long undamped runs,
- * where its small damping adds up and {@code verlet} or {@code yoshida4} keep the energy.<br>
+ * 2.7853 on the negative real axis and for h omega &le; 2.8284 on the imaginary axis. If h omega is small, the
+ * amplitude of an undamped spring shrinks by the fraction (h omega)<sup>6</sup>/144 a step.<br>
+ * <b>When to use</b> smooth motion and whenever in doubt: in the slides' words, "for ploughing the fields". Not for
+ * stiff springs, and not for very long undamped runs, where its small damping adds up and {@code verlet} or
+ * {@code yoshida4} keep the energy.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "4th-Order Runge-Kutta Algorithm"; W. Kutta (1901).
  */
 public final class RK4Solver extends FixedStepSolver {
 
     @Override
     protected void step(DEStateSource source, double[] s, double deltaT) {
-        double[] k1 = eulerStep(s, deltaT);                     // at (s, t)
+        double[] k1 = eulerStep(s, deltaT);                     // deltaT f(s, t)
         source.incTime(deltaT / 2);
-        double[] k2 = eulerStep(plus(s, 0.5, k1), deltaT);      // at (s + k1/2, t + deltaT/2)
-        double[] k3 = eulerStep(plus(s, 0.5, k2), deltaT);      // at (s + k2/2, t + deltaT/2)
+        double[] k2 = eulerStep(plus(s, 0.5, k1), deltaT);      // deltaT f(s + k1/2, t + deltaT/2)
+        double[] k3 = eulerStep(plus(s, 0.5, k2), deltaT);      // deltaT f(s + k2/2, t + deltaT/2)
         source.incTime(deltaT / 2);
-        double[] k4 = eulerStep(plus(s, 1, k3), deltaT);        // at (s + k3, t + deltaT)
+        double[] k4 = eulerStep(plus(s, 1, k3), deltaT);        // deltaT f(s + k3, t + deltaT)
         for (int i = 0; i < s.length; i++) {
             s[i] = s[i] + 1.0 / 6 * k1[i] + 1.0 / 3 * k2[i] + 1.0 / 3 * k3[i] + 1.0 / 6 * k4[i];
         }

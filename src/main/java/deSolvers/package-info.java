@@ -3,8 +3,8 @@
  * solvers that the slides spell out.
  *
  * <p>A {@link deSolvers.DEStateSource} knows its state s, its time t and its derivative ds/dt = f(s, t).
- * A {@link deSolvers.DESolver} advances it, knowing nothing else of it. The pair is small on purpose: a new solver is
- * one method, a new simulation is six short ones.
+ * A {@link deSolvers.DESolver} advances it and knows nothing else about it. The pair is small on purpose: a new solver
+ * is one method, a new simulation is six short ones.
  *
  * <h2>The slides and the classes, line by line</h2>
  * A solver of one's own may be written the slides' way, as a plain {@link deSolvers.DESolver} with plain calls
@@ -62,18 +62,20 @@
  *
  * <h2>Where the code differs from the slides</h2>
  * <ul>
- * <li>Friction has the sign that dissipates: its force is -k<sub>f</sub> |N| v<sub>t</sub>.</li>
- * <li>The relative velocity in the damped spring is v<sub>j</sub> - v<sub>i</sub>.</li>
+ * <li>The friction force is -k<sub>f</sub> |N| v<sub>t</sub>. The slide has the opposite sign, with which friction
+ *     would push a sliding particle forwards.</li>
+ * <li>The relative velocity in the damped spring is v<sub>j</sub> - v<sub>i</sub>, the derivative of r; the slide has
+ *     lost a sign.</li>
  * <li>The interface has {@code getStateSize}, {@code getTime} and {@code reset} besides the calls on the Euler solver's
  *     slide.</li>
  * <li>The simple algorithm computes all forces at t before anything moves.</li>
- * <li>Wind acts through drag, which takes the velocity relative to the air.</li>
+ * <li>Wind is not a force of its own: it moves the air, and drag depends on the velocity relative to the air.</li>
  * </ul>
  *
  * <p>The javadoc uses three textbook symbols: h is deltaT, z is lambda h for the test equation s' = lambda s, and the
- * stability function R(z) is the factor by which a method multiplies s in one step. On an undamped spring lambda is
- * i omega. The small table at the top of a method is its Butcher tableau: to the left the times within the step, to
- * the right the weights of the earlier derivatives, below the line the weights of the result
- * ({@code deSolvers.rungeKutta} has the formula).
+ * stability function R(z) is the factor by which a method multiplies s in one step. An undamped spring has the two
+ * values lambda = i omega and -i omega. The small table at the top of a method is its Butcher tableau. Left of the bar
+ * are the times of the evaluations, as fractions of the step; to the right the weights of the earlier derivatives;
+ * below the line the weights of the result ({@code deSolvers.rungeKutta} has the formula).
  */
 package deSolvers;

@@ -20,8 +20,9 @@ import particles.law.Vector3;
 
 /**
  * A system of n particles in space as a source for solvers: the state is s = (x<sub>1</sub>, v<sub>1</sub>, ...,
- * x<sub>n</sub>, v<sub>n</sub>) in R<sup>6n</sup>, its derivative (v<sub>1</sub>, F<sub>1</sub>/m<sub>1</sub>, ...),
- * where F is the sum of the effects that were added, plus the reactions to that sum.
+ * x<sub>n</sub>, v<sub>n</sub>) in R<sup>6n</sup>, its derivative (v<sub>1</sub>, F<sub>1</sub>/m<sub>1</sub>, ...).
+ * The force F is the sum of all {@linkplain Effect effects}, such as gravity and springs, plus the {@linkplain Reaction
+ * constraint and contact forces}, which depend on that sum.
  *
  * <p>Source: COMPSCI 715 (2003), slide "Restructuring the Particle System".
  */
@@ -45,7 +46,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
      * @param mass     m (kg), positive
      * @param position x (m)
      * @param velocity v (m/s); zero if it is fixed
-     * @param fixed    whether it stays where it is, whatever the forces
+     * @param fixed    whether no force moves it
      * @return its index
      * @throws IllegalArgumentException if mass, position or velocity is out of range
      */
@@ -63,9 +64,10 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     /**
      * Sets a particle's lifetime, which only rules and pictures use.
+     *
      * @param i         its index
-     * @param birthTime when it was born (s)
-     * @param deathTime when it will die of age (s); may be infinite
+     * @param birthTime the time of its birth (s)
+     * @param deathTime the time at which its lifetime ends (s); may be infinite
      */
     public void setLife(int i, double birthTime, double deathTime) {
         particles.setLife(i, birthTime, deathTime);
@@ -75,7 +77,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
      * Removes particles. The others keep their order and move up to fill the gaps; effects and reactions are told.
      *
      * @param gone for each particle, whether to remove it
-     * @return the new index of each particle by its old one, -1 for those that are gone
+     * @return for each old index, the new one, or -1 if the particle was removed
      */
     public int[] removeParticles(boolean[] gone) {
         int[] newIndex = new int[particles.count()];
@@ -101,8 +103,9 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Lets a fixed particle follow a given motion exactly, at every stage of a step too. It is not an unknown of the
-     * equations: solvers see zeros in its place, and values they set there are ignored.
+     * Turns a fixed particle into a moving anchor: its motion is prescribed, and forces do not affect it. Forces are
+     * always computed with the anchor's exact position at that time, inside steps too. The anchor is not an unknown of
+     * the equations: solvers see zeros in its place, and values they set there are ignored.
      *
      * @param particle the index of a fixed particle
      * @param motion   its motion
@@ -113,12 +116,14 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         anchors.add(particle, motion, state, time);
     }
 
-    /** @return the indices of the particles that are fixed to points that move */
+    /** @return the indices of the moving anchors, the particles whose motion is prescribed */
     public int[] getMovingAnchors() {
         return anchors.particles();
     }
 
     /**
+     * Writes the accelerations of the moving anchors into an array.
+     *
      * @param time          t (s)
      * @param accelerations receives the accelerations of the moving anchors (m/s&sup2;) in the entries of their
      *                      velocities; other entries are left alone
@@ -127,37 +132,62 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         anchors.accelerate(time, accelerations);
     }
 
-    /** @param effect a force, evaluated after those added before */
+    /**
+     * Adds a force law.
+     *
+     * @param effect the law
+     */
     public void addEffect(Effect effect) {
         effects.add(effect);
     }
 
-    /** @param reaction a reaction, evaluated after all effects and earlier reactions */
+    /**
+     * Adds a reaction: constraint or contact forces.
+     *
+     * @param reaction the reaction, evaluated after all effects and earlier reactions
+     */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);
     }
 
-    /** @return the particles' constant data: ids, masses, which are fixed */
+    /**
+     * Returns the particles' constant data.
+     *
+     * @return ids, masses and lifetimes, and which particles are fixed
+     */
     public Particles getParticles() {
         return particles;
     }
 
-    /** @return the effects in the order of evaluation; read only */
+    /**
+     * Returns the force laws.
+     *
+     * @return the effects in the order in which they were added; read only
+     */
     public List<Effect> getEffects() {
         return Collections.unmodifiableList(effects);
     }
 
-    /** @return the reactions in the order of evaluation; read only */
+    /**
+     * Returns the reactions.
+     *
+     * @return the reactions in the order of evaluation; read only
+     */
     public List<Reaction> getReactions() {
         return Collections.unmodifiableList(reactions);
     }
 
-    /** @return the state array itself, 6 doubles a particle, for rules and observers; do not keep a reference */
+    /**
+     * Returns the state array itself, for rules and observers.
+     *
+     * @return 6 doubles for each of the {@link #getStateSize()} / 6 particles; the array may be longer. Keep no
+     *         reference
+     */
     public double[] getOwnState() {
         return state;
     }
 
-    /** @return how often solvers evaluated the derivative */
+    /** @return the number of evaluations of the derivative by solvers */
     public long getEvaluations() {
         return evaluations;
     }
@@ -167,7 +197,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         return 3;
     }
 
-    /** Checked at each call, since springs with damping may have been added. */
+    /** Whether any force depends on velocities; asked anew at each call, since springs may have been added. */
     @Override
     public boolean accelerationDependsOnVelocity() {
         return forces.dependOnVelocity();
@@ -281,6 +311,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
+     * Computes the kinetic energy.
+     *
      * @param state a state of this system
      * @return the kinetic energy of all particles that are not fixed, the sum of m v&sup2;/2 (J)
      */
@@ -289,6 +321,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
+     * Computes the total energy.
+     *
      * @param state a state of this system
      * @param time  t (s)
      * @return kinetic energy plus the potential energy of all effects (J)

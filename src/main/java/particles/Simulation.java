@@ -8,11 +8,11 @@ import java.util.List;
 import particles.law.Particles;
 
 /**
- * The simulation loop: step, observers, rules, energy limit, until the duration is over. The last step is shortened to
- * end exactly there.
+ * The simulation loop. Until the duration is over, it makes a step, shows it to the observers, applies the rules and
+ * checks the energy limit. The last step is shortened to end exactly at the end.
  */
 public final class Simulation {
-    /** A last step up to this fraction longer than deltaT is made as one step: the excess is round-off of the clock. */
+    /** The last step may be longer than deltaT by this fraction, to absorb round-off of the clock. */
     private static final double ROUNDING = 1e-6;
 
     private final ParticleSystem system;
@@ -31,7 +31,7 @@ public final class Simulation {
      * @param system      the system
      * @param solver      its solver
      * @param deltaT      the time step (s), positive
-     * @param duration    how long the run lasts, from the system's present time (s), 0 or more
+     * @param duration    the duration of the run, from the system's present time (s), 0 or more
      * @param energyLimit the kinetic energy above which the run counts as blown up (J), positive; may be infinite
      * @throws IllegalArgumentException if a number is out of its range
      */
@@ -50,28 +50,41 @@ public final class Simulation {
         this.eventSteps = new EventSteps(system, solver, notifier);
     }
 
-    /** @param rule called after every step, after the rules added before */
+    /**
+     * Adds a rule.
+     *
+     * @param rule called before and after every step, after the rules added earlier
+     */
     public void addRule(Rule rule) {
         rules.add(rule);
     }
 
     /**
-     * Adds a rule that acts inside steps too.
+     * Adds a rule that can end a step early, at the exact time of an event such as an impact.
      *
-     * @param rule         the rule; it also acts after every step like any other
-     * @param searchSolver a second solver of the same kind as the run's, used only to locate events
+     * @param rule         the rule; called before and after every step like any other
+     * @param searchSolver a second solver of the same kind as the run's, for the trial steps that locate events: they
+     *                     must not disturb the memory of the run's own solver
      */
     public void addEventRule(EventRule rule, DESolver searchSolver) {
         rules.add(rule);
         eventSteps.addRule(rule, searchSolver);
     }
 
-    /** @return the rules in the order in which they act; read only */
+    /**
+     * Returns the rules.
+     *
+     * @return the rules in the order in which they act; read only
+     */
     public List<Rule> getRules() {
         return Collections.unmodifiableList(rules);
     }
 
-    /** @param observer the observer to add */
+    /**
+     * Adds an observer.
+     *
+     * @param observer called after the observers added earlier
+     */
     public void addObserver(Observer observer) {
         observers.add(observer);
     }
@@ -89,14 +102,18 @@ public final class Simulation {
         finish();
     }
 
-    /** Starts rules and observers; call it once, before {@link #advance()}. */
+    /** Tells rules and observers that the run begins; call it once, before {@link #advance()}. */
     public void start() {
         endTime = system.getTime() + duration;
         rules.forEach(rule -> rule.start(system));
         observers.forEach(observer -> observer.started(system));
     }
 
-    /** @return whether the duration is over */
+    /**
+     * Tells whether the run has reached its end.
+     *
+     * @return whether the duration is over
+     */
     public boolean isOver() {
         return endTime - system.getTime() <= ROUNDING * deltaT;
     }
@@ -104,8 +121,8 @@ public final class Simulation {
     /**
      * Makes one step.
      *
-     * @throws SimulationException if a number is no longer finite or the energy exceeds its limit; observers keep what
-     *         they have seen
+     * @throws SimulationException if a number is no longer finite or the energy exceeds its limit; observers keep the
+     *         results so far
      */
     public void advance() {
         double left = endTime - system.getTime();
@@ -117,7 +134,7 @@ public final class Simulation {
         }
     }
 
-    /** Tells observers that the last step was made. */
+    /** Tells observers that the run is over. */
     public void finish() {
         observers.forEach(observer -> observer.finished(system));
     }
@@ -161,7 +178,7 @@ public final class Simulation {
         return deltaT;
     }
 
-    /** @return how long the run lasts (s) */
+    /** @return the duration of the run (s) */
     public double getDuration() {
         return duration;
     }

@@ -3,26 +3,28 @@
  * particles.Simulation}, the loop around it.
  *
  * <p>"A set of particles, plus a set of rules governing their motion": the particles' state is (x<sub>1</sub>,
- * v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup>. What a step does, in the order in which the
- * classes are called:
+ * v<sub>1</sub>, x<sub>2</sub>, v<sub>2</sub>, ...) in R<sup>6n</sup>. {@link particles.Simulation} makes a step in
+ * this order:
  *
  * <ol>
- * <li>{@link particles.Simulation} tells each {@link particles.Rule} that a step begins;</li>
- * <li>it lets {@link particles.EventSteps} make a step, or several shorter ones if there are
- * events in it;</li>
- * <li>the solver's {@link deSolvers.DESolver#stepState} asks for the derivative as often as its method needs;</li>
- * <li>{@link particles.ParticleSystem#getStateDerivative} hands the state to the engine;</li>
- * <li>{@link particles.engine.ForceSum} adds up each {@link particles.law.Effect}: gravity, springs, drag;</li>
- * <li>each {@link particles.law.Reaction} adds the forces that depend on this sum: contact, friction, rods;</li>
- * <li>{@link particles.EventLocator} finds the impacts that an {@link particles.EventRule} saw in the step;</li>
+ * <li>It tells each {@link particles.Rule} that a step begins.</li>
+ * <li>{@link particles.EventSteps} makes the step:
+ *     <ul>
+ *     <li>the solver's {@link deSolvers.DESolver#stepState} asks for the derivative as often as its method needs;</li>
+ *     <li>each time, {@link particles.ParticleSystem#getStateDerivative} has {@link particles.engine.ForceSum} add up
+ *         the forces of every {@link particles.law.Effect} (gravity, springs, drag), and then of every
+ *         {@link particles.law.Reaction}, which depend on that sum (contact, friction, rods);</li>
+ *     <li>if an {@link particles.EventRule} sees an impact in the step, {@link particles.EventLocator} finds its exact
+ *         time. The step is repeated up to there, the impact acts, and the rest of the step follows.</li>
+ *     </ul></li>
  * <li>{@link particles.Observers} shows the motion to each {@link particles.Observer}: frames, plots, the
- * {@link particles.EnergyLedger};</li>
- * <li>each {@link particles.Rule} may change the state, adding or removing particles and springs too, and observers
- * are told of each change; if one did, the solver is {@linkplain deSolvers.DESolver#reset reset};</li>
+ *     {@link particles.EnergyLedger}.</li>
+ * <li>Each {@link particles.Rule} may change the state, and add or remove particles and springs. Observers are told of
+ *     each change. After a change the solver is {@linkplain deSolvers.DESolver#reset reset}.</li>
  * <li>{@link particles.EnergyLimit} ends a run that has blown up.</li>
  * </ol>
  *
- * <p>Only effects and rules that the scene names are created and cost time. Lengths are in metres, masses in kilograms,
+ * <p>The program creates only the effects and rules that the scene names. Lengths are in metres, masses in kilograms,
  * times in seconds; y points up.
  */
 package particles;

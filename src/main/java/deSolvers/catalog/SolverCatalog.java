@@ -54,24 +54,24 @@ public final class SolverCatalog {
                     "Reuses earlier derivatives: order 4 for two evaluations."),
             symplectic(SymplecticEulerSolver::new, "symplectic-euler", SymplecticEulerSolver.class,
                     1, "symplectic", "1", 2, 0.8284,
-                    "The slides' simple algorithm; in small steps no energy drift."),
+                    "The slides' simple algorithm; no energy drift in small steps."),
             symplectic(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class,
                     2, "symplectic", "1, more with damping", 2, 0.74,
-                    "Kick, drift, kick; in small steps the energy does not drift."),
+                    "Kick, drift, kick; no energy drift in small steps."),
             symplectic(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class,
                     4, "symplectic", "3, more with damping", 1.5734, 0.438,
-                    "Three leapfrogs in one; in small steps no energy drift."),
+                    "Three verlet steps in one, with order 4."),
             entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
-                    1, "implicit", "Newton", UNLIMITED, UNLIMITED,
-                    "Stable at any step; damps what it cannot follow."),
+                    1, "implicit", "a few", UNLIMITED, UNLIMITED,
+                    "Damps vibrations that the step does not resolve."),
             entry(LinearisedEulerSolver::new, "linearised-euler", LinearisedEulerSolver.class,
                     1, "implicit", "1", UNLIMITED, UNLIMITED,
-                    "One linear system a step: what games use for cloth."),
+                    "Backward Euler with one linear system a step; for cloth."),
             entry(ImplicitMidpointSolver::new, "implicit-midpoint", ImplicitMidpointSolver.class,
-                    2, "implicit", "Newton", UNLIMITED, UNLIMITED,
-                    "Stable at any step; keeps the energy of linear springs."),
+                    2, "implicit", "a few", UNLIMITED, UNLIMITED,
+                    "Keeps the energy of linear springs."),
             adaptive(RadauIIASolver::new, RadauIIASolver::new, "radau", RadauIIASolver.class,
-                    5, "implicit", "Newton", UNLIMITED, UNLIMITED,
+                    5, "implicit", "about 10 a sub-step", UNLIMITED, UNLIMITED,
                     "First choice for stiff systems to a stated accuracy."));
 
     private record Entry(SolverInfo info, Supplier<DESolver> maker, WithTolerances toleranceMaker) {
@@ -85,7 +85,7 @@ public final class SolverCatalog {
     private SolverCatalog() {
     }
 
-    /** A solver that steps by deltaT. */
+    /** The entry of a solver that steps by deltaT. */
     private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
                                String family, String evaluations, double realLimit, double imaginaryLimit,
                                String sentence) {
@@ -94,7 +94,7 @@ public final class SolverCatalog {
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
 
-    /** A solver that steps positions and velocities separately. */
+    /** The entry of a solver that steps positions and velocities separately. */
     private static Entry symplectic(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
                                     String family, String evaluations, double imaginaryLimit, double dampedLimit,
                                     String sentence) {
@@ -103,7 +103,7 @@ public final class SolverCatalog {
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
 
-    /** A solver that chooses its own sub-steps. */
+    /** The entry of a solver that chooses its own sub-steps. */
     private static Entry adaptive(Supplier<DESolver> maker, WithTolerances toleranceMaker, String name,
                                   Class<? extends DESolver> solver, int order, String family, String evaluations,
                                   double realLimit, double imaginaryLimit, String sentence) {
@@ -154,7 +154,7 @@ public final class SolverCatalog {
     }
 
     /**
-     * Makes a solver.
+     * Creates a solver.
      *
      * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg
      *             constructor
@@ -171,7 +171,7 @@ public final class SolverCatalog {
     }
 
     /**
-     * Makes an adaptive solver.
+     * Creates an adaptive solver.
      *
      * @param name              a catalogue name, or the fully-qualified name of a class of one's own with a public
      *                          constructor of two doubles

@@ -1,12 +1,15 @@
 package deSolvers.problems;
 
-/** The slides' example, x'' = -omega^2 x, from any (x0, v0). */
+/**
+ * The slides' example oscillator, x'' = -omega^2 x: a particle on a spring, as a state source with its exact solution.
+ * The state is (x, v). {@link ReferenceProblem} holds it and the clock; {@link SecondOrderProblem} writes dx/dt = v.
+ */
 public final class Oscillator extends SecondOrderProblem {
     private final double omega;
     private final double x0;
     private final double v0;
 
-    /** The lecture's figures: omega = 1 from (1, 0). */
+    /** The oscillator of the lecture's figures: omega = 1, released at rest at x = 1. */
     public Oscillator() {
         this(1, 1, 0);
     }
@@ -17,7 +20,7 @@ public final class Oscillator extends SecondOrderProblem {
      * @param v0    velocity at t = 0
      */
     public Oscillator(double omega, double x0, double v0) {
-        super(1, x0, v0);
+        super(1, x0, v0);                               // 1 position, then 1 velocity
         this.omega = omega;
         this.x0 = x0;
         this.v0 = v0;
@@ -32,7 +35,7 @@ public final class Oscillator extends SecondOrderProblem {
 
     @Override
     protected void accelerate(double t, double[] s, double[] dSdt) {
-        dSdt[1] = -omega * omega * s[0];
+        dSdt[1] = -omega * omega * s[0];                // dv/dt
     }
 
     @Override
@@ -40,7 +43,7 @@ public final class Oscillator extends SecondOrderProblem {
         return false;
     }
 
-    /** @return the present energy over the energy at t = 0 */
+    /** @return the present energy divided by the energy at t = 0 */
     public double energyFactor() {
         double[] s = state();
         return (s[1] * s[1] + omega * omega * s[0] * s[0]) / (v0 * v0 + omega * omega * x0 * x0);

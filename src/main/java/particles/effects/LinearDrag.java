@@ -7,7 +7,8 @@ import particles.spec.Values;
 
 /**
  * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air.
- * Wind acts on particles only through drag.
+ * Wind acts on particles only through drag. The base class {@code AirDrag} computes v - u, the powers and the
+ * derivatives; it acts on a range of particles at a time ({@link particles.law.PerParticleEffect}).
  *
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".
  */
@@ -37,14 +38,15 @@ public final class LinearDrag extends AirDrag {
 
     @Override
     public void addForces(double[] state, double time, double[] force, int from, int to) {
-        double[] w = velocityThroughAir(state, time, from, to);         // v - u
-        for (int v = 6 * from + 3; v < 6 * to; v += 6) {
-            force[v] -= c * w[v];
-            force[v + 1] -= c * w[v + 1];
-            force[v + 2] -= c * w[v + 2];
+        double[] w = velocityThroughAir(state, time, from, to);         // v - u of particle i in w[6 i + 3 ...]
+        for (int k = 6 * from + 3; k < 6 * to; k += 6) {
+            force[k] -= c * w[k];
+            force[k + 1] -= c * w[k + 1];
+            force[k + 2] -= c * w[k + 2];
         }
     }
 
+    /** The same c at every speed; with {@code quadraticDrag} it grows. */
     @Override
     double coefficientAt(double speed) {
         return c;
@@ -55,7 +57,7 @@ public final class LinearDrag extends AirDrag {
         return 0;
     }
 
-    /** Linear drag in scenes. */
+    /** The keys of linear drag in scenes: {@code drag: {coefficient: 0.1}}. */
     public static final class Keys extends EffectKind {
         private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("N s/m"),
                 "c, the force per m/s of speed through the air (N s/m).");

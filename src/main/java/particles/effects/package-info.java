@@ -1,7 +1,7 @@
 /**
- * Force laws: one law, one file. Each law reports the energy it stores, dissipates or brings in and claims properties
- * ({@link particles.law.Effect.Trait}); tests check both. Its nested class {@code Keys} declares its keys in a scene,
- * and {@link particles.effects.EffectCatalog} lists all laws.
+ * Force laws: one law, one file. Each law reports the energy that it stores, dissipates or supplies. It also declares
+ * its properties ({@link particles.law.Effect.Trait}). Tests check both. Its nested class {@code Keys} declares its
+ * keys in a scene, and {@link particles.effects.EffectCatalog} lists all laws.
  *
  * <h2>A law of your own</h2>
  * {@code gradle newEffect -Pclass=MyForce} writes a class to start from, and {@code gradle checkEffect
@@ -58,7 +58,7 @@
  * A scene names the class:
  * <pre>{@code
  * title: A puck on a turntable
- * teaches: On a turntable shaped to cancel the centrifugal force, a puck goes round twice a turn.
+ * teaches: On a parabolic turntable gravity cancels the centrifugal force, and a puck circles twice per turn.
  * solver: rk4
  * deltaT: 0.01
  * duration: 2
@@ -67,8 +67,8 @@
  * effects:
  *   - exercises.Coriolis: {angularVelocity: [0, 0, 1.5707963267948966]}
  * }</pre>
- * If a force on one particle is not enough, implement {@link particles.law.Effect}, which adds up the forces on all
- * particles, as springs do.
+ * If the force on a particle depends on other particles, as with springs, implement {@link particles.law.Effect}: one
+ * call adds the forces on all particles.
  *
  * <h2>Adding a law to the program</h2>
  * Move the class into this package, give its {@code Keys} a short name, and add a line to {@link

@@ -3,10 +3,11 @@ package particles.law;
 import java.util.Set;
 
 /**
- * A force law: the force on each particle as a function of state and time, and where the energy goes.
+ * A force law: the force on each particle as a function of state and time, and the energy that the law stores,
+ * dissipates or supplies.
  *
- * <p>Arrays have the layout of the state: the position of particle i in the entries 6 i, 6 i + 1 and 6 i + 2, its
- * velocity in the next three, its force where the velocity stands.
+ * <p>In a state array, the position of particle i is in the entries 6 i, 6 i + 1 and 6 i + 2 and its velocity in
+ * 6 i + 3 to 6 i + 5. In a force array, the force on it is in 6 i + 3 to 6 i + 5.
  *
  * <p>To compute the force on one particle at a time, extend {@link ParticleForce}. A law may add interfaces:
  * {@link PerParticleEffect} and {@link DivisibleEffect} for several threads, {@link DifferentiableEffect} for the exact
@@ -26,14 +27,21 @@ public interface Effect {
         CONSERVATIVE,
         /** Takes energy out: the dissipated power is never negative. */
         DISSIPATIVE,
-        /** Something outside does work: the driven power may have either sign. */
+        /** Something outside the system does work: the driven power may have either sign. */
         DRIVING;
 
-        /** A law that claims none of these says nothing of its energy, and whatever work it does is its own. */
+        /**
+         * The traits that describe a law's energy. If a law has none of them, all its work counts as energy that goes
+         * into the system or out of it, under the law's name.
+         */
         public static final Set<Trait> OF_ENERGY = Set.of(CONSERVATIVE, DISSIPATIVE, DRIVING);
     }
 
-    /** @return the name in messages and legends, such as {@code gravity} */
+    /**
+     * Returns the law's name.
+     *
+     * @return the name in messages and legends, such as {@code gravity}
+     */
     String getName();
 
     /**
@@ -46,17 +54,27 @@ public interface Effect {
      */
     void addForces(double[] state, double time, double[] force);
 
-    /** @return the properties that the law declares */
+    /**
+     * Returns the properties that the law declares.
+     *
+     * @return the properties; none by default
+     */
     default Set<Trait> getTraits() {
         return Set.of();
     }
 
-    /** @return whether the force depends on velocities, as drag and damping do */
+    /**
+     * Tells whether the force depends on velocities, as drag and damping do.
+     *
+     * @return false only if it never does
+     */
     default boolean dependsOnVelocity() {
         return true;
     }
 
     /**
+     * Returns the potential energy of all particles under this law.
+     *
      * @param state the particles' state
      * @param time  t (s)
      * @return the energy that the law stores in this configuration (J)
@@ -66,6 +84,8 @@ public interface Effect {
     }
 
     /**
+     * Returns the dissipated power.
+     *
      * @param state the particles' state
      * @param time  t (s)
      * @return the power that the law turns into heat (W), 0 or more
@@ -75,6 +95,8 @@ public interface Effect {
     }
 
     /**
+     * Returns the power supplied from outside, by wind for example.
+     *
      * @param state the particles' state
      * @param time  t (s)
      * @return the power that something outside puts into the particles through this law (W); negative where it takes

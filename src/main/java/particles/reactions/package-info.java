@@ -2,10 +2,13 @@
  * Forces that depend on the sum of all others: contact forces and friction, and the constraint forces of rods and
  * wires. They are added after all effects.
  *
- * <p>One particle on surfaces has a closed form ({@link particles.reactions.RestingContacts}); rods and wires are a
- * banded symmetric system ({@link particles.reactions.RigidConstraints}). Where a particle has both, they form one
- * small complementarity problem. In statically indeterminate cases - a square with both diagonals, a prop between rough
- * walls - rigid bodies do not determine the loads, and no motion depends on them: rods then share the load by least
- * squares, and static friction holds if any load allows it.
+ * <p>{@link particles.reactions.RestingContacts} computes the contact forces on a single particle directly, by a
+ * formula. {@link particles.reactions.RigidConstraints} solves a system of linear equations for the forces in rods and
+ * wires. A particle on a surface and on a rod needs both at once: contacts can only push, so the equations come with
+ * conditions of sign (a linear complementarity problem).
+ *
+ * <p>The forces are not always unique: a square of rods with both diagonals, or a prop between rough walls, is
+ * statically indeterminate. The motion is the same for each solution. Rods then take the one with the least sum of
+ * squares, and static friction holds if it can hold for any of them.
  */
 package particles.reactions;

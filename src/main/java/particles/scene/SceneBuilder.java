@@ -38,6 +38,8 @@ public final class SceneBuilder {
     }
 
     /**
+     * Builds the simulation that a scene describes.
+     *
      * @param described the scene's description
      * @param overrides options that override it
      * @return the scene, ready to run
@@ -55,7 +57,7 @@ public final class SceneBuilder {
     }
 
     /**
-     * Checks options by themselves: all mistakes are found even if the scene is missing or wrong.
+     * Checks options without a scene, so that their mistakes are reported even if the scene is missing or wrong.
      *
      * @param overrides options that override values of a scene
      * @throws SceneException with a line for each wrong option
@@ -112,7 +114,7 @@ public final class SceneBuilder {
             system.addEffect(springs);
         }
         SceneAssembly assembly = new SceneAssembly(system, springs, index);
-        scene.effects().stream().sorted(Comparator.comparingInt(SceneBuilder::turn))
+        scene.effects().stream().sorted(Comparator.comparingInt(SceneBuilder::order))
                 .forEach(effect -> build(effect, assembly));
         scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
@@ -139,12 +141,12 @@ public final class SceneBuilder {
     }
 
     /** Effects are built in the order of the catalogue, students' own ones last. */
-    private static int turn(Chosen<EffectKind> effect) {
+    private static int order(Chosen<EffectKind> effect) {
         int index = EffectCatalog.ALL.indexOf(effect.kind());
         return index < 0 ? EffectCatalog.ALL.size() : index;
     }
 
-    /** In the order of {@link ParticleIndex}. */
+    /** Adds particles and shapes in the order of {@link ParticleIndex}, and returns the shapes' surfaces. */
     private static List<Surface> addParticles(SceneDescription scene, ParticleSystem system, SpringForce springs) {
         for (ParticleDescription particle : scene.particles()) {
             system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(),

@@ -19,7 +19,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle benchmark}: a separate program, since it needs test classes. */
-@Command(name = BenchmarkCommand.NAME, description = "Times solvers beside Hipparchus, and effects, scenes and frames.")
+@Command(name = BenchmarkCommand.NAME, description = "Measures the speed of solvers, effects, scenes and frames.")
 final class BenchmarkCommand extends ExperimentCommand {
     static final String NAME = "benchmark";
 

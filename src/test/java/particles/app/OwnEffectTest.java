@@ -80,7 +80,7 @@ class OwnEffectTest {
     /** A turn takes pi/w = 2 s. */
     private static final String SCENE = """
             title: A puck on a turntable
-            teaches: On a turntable shaped to cancel the centrifugal force, a puck goes round twice a turn.
+            teaches: On a parabolic turntable gravity cancels the centrifugal force, and a puck circles twice per turn.
             solver: rk4
             deltaT: 0.01
             duration: 2

@@ -88,7 +88,7 @@ class ReadmeTest {
     }
 
     private static String limit(double limit) {
-        String number = limit == 0 ? "grows" : limit == Double.POSITIVE_INFINITY ? "none" : Double.toString(limit);
+        String number = limit == 0 ? "grows" : limit == Double.POSITIVE_INFINITY ? "unbounded" : Double.toString(limit);
         return Double.isNaN(limit) ? "-" : number.replaceFirst("\\.0$", "");
     }
 

@@ -27,7 +27,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle phasePlots}: phase portraits of a scene by several solvers. */
 @Command(name = PhasePlotsCommand.NAME,
-        description = "Draws phase portraits of a scene by several solvers over a reference.")
+        description = "Draws phase portraits of a scene: several solvers over a reference solution.")
 public final class PhasePlotsCommand extends ExperimentCommand {
     static final String NAME = "phasePlots";
 

@@ -12,7 +12,7 @@ import picocli.CommandLine.Command;
 
 /** {@code gradle stiffCloth}: what a frame of ever stiffer cloth costs. */
 @Command(name = StiffClothCommand.NAME,
-        description = "Times a frame of ever stiffer cloth: RK4 against one step of backward Euler.")
+        description = "Measures the time for a frame of ever stiffer cloth: RK4 against one step of backward Euler.")
 public final class StiffClothCommand extends ExperimentCommand {
     static final String NAME = "stiffCloth";
 

@@ -16,7 +16,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle stiffGallery}: what stiffness costs. */
 @Command(name = StiffGalleryCommand.NAME,
-        description = "Varies the stiffness of a spring: what each solver pays to stay stable.")
+        description = "Measures what each solver costs as a spring gets stiffer.")
 public final class StiffGalleryCommand extends ExperimentCommand {
     static final String NAME = "stiffGallery";
 

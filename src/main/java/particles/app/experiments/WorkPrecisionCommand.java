@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
 
 /** {@code gradle workPrecision}: what precision costs. */
 @Command(name = WorkPrecisionCommand.NAME,
-        description = "Plots error against cost of solvers, on several problems.")
+        description = "Plots the error of solvers against their cost, on several problems.")
 public final class WorkPrecisionCommand extends ExperimentCommand {
     static final String NAME = "workPrecision";
 

@@ -24,7 +24,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /** {@code gradle lab}: one page that runs scenes in a browser. */
-@Command(name = "lab", description = "A page that runs scenes in a browser: build/out/lab/index.html.")
+@Command(name = "lab", description = "Writes a page that runs scenes in a browser: build/out/lab/index.html.")
 public final class LabCommand extends ProgramCommand {
     private static final Path PAGE = Path.of("build", "out", "lab", "index.html");
     private static final String BUILDER = "particles.lab.compile.PageBuilder";

@@ -1,12 +1,10 @@
 /**
- * Checks a student's solver, and names the mistake.
+ * Checks of a student's solver, which name the mistake.
  *
- * <p>The coefficients of a one-step method are read off: {@link particles.teaching.sources.Probe} answers the j-th
- * evaluation
- * of the derivative with the j-th unit vector, so that every state which the solver sets afterwards shows how much of
- * each
- * evaluation is in it. They are compared with those of known methods, and each difference is said in the words of the
- * slides.
- * Methods without fixed coefficients - adaptive, implicit, multistep - are judged by the order that is measured.
+ * <p>The check reads the coefficients of a one-step method from one step. {@link particles.teaching.sources.Probe} is a
+ * made-up source whose j-th derivative is the j-th unit vector. Each state that the solver sets is then a list of
+ * coefficients: its entry j is the weight of the j-th evaluation. The check compares the coefficients with those of
+ * known methods, and describes each difference in the words of the slides. Methods without fixed coefficients -
+ * adaptive, implicit, multistep - are judged by their measured order.
  */
 package particles.teaching.solvers;
