@@ -146,7 +146,7 @@ public final class SolverCatalog {
     public static SolverInfo info(String name) {
         Entry entry = ENTRIES.get(name);
         if (entry == null) {
-            throw new NoSuchElementException("no solver is called '" + name + "'"
+            throw new NoSuchElementException("unknown solver '" + name + "'"
                     + DidYouMean.hint(name, names(), "'%s'"::formatted)
                     + " known: " + String.join(", ", names()));
         }
@@ -206,7 +206,7 @@ public final class SolverCatalog {
             Arrays.fill(types, double.class);
             return found.asSubclass(DESolver.class).getConstructor(types).newInstance((Object[]) tolerances);
         } catch (ClassNotFoundException e) {
-            throw new NoSuchElementException("no class is called '" + name + "', and no solver; known solvers: "
+            throw new NoSuchElementException("no class or solver is called '" + name + "'; known solvers: "
                     + String.join(", ", names()), e);
         } catch (LinkageError e) {                      // a static initialiser failed; no cause the second time
             throw new IllegalArgumentException("class " + name + " cannot be loaded: "
