@@ -7,9 +7,9 @@ import particles.law.AnchorMotion;
 import particles.law.Particles;
 
 /**
- * Fixed particles that follow a given motion. They are not unknowns of the equations: in the system's own state and in
- * every force they are exactly where their motion is at the clock's time, while a solver sees zeros in their place that
- * stay zeros. So they have no error of a step, and a multistep solver finds unchanged bits there.
+ * Moving anchors: particles whose motion is prescribed. Every force is computed with their exact position and velocity
+ * at the clock's time. They are not unknowns of the equations: a solver sees zeros in their place that stay zeros. So
+ * they have no step error, and a multistep solver finds unchanged bits there.
  */
 public final class Anchors {
     private static final int STRIDE = Particles.STRIDE;

@@ -1,10 +1,10 @@
 package particles.law;
 
-/** The given motion of a point to which a particle is fixed: a shaken hand, a turning crank. */
+/** The prescribed motion of a moving anchor, such as a shaken hand or a turning crank. */
 public interface AnchorMotion {
 
     /**
-     * Writes the position, velocity and acceleration of the point at a time.
+     * Writes the position, velocity and acceleration of the anchor at a time.
      *
      * @param time   t (s)
      * @param values receives nine numbers: position (m), its first derivative (m/s) and its second (m/s&sup2;)
