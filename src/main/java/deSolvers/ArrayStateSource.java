@@ -3,8 +3,8 @@ package deSolvers;
 /**
  * A source whose state is one array of doubles and whose derivative can be evaluated at any such array. Solvers that
  * know this type copy nothing: they evaluate at their own arrays and hand the new state over instead of copying it in.
- * The results have the same bits as through the plain {@link DEStateSource}. Worth offering for large systems, where
- * copies cost as much as a stage's arithmetic.
+ * The results have the same bits as through the plain {@link DEStateSource}. It pays for large systems, where copying
+ * costs as much as the arithmetic of a stage.
  */
 public interface ArrayStateSource extends DEStateSource {
 
@@ -25,8 +25,8 @@ public interface ArrayStateSource extends DEStateSource {
     void getStateDerivative(double[] state, double[] dSdt);
 
     /**
-     * Takes an array as the new state. It is the source's from now on, and the one that held the state before is the
-     * caller's.
+     * Takes an array as the new state. The array belongs to the source from now on, and the array that held the state
+     * before belongs to the caller.
      *
      * @param state the new s; n long
      * @return the array that held the state until now

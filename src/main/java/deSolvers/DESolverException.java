@@ -1,8 +1,8 @@
 package deSolvers;
 
 /**
- * A step that could not be made. The message names the solver, the time, the step, the entry of the state where there
- * is one, and the likely cause; the source is as it was before the step.
+ * Thrown when a solver cannot make a step. The message names the solver, the time, the step, the entry of the state
+ * where there is one, and the likely cause; the source is as it was before the step.
  */
 public class DESolverException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -16,7 +16,7 @@ public class DESolverException extends RuntimeException {
      * @param time   the time at which the step began (s)
      * @param deltaT the step that was asked for (s)
      * @param entry  the index of the state's entry that shows the trouble, or -1 where no single one does
-     * @param cause  what happened and why that is likely, to follow a colon
+     * @param cause  the event and its likely cause, as text to follow a colon
      */
     public DESolverException(DESolver solver, double time, double deltaT, int entry, String cause) {
         super(solver.getClass().getSimpleName() + " at t = " + time + ", deltaT = " + deltaT + ": " + cause);

@@ -1,6 +1,6 @@
 package deSolvers;
 
-/** Looks for NaN and infinity in arrays that hardly ever have any. */
+/** A fast search for NaN and infinity in arrays that hardly ever have any. */
 public final class FiniteCheck {
     private FiniteCheck() {
     }

@@ -1,8 +1,8 @@
 package deSolvers;
 
 /**
- * Base class of solvers that take one step of deltaT. A subclass implements only {@link #step}, as the formula stands
- * on the slide; this class keeps the rest of the contract of {@link DESolver}.
+ * Base class of fixed-step solvers, which make one step of length deltaT. A subclass implements only {@link #step}, the
+ * formula on the slide; this class follows the other rules of {@link DESolver}.
  *
  * <p>The helpers read like the formulas:
  * <pre>
@@ -47,7 +47,7 @@ public abstract class FixedStepSolver extends DESolver {
     }
 
     /**
-     * The derivative at a state, at the source's time.
+     * Evaluates the derivative at a state and the source's present time.
      *
      * @param s a state; length n
      * @return f(s, t); length n
@@ -61,7 +61,7 @@ public abstract class FixedStepSolver extends DESolver {
     }
 
     /**
-     * The Euler step from a state, at the source's time: deltaT times the derivative.
+     * Computes the increment of an Euler step, deltaT times the derivative at a state and the source's present time.
      *
      * @param s      a state; length n
      * @param deltaT a time step (s)
@@ -77,11 +77,11 @@ public abstract class FixedStepSolver extends DESolver {
     }
 
     /**
-     * A state and a multiple of a change.
+     * Adds a multiple of an increment to a state.
      *
      * @param s      a state; length n
-     * @param factor how much of the change
-     * @param k      a change of the state; length n
+     * @param factor the multiple
+     * @param k      an increment of the state; length n
      * @return s + factor k; length n
      */
     protected final double[] plus(double[] s, double factor, double[] k) {
@@ -93,7 +93,7 @@ public abstract class FixedStepSolver extends DESolver {
     }
 
     /**
-     * A copy of an array.
+     * Copies an array.
      *
      * @param a an array; length n
      * @return a copy of it
@@ -105,9 +105,8 @@ public abstract class FixedStepSolver extends DESolver {
     }
 
     /**
-     * Whether this step begins exactly where this solver's last one ended: with the same source, state, time and
-     * deltaT, bit for bit. Only then may a method use what it remembers of the last step. To be asked once in every
-     * step.
+     * Tells whether this step begins exactly where this solver's last one ended: with the same source, state, time and
+     * deltaT, bit for bit. Only then may a method use what it remembers of the last step. Call it once in every step.
      *
      * @return true if it does; false in the first step, after {@link #reset} and after a step that failed
      */
@@ -116,7 +115,7 @@ public abstract class FixedStepSolver extends DESolver {
         return lastStep.continuesFrom(transaction);
     }
 
-    /** @return the step that is being made; solvers with a Jacobian or another interface need it, yours does not */
+    /** @return the step that is being made, for solvers that need a Jacobian or another interface of the source */
     protected final StepTransaction getTransaction() {
         return transaction;
     }

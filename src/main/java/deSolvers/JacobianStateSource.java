@@ -1,17 +1,16 @@
 package deSolvers;
 
 /**
- * A source that knows the derivative of its derivative: the Jacobian J = df/ds of ds/dt = f(s, t). Implicit solvers use
- * it where it is offered and take finite differences of f where it is not. Where a step's equation has one solution,
- * both lead to it, since the Jacobian only decides how fast Newton's iteration gets there; of several it may lead to
- * another one.
+ * A source that knows the Jacobian J = df/ds of its equation ds/dt = f(s, t). Implicit solvers use it; for other
+ * sources they take finite differences of f. If a step's equation has one solution, both lead to it: the Jacobian only
+ * decides how fast Newton's method converges. If there are several, they may lead to different ones.
  *
  * <p>A source that is also a {@link SecondOrderStateSource} of dimension 3 may give the 3 x 3 blocks of its forces'
  * derivatives as well, so that a solver can work on the 3n equations for the velocities instead of the 6n of the state.
  */
 public interface JacobianStateSource extends DEStateSource {
 
-    /** How much of the Jacobian {@link #addJacobianBlocks} adds. */
+    /** The share of the Jacobian that {@link #addJacobianBlocks} adds. */
     enum Blocks {
         /** Nothing: the source has no blocks. */
         NONE,
@@ -31,7 +30,7 @@ public interface JacobianStateSource extends DEStateSource {
      */
     void getJacobianProduct(double[] direction, double[] product);
 
-    /** @return what {@link #addJacobianBlocks} adds; the same throughout a step */
+    /** @return the share of the Jacobian that {@link #addJacobianBlocks} adds; the same throughout a step */
     default Blocks getJacobianBlocks() {
         return Blocks.NONE;
     }
@@ -46,7 +45,8 @@ public interface JacobianStateSource extends DEStateSource {
     }
 
     /**
-     * The masses that make the blocks of {@link #addJacobianBlocks} symmetric where the forces have a potential.
+     * Returns the masses that make the blocks of {@link #addJacobianBlocks} symmetric where the forces have a
+     * potential.
      *
      * @param i number of a particle's block in the state
      * @return 1/m (1/kg), 0 for a particle that no force moves

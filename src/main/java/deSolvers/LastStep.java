@@ -3,7 +3,7 @@ package deSolvers;
 import java.util.Arrays;
 
 /**
- * Where a solver's last step ended, for methods that use results of earlier steps: a history of derivatives, the next
+ * The end of a solver's last step, for methods that use results of earlier steps: a history of derivatives, the next
  * sub-step, the last acceleration. Such results are valid only while source, time, state and deltaT are bit for bit
  * what the last step left.
  */
@@ -15,7 +15,7 @@ public final class LastStep {
     private double deltaT;
 
     /**
-     * Whether a step continues the last one. The last one is then forgotten, whatever the answer.
+     * Tells whether a step continues the last one, and forgets the last one in either case.
      *
      * @param step the step that begins
      * @return true if its source, time, state and deltaT are bit for bit what the last step left

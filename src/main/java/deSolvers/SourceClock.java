@@ -1,13 +1,13 @@
 package deSolvers;
 
-/** Brings a source's clock to exact times, though it can only be told by how much to move. */
+/** Sets a source's clock to exact times by {@link DEStateSource#incTime}, which can only move it by a difference. */
 final class SourceClock {
     private SourceClock() {
     }
 
     /**
-     * To a time: a difference of two readings may round, but what is left after one move is so small that a second is
-     * exact.
+     * Moves the clock to a time. The first move may be off by round-off; the remaining difference is so small that a
+     * second move is exact.
      */
     static void moveTo(DEStateSource source, double time) {
         source.incTime(time - source.getTime());
@@ -16,7 +16,7 @@ final class SourceClock {
         }
     }
 
-    /** To a time within a step, as near as one move gets. */
+    /** Moves the clock to a time within a step, as near as one move gets. */
     static void moveWithin(DEStateSource source, double start, double offset) {
         double now = source.getTime();
         source.incTime(now == start ? offset : start + offset - now);

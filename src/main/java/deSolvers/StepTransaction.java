@@ -181,10 +181,10 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     }
 
     /**
-     * An exception for a step that the method gives up, with the step's solver, time and deltaT.
+     * Makes the exception for a step that the method gives up, with the step's solver, time and deltaT.
      *
      * @param entry the index of the state's entry that shows the trouble, or -1
-     * @param cause what happened and why that is likely
+     * @param cause the event and its likely cause
      * @return the exception, to be thrown
      */
     public DESolverException failure(int entry, String cause) {

@@ -10,7 +10,7 @@ public final class BlowUpException extends SimulationException {
     /**
      * @param time     the simulated time (s)
      * @param particle the index of the fastest particle
-     * @param message  what happened
+     * @param message  the message to the user
      */
     public BlowUpException(double time, int particle, String message) {
         super(time, particle, message, null);

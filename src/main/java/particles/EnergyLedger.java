@@ -20,7 +20,7 @@ import particles.law.Reaction;
  * <p>Powers are integrated over each smooth piece of motion by Simpson's rule, from both ends and the middle of the
  * cubic between them. The error is O(h<sup>4</sup>), so the numerical error shows the order of any solver up to 4. A
  * step may be too long for that: where an implicit solver jumps over a decay or a fast vibration, the velocities at its
- * ends say little about those between. In such a step Simpson's rule is far from the trapezoidal rule; the step then
+ * ends say little about those in between. In such a step Simpson's rule is far from the trapezoidal rule; the step then
  * counts with the power at the mean velocity, the displacement divided by the time. The ledger evaluates forces itself;
  * these evaluations are not counted as the solver's and change nothing.
  */
@@ -147,7 +147,7 @@ public final class EnergyLedger implements Observer {
         powersKnown = false;
     }
 
-    /** The middle's positions, with the velocities of going straight from the motion's beginning to its end. */
+    /** Finds the positions in the middle, with the mean velocities of the motion: displacement divided by time. */
     private void findMeanVelocities(Motion motion) {
         double time = motion.getEndTime() - motion.getStartTime();
         System.arraycopy(middle, 0, mean, 0, mean.length);
@@ -181,7 +181,7 @@ public final class EnergyLedger implements Observer {
         return power;
     }
 
-    /** The power of whatever moves the anchors: minus the internal forces on each anchor, times its velocity. */
+    /** The power of the prescribed motion of anchors: minus the internal forces on each anchor, times its velocity. */
     private double anchorPower(ParticleSystem system, double[] state, double time) {
         if (pull.length != system.getStateSize()) {
             pull = new double[system.getStateSize()];

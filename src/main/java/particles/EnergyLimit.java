@@ -24,7 +24,7 @@ record EnergyLimit(double joules) {
         }
         int fastest = fastest(system.getParticles(), state);
         throw new BlowUpException(system.getTime(), fastest, String.format(Locale.ROOT,
-                "the kinetic energy is %.4g J, beyond the limit of %.4g J; the fastest particle is '%s'", energy,
+                "the kinetic energy is %.3g J, above the limit of %.3g J; the fastest particle is '%s'", energy,
                 joules,
                 system.getParticles().id(fastest)));
     }

@@ -11,7 +11,7 @@ public interface EventRule extends Rule {
 
     /** An event, defined by a function of the state that changes its sign. */
     interface Event {
-        /** @return a guess of the event's time (s); the motion's beginning if it happens at once */
+        /** @return an estimate of the event's time (s); the motion's beginning if it happens at once */
         double time();
 
         /**

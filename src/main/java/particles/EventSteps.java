@@ -12,19 +12,20 @@ import java.util.Optional;
  * the rest of the step begins there.
  */
 final class EventSteps {
-    /** Far more than any sequence of ever smaller bounces has before rest. */
+    /** The largest number of events in a step: far more than any sequence of ever smaller bounces before rest. */
     private static final int MOST_EVENTS = 100_000;
     /** The shortest piece to try, as a fraction of a step; any turn that is not a stop needs less precision. */
     private static final double SHORTEST_PIECE = 0x1p-40;
     /**
-     * Once a step near a turn has taken so many evaluations, it is given up. What creeps while springs pull it just
-     * harder than friction holds it is stiff for every explicit solver: 12 particles took 20 million in a step.
+     * Once a step near a turn has taken so many evaluations, it is given up. A particle that creeps, because springs
+     * pull it only just harder than friction holds it, is stiff for every explicit solver: 12 particles took 20 million
+     * in a step.
      */
     private static final int MOST_EVALUATIONS = 1_000_000;
-    /** After so many events in a step, and some more for each particle, its headway is looked at. */
+    /** After this number of events in a step, and some more for each particle, its progress is checked. */
     private static final int FEW_EVENTS = 100;
     private static final int FEW_EVENTS_OF_EACH = 5;
-    /** Events that go on as they did cover as much time as before; ever smaller bounces less. */
+    /** Events at a steady rate cover as much time as before; ever smaller bounces cover less. */
     private static final double STEADY = 0.95;
     /**
      * The largest number of such windows of events that a step may take: 5,000 events and 250 of each particle. A
@@ -166,9 +167,9 @@ final class EventSteps {
     }
 
     /**
-     * Tells a step that makes no headway. Ever smaller bounces cover less time from one event to the next, and many
-     * particles may strike at once; but a contact that opens and closes again and again, as it may between springs
-     * with damping, can go on with events a billionth of a step apart.
+     * Detects a step that makes no progress. Ever smaller bounces cover less time from one event to the next, and many
+     * particles may strike at once; but a contact that opens and closes again and again, as it may between springs with
+     * damping, can go on with events a billionth of a step apart.
      */
     private static final class Headway {
         private final int window;

@@ -1,15 +1,18 @@
 package particles;
 
-/** A run whose numerical error is larger than its energy, so that its motion says nothing of the physics. */
+/**
+ * Thrown when the numerical error of a run is larger than its energy, so that its motion says nothing about the
+ * physics.
+ */
 public final class NumericalErrorException extends SimulationException {
     private static final long serialVersionUID = 1L;
 
     private final boolean early;
 
     /**
-     * @param time     when the error became too large (s)
-     * @param particle the index of the particle that moves with the largest energy then
-     * @param message  how large the error is
+     * @param time     the simulated time at which the error became too large (s)
+     * @param particle the index of the particle with the largest kinetic energy at that time
+     * @param message  the message to the user, with the size of the error
      * @param early    whether the run ended there, before its duration was over
      */
     public NumericalErrorException(double time, int particle, String message, boolean early) {

@@ -12,8 +12,8 @@ public interface Observer {
     }
 
     /**
-     * The next time at which the observer wants to be called. Steps that end earlier are not reported to it, so a frame
-     * every 1/25 s costs nothing in the steps between.
+     * Returns the next time at which the observer wants to be called. Steps that end earlier are not reported to it, so
+     * a frame every 1/25 s costs nothing in the steps between.
      *
      * @return the next simulated time of interest (s); negative infinity for every step
      */

@@ -2,7 +2,7 @@ package particles;
 
 import java.util.List;
 
-/** The observers of a run, and which of them is called when. */
+/** The observers of a run; calls each one at the times that it asked for. */
 final class Observers {
     private final List<Observer> observers;
 

@@ -9,7 +9,10 @@ public interface Rule {
     /** @return the name in scenes and messages, such as {@code impacts} */
     String getName();
 
-    /** @return whether the rule only corrects errors of steps, so that energy it adds or removes counts as error too */
+    /**
+     * @return whether the rule only corrects errors of steps; the energy that it adds or removes then counts as
+     *         numerical error
+     */
     default boolean isCorrection() {
         return false;
     }

@@ -31,7 +31,7 @@ public final class Simulation {
      * @param system      the system
      * @param solver      its solver
      * @param deltaT      the time step (s), positive
-     * @param duration    how long the run lasts, from the system's present time (s), 0 or more
+     * @param duration    the duration of the run, from the system's present time (s), 0 or more
      * @param energyLimit the kinetic energy above which the run counts as blown up (J), positive; may be infinite
      * @throws IllegalArgumentException if a number is out of its range
      */
@@ -178,7 +178,7 @@ public final class Simulation {
         return deltaT;
     }
 
-    /** @return how long the run lasts (s) */
+    /** @return the duration of the run (s) */
     public double getDuration() {
         return duration;
     }

@@ -13,7 +13,7 @@ public class SimulationException extends RuntimeException {
     /**
      * @param time     the simulated time (s)
      * @param particle the index of the particle concerned, or -1
-     * @param message  what happened
+     * @param message  the message to the user
      * @param cause    the cause, or null if the loop itself found the problem
      */
     public SimulationException(double time, int particle, String message, Throwable cause) {

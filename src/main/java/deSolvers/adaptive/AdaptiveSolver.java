@@ -7,11 +7,11 @@ import deSolvers.LastStep;
 import deSolvers.StepTransaction;
 
 /**
- * Step-size control: covers deltaT exactly by sub-steps whose estimated error is within the tolerance. It tries a
- * sub-step, takes it or makes it smaller, and chooses the next length. A step that continues the last one begins with
- * the length found there.
+ * Base class of adaptive solvers: step-size control. It covers deltaT exactly by sub-steps whose estimated error is
+ * within the tolerance. It tries a sub-step, accepts it or tries a shorter one, and chooses the next length. A step
+ * that continues the last one begins with the length found there.
  *
- * <p>A method implements one sub-step ({@link #attempt}) and gives the power of its length with which the error falls
+ * <p>A method implements one sub-step ({@link #attempt}) and states the power of h to which its error is proportional
  * ({@link #errorExponent}).
  */
 public abstract class AdaptiveSolver extends DESolver {
@@ -24,7 +24,7 @@ public abstract class AdaptiveSolver extends DESolver {
     /** The largest number of sub-steps, taken or rejected, in a step. */
     public static final int MOST_SUB_STEPS = 500_000;
 
-    /** After each so many sub-steps, their headway is compared with the rest of the step. */
+    /** After this number of sub-steps, their progress is compared with the rest of the step. */
     private static final int WINDOW = 10_000;
 
     private static final double SAFETY = 0.9;
@@ -75,8 +75,8 @@ public abstract class AdaptiveSolver extends DESolver {
      * @param source   the step's source, in any state; may be left in any state
      * @param state    the state at the beginning; not to be changed
      * @param slope    the derivative there; not to be changed
-     * @param offset   where the sub-step begins, from the beginning of the step (s)
-     * @param h        the sub-step (s); negative on the way back
+     * @param offset   time from the beginning of the step to that of the sub-step (s)
+     * @param h        the sub-step (s); negative if deltaT is
      * @param newState receives the state at the end
      * @return the estimated error in units of the tolerance, from {@link Tolerance#ratio}
      */

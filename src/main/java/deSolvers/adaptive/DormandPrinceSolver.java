@@ -6,7 +6,7 @@ import deSolvers.rungeKutta.RungeKuttaStages;
 
 /**
  * The Runge-Kutta pair of Dormand and Prince: one result of order 5, one of order 4 from the same stages, and their
- * difference for an error estimate. The tableau stands below in the code, as it is printed.
+ * difference for an error estimate. The tableau is in the code below, as printed in the paper.
  *
  * <p>The solver continues with the result of order 5 (local extrapolation). The last stage is at the end of the
  * sub-step and is the first stage of the next one (FSAL).

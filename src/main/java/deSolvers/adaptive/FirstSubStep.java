@@ -3,8 +3,8 @@ package deSolvers.adaptive;
 import deSolvers.StepTransaction;
 
 /**
- * Guesses the first sub-step from the first two derivatives of the solution (Hairer, N&oslash;rsett, Wanner, section
- * II.4); a trial Euler step shows how fast the derivative changes.
+ * Guesses the length of the first sub-step from the first two derivatives of the solution (Hairer, N&oslash;rsett,
+ * Wanner, section II.4); a trial Euler step shows how fast the derivative changes.
  */
 final class FirstSubStep {
     private FirstSubStep() {

@@ -17,13 +17,13 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  *
  * <p>At a few step lengths, far beyond the stability limit, the two results agree by accident although both are wrong.
  * A second estimate, from slopes that are known in the middle of the sub-step, catches these; in small steps it decides
- * nothing and may be skipped by the reader.
+ * nothing, and a reader may skip it.
  *
  * <p><b>Order</b> 4.<br>
  * <b>Evaluations</b> 11 a sub-step (the two methods share the first), 10 for one that is tried again.<br>
  * <b>Stability</b> a sub-step has R(z) = R4(z/2)<sup>2</sup>, with R4 that of RK4: h |lambda| &le; 5.5706 on the
- * negative real axis, h omega &le; 5.6569 on the imaginary one. A fast vibration that has died out may reappear, with
- * up to 150 times the tolerance in our tests (19 with {@code dormand-prince}).<br>
+ * negative real axis, h omega &le; 5.6569 on the imaginary one. A fast vibration that has decayed may grow again, in
+ * our tests up to 150 times its tolerance (19 with {@code dormand-prince}).<br>
  * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about
  * half the evaluations for the same error.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "Adaptive Stepsizes"; W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,

@@ -1,6 +1,9 @@
 package deSolvers.adaptive;
 
-/** The error allowed for an entry of the state in a sub-step: absolute + relative times its size. */
+/**
+ * The error allowed for an entry s<sub>i</sub> of the state in a sub-step: absolute + relative max(|s<sub>i</sub>
+ * before|, |s<sub>i</sub> after|).
+ */
 public final class Tolerance {
     private final double relative;
     private final double absolute;
@@ -31,7 +34,7 @@ public final class Tolerance {
     }
 
     /**
-     * The largest error relative to the tolerance.
+     * Computes the largest error relative to the tolerance.
      *
      * @param error  estimated error of every entry
      * @param before the state before the sub-step
@@ -62,7 +65,7 @@ public final class Tolerance {
     }
 
     /**
-     * The size of a vector relative to the tolerance of the state.
+     * Computes the size of a vector relative to the tolerance of the state.
      *
      * @param vector any numbers
      * @param state  the state

@@ -85,7 +85,7 @@ public final class SolverCatalog {
     private SolverCatalog() {
     }
 
-    /** A solver that steps by deltaT. */
+    /** The entry of a solver that steps by deltaT. */
     private static Entry entry(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
                                String family, String evaluations, double realLimit, double imaginaryLimit,
                                String sentence) {
@@ -94,7 +94,7 @@ public final class SolverCatalog {
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
 
-    /** A solver that steps positions and velocities separately. */
+    /** The entry of a solver that steps positions and velocities separately. */
     private static Entry symplectic(Supplier<DESolver> maker, String name, Class<? extends DESolver> solver, int order,
                                     String family, String evaluations, double imaginaryLimit, double dampedLimit,
                                     String sentence) {
@@ -103,7 +103,7 @@ public final class SolverCatalog {
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
 
-    /** A solver that chooses its own sub-steps. */
+    /** The entry of a solver that chooses its own sub-steps. */
     private static Entry adaptive(Supplier<DESolver> maker, WithTolerances toleranceMaker, String name,
                                   Class<? extends DESolver> solver, int order, String family, String evaluations,
                                   double realLimit, double imaginaryLimit, String sentence) {
@@ -146,7 +146,7 @@ public final class SolverCatalog {
     public static SolverInfo info(String name) {
         Entry entry = ENTRIES.get(name);
         if (entry == null) {
-            throw new NoSuchElementException("no solver is called '" + name + "'"
+            throw new NoSuchElementException("unknown solver '" + name + "'"
                     + DidYouMean.hint(name, names(), "'%s'"::formatted)
                     + " known: " + String.join(", ", names()));
         }
@@ -154,7 +154,7 @@ public final class SolverCatalog {
     }
 
     /**
-     * Makes a solver.
+     * Creates a solver.
      *
      * @param name a catalogue name, or the fully-qualified name of a class of one's own with a public no-arg
      *             constructor
@@ -171,7 +171,7 @@ public final class SolverCatalog {
     }
 
     /**
-     * Makes an adaptive solver.
+     * Creates an adaptive solver.
      *
      * @param name              a catalogue name, or the fully-qualified name of a class of one's own with a public
      *                          constructor of two doubles
@@ -206,7 +206,7 @@ public final class SolverCatalog {
             Arrays.fill(types, double.class);
             return found.asSubclass(DESolver.class).getConstructor(types).newInstance((Object[]) tolerances);
         } catch (ClassNotFoundException e) {
-            throw new NoSuchElementException("no class is called '" + name + "', and no solver; known solvers: "
+            throw new NoSuchElementException("no class or solver is called '" + name + "'; known solvers: "
                     + String.join(", ", names()), e);
         } catch (LinkageError e) {                      // a static initialiser failed; no cause the second time
             throw new IllegalArgumentException("class " + name + " cannot be loaded: "

@@ -1,11 +1,12 @@
 package deSolvers.catalog;
 
 /**
- * The catalogue's data of a solver.
+ * A solver's entry in the catalogue: name, class, order, cost and stability limits.
  *
  * @param name           the name in scenes and on command lines, such as {@code rk4}
  * @param className      the fully-qualified name of its class
- * @param order          the order p: over a given time the error falls as deltaT<sup>p</sup>; of a pair the higher one
+ * @param order          the order p: the error after a given time is proportional to deltaT<sup>p</sup>; of an embedded
+ *                       pair the higher order
  * @param family         the kind of method, in a word or two
  * @param evaluations    calls of the derivative per step, in words
  * @param adaptive       whether it chooses its own sub-steps and takes tolerances

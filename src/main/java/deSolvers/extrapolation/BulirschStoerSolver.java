@@ -4,9 +4,9 @@ import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
 
 /**
- * The method of Gragg, Bulirsch and Stoer, one of the slides' "high-strung racehorses": the modified midpoint method
- * with n<sub>0</sub>, n<sub>1</sub>, ... = 2, 6, 10, 14, ... substeps over the same stretch, extrapolated to infinitely
- * many.
+ * The Bulirsch-Stoer extrapolation method (also Gragg-Bulirsch-Stoer), one of the slides' "high-strung racehorses". It
+ * covers the same stretch by the modified midpoint method with n<sub>0</sub>, n<sub>1</sub>, ... = 2, 6, 10, 14, ...
+ * substeps, and extrapolates the results to infinitely many.
  * <pre>
  *   T_00
  *   T_10  T_11              T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / ((n_j / n_j-k)^2 - 1)
@@ -14,20 +14,21 @@ import deSolvers.adaptive.AdaptiveSolver;
  * </pre>
  * The number of lines and the length of the stretch are chosen for the least work.
  *
- * <p>On a stretch that is too long for a fast part of the solution the last two entries may agree by chance, and both
- * be far too large: with five lines, for s' = lambda s, at h lambda = -9.1 and 17 times. So the change of every T_j0 by
- * Gragg's smoothing is extrapolated too. If the table converges, about a third of the estimate remains of it; if not,
- * on the negative real axis, more than the result itself. A quarter of the remainder counts as an error as well. That
- * costs no evaluation, only a second table.
+ * <p>If the stretch is too long for a fast component of the solution, the last two entries may agree by chance although
+ * both are far too large. For s' = lambda s with five lines, at h lambda = -9.15, both are 15 times the starting value,
+ * while the solution has almost vanished. A second table therefore extrapolates the change of every T_j0 by Gragg's
+ * smoothing, which should tend to 0. If the first table converges, the rest is about a third of the error estimate; if
+ * not, on the negative real axis, it is larger than the result itself. A quarter of this rest counts as an error too.
+ * It costs no evaluation.
  *
  * <p><b>Order</b> variable, 2 k + 2 for k + 1 lines, up to 18.<br> <b>Evaluations</b> 2 + 6 + 10 + ... a sub-step, and
  * 1 at its beginning.<br> <b>Stability</b> that of an explicit method, with another R(z) for every number of lines: 2
  * to 9 are stable for h |lambda| &le; 5.02, 7.36, 6.39, 7.28, 8.25, 9.26, 10.29, 11.33 on the negative real axis. A
- * part that is too fast for the stretches, and has decayed, may come back to many times its tolerance (25 were
+ * component that is too fast for the stretches, and has decayed, may grow again to many times its tolerance (25 were
  * measured, 19 with {@code dormand-prince}). An undamped vibration may grow by its tolerance in every stretch: with
  * 1e-3 one grew 2.6-fold in 640 periods. A stiff system makes it crawl, at a higher cost than {@code
  * dormand-prince}.<br> <b>When to use</b> smooth motion to high accuracy, errors of 1e-8 and below; not where bounces
- * or contacts interrupt the motion, since its strength is long strides, nor where an error of 1e-5 will do, for which
+ * or contacts interrupt the motion, since it needs long stretches to pay; nor for errors of 1e-5 or more, for which
  * {@code dormand-prince} is cheaper.<br> <b>Source</b> R. Bulirsch, J. Stoer, Numer. Math. 8 (1966) 1-13; W. B. Gragg,
  * SIAM J. Numer. Anal. 2 (1965) 384-403; P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); the check by
  * the smoothing is our own.

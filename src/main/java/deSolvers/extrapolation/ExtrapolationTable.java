@@ -1,8 +1,8 @@
 package deSolvers.extrapolation;
 
 /**
- * The last line of a table that extrapolates values with errors in even powers of the substep to substeps of length 0
- * (Aitken and Neville's scheme):
+ * Extrapolation table (Aitken-Neville scheme): extrapolates results whose error has only even powers of the substep to
+ * substeps of length 0. Only the last line is kept:
  * <pre>
  *   T_00
  *   T_10  T_11              T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / ((n_j / n_j-k)^2 - 1)
@@ -21,12 +21,12 @@ final class ExtrapolationTable {
         correction = new double[n];
     }
 
-    /** @return where T_j0 is to be written before {@link #extrapolate} */
+    /** @return the array into which T_j0 is to be written before {@link #extrapolate} */
     double[] begin(int j) {
         return line[j];
     }
 
-    /** Makes line j of line j - 1 and T_j0. */
+    /** Computes line j from line j - 1 and T_j0. */
     void extrapolate(int j) {
         for (int k = 1; k <= j; k++) {
             double n = (double) OrderControl.substeps(j) / OrderControl.substeps(j - k);

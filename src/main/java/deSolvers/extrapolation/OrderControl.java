@@ -35,7 +35,7 @@ final class OrderControl {
         }
     }
 
-    /** 2, 6, 10, ...: differences of 4 let the derivatives at the middle be extrapolated as well. */
+    /** 2, 6, 10, ...: with differences of 4, the derivatives at the middle can be extrapolated as well. */
     static int substeps(int column) {
         return 4 * column + 2;
     }

@@ -17,12 +17,12 @@ import deSolvers.FixedStepSolver;
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> a few a step for Newton's method, and n more for each Jacobian where the source does not know its
- * own ({@link deSolvers.JacobianStateSource}); no limit to the number is known beforehand.<br>
- * <b>Stability</b> R(z) = 1/(1 - z): L-stable, no limit on the step for anything that decays or oscillates. What is
- * stable is not accurate: an undamped spring loses amplitude by (1 + (h omega)<sup>2</sup>)<sup>-1/2</sup> a step.<br>
+ * own ({@link deSolvers.JacobianStateSource}); the number is not known beforehand.<br>
+ * <b>Stability</b> R(z) = 1/(1 - z): L-stable, no limit on the step for anything that decays or oscillates. Stable does
+ * not mean accurate: the amplitude of an undamped spring shrinks by the factor (1 + (h
+ * omega)<sup>2</sup>)<sup>-1/2</sup> a step.<br>
  * <b>When to use</b> stiff springs and strong damping where only the slow motion matters: cloth at frame rate. Not
- * where energy has to be kept, for which {@code implicit-midpoint} serves, nor where accuracy counts, for which {@code
- * radau} does.<br>
+ * where energy has to be conserved ({@code implicit-midpoint}) or accuracy counts ({@code radau}).<br>
  * <b>Source</b> C. F. Curtiss, J. O. Hirschfelder (1952), Proc. Nat. Acad. Sci. 38, 235.
  */
 public final class BackwardEulerSolver extends FixedStepSolver {
@@ -34,7 +34,7 @@ public final class BackwardEulerSolver extends FixedStepSolver {
         newton.solve(getTransaction(), copy(s), deltaT, s);             // s = s(t) + h f(s, t + h)
     }
 
-    /** @return what was done in all steps so far */
+    /** @return the work of all steps so far */
     public ImplicitWork getWork() {
         return newton.getWork();
     }

@@ -30,8 +30,8 @@ final class DenseJacobian {
      *
      * @param source   evaluates
      * @param products the same source if it multiplies with its Jacobian, else anything that does not
-     * @param state    where
-     * @param dSdt     f there
+     * @param state    the state at which J is computed
+     * @param dSdt     f at that state
      * @param h        a step (s) that tells how far an entry at 0 may be expected to move
      * @param fine     whether to vary an entry that is far smaller than others by a part of itself: it may be a sum of
      *                 large entries that cancel, where less than a part of the largest is lost to round-off; or f may

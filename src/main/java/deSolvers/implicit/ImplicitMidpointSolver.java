@@ -18,9 +18,9 @@ import deSolvers.FixedStepSolver;
  * <p><b>Order</b> 2.<br>
  * <b>Evaluations</b> as for {@code backward-euler}.<br>
  * <b>Stability</b> R(z) = (1 + z/2)/(1 - z/2): no limit on the step for anything that decays or oscillates. |R| = 1 on
- * the imaginary axis, so linear springs keep their energy; but R(-infinity) = -1, so that what should die at once rings
- * on with alternating signs. Of several solutions of its equation the one near the present place is taken, which keeps
- * a spring that is too stiff to be followed from turning inside out.<br>
+ * the imaginary axis, so linear springs keep their energy; but R(-infinity) = -1, so a component that should decay at
+ * once keeps alternating in sign instead. If the equation has several solutions, the solver takes the one near the
+ * present state; that keeps a spring that is very stiff for the step from turning inside out.<br>
  * <b>When to use</b> stiff oscillation whose energy matters: it is symplectic and reversible. Not for stiff damping,
  * nor for stiff springs that are violently nonlinear, where {@code backward-euler} is calmer.<br>
  * <b>Source</b> Gauss-Legendre collocation with one stage, J. C. Butcher (1964), Math. Comp. 18, 50.
@@ -38,7 +38,7 @@ public final class ImplicitMidpointSolver extends FixedStepSolver {
         }
     }
 
-    /** @return what was done in all steps so far */
+    /** @return the work of all steps so far */
     public ImplicitWork getWork() {
         return newton.getWork();
     }

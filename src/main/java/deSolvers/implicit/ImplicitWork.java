@@ -3,7 +3,7 @@ package deSolvers.implicit;
 import deSolvers.linear.LinearWork;
 
 /**
- * The work of an implicit solver since it was made, beyond the derivative calls that the source counts itself.
+ * Counts of the work of an implicit solver since it was created, besides the derivative calls, which the source counts.
  *
  * @param newtonIterations corrections that Newton's method computed
  * @param jacobians        Jacobians (dense or block by block) that were set up

@@ -32,7 +32,7 @@ public final class LinearisedEulerSolver extends FixedStepSolver {
         newton.solveLinearised(getTransaction(), copy(s), deltaT, s);
     }
 
-    /** @return what was done in all steps so far */
+    /** @return the work of all steps so far */
     public ImplicitWork getWork() {
         return newton.getWork();
     }

@@ -49,7 +49,7 @@ final class NewtonUpdate {
      * Measures an update.
      *
      * @param m        the unknowns that it is for
-     * @param start    how large they were at the beginning
+     * @param start    the unknowns at the beginning of the step
      * @param roundOff of each
      * @return its largest entry relative to the unknown, which counts as no smaller than its round-off over Newton's
      *         tolerance; infinite where that leaves the numbers
@@ -108,7 +108,7 @@ final class NewtonUpdate {
         return true;
     }
 
-    /** What each unknown is measured in: its size, and how far it moves in h. */
+    /** The unit of each unknown: its size, plus the distance that it moves in h. */
     static void units(double[] state, double[] slope, double h, double[] unit) {
         double smallest = Double.MIN_NORMAL;
         for (int i = 0; i < unit.length; i++) {

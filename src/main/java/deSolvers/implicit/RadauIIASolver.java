@@ -5,8 +5,9 @@ import deSolvers.StepTransaction;
 import deSolvers.adaptive.AdaptiveSolver;
 
 /**
- * The Radau IIA method with three stages: the collocation polynomial of degree 3 whose derivative is right at three
- * times, the last of them the end of the sub-step. With q the square root of 6:
+ * The Radau IIA method with three stages, an implicit Runge-Kutta method of order 5. Its solution in a sub-step is the
+ * polynomial of degree 3 that satisfies the differential equation at three times, the last of them the end of the
+ * sub-step (collocation). With q the square root of 6:
  * <pre>
  *   (4 - q)/10 | (88 - 7q)/360       (296 - 169q)/1800   (-2 + 3q)/225
  *   (4 + q)/10 | (296 + 169q)/1800   (88 + 7q)/360       (-2 - 3q)/225
@@ -211,7 +212,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
         return 4;
     }
 
-    /** @return what was done in all steps so far */
+    /** @return the work of all steps so far */
     public ImplicitWork getWork() {
         return work.read();
     }

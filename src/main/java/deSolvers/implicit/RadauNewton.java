@@ -113,8 +113,8 @@ final class RadauNewton {
     }
 
     /**
-     * How large the entries are within the sub-step: what a correction is measured by, as the error is, so that an
-     * entry that begins at 0 does not have to be exact where there is no absolute tolerance.
+     * Finds the largest size of each entry within the sub-step. Corrections are measured by it, like errors, so that an
+     * entry that begins at 0 need not be exact where there is no absolute tolerance.
      */
     private void measure(double[] state, double[][] z) {
         for (int i = 0; i < state.length; i++) {
@@ -132,7 +132,10 @@ final class RadauNewton {
         return size;
     }
 
-    /** How much may be left, by the entry whose tolerance is strictest beside its size; no less than rounding. */
+    /**
+     * The largest remaining correction at which the iteration stops, by the entry whose tolerance is strictest compared
+     * with its size; at least round-off.
+     */
     private double enough() {
         double strictest = tolerance.size(magnitude, magnitude);
         return Math.max(Math.min(MOST_LEFT, Math.sqrt(1 / strictest)), 10 * Math.ulp(1.0) * strictest);
@@ -176,12 +179,12 @@ final class RadauNewton {
                 && jacobian.solveComplex(complexRight, complexCorrection, LINEAR_TOLERANCE);
     }
 
-    /** How many iterations the last solution took. */
+    /** The number of iterations of the last solution. */
     int iterations() {
         return iterations;
     }
 
-    /** By how much the last correction was smaller than the one before; 0 after a single one. */
+    /** The ratio of the last correction to the one before; 0 after a single one. */
     double rate() {
         return rate;
     }

@@ -1,8 +1,8 @@
 package deSolvers.implicit;
 
 /**
- * The numbers of the Radau IIA method with three stages and of the change of variables that splits its linear systems:
- * A<sup>-1</sup> = T diag(mu, (re im; -im re)) T<sup>-1</sup>.
+ * The coefficients of the Radau IIA method with three stages and of the change of variables that splits its linear
+ * systems: A<sup>-1</sup> = T diag(mu, (re im; -im re)) T<sup>-1</sup>.
  */
 final class RadauTableau {
     static final double S6 = Math.sqrt(6);
@@ -27,7 +27,9 @@ final class RadauTableau {
     /** The weights of the stages in the error estimate. */
     private static final double[] ERROR = {(-13 - 7 * S6) / 3, (-13 + 7 * S6) / 3, -1.0 / 3};
 
-    /** The collocation polynomial: what each stage counts in u, u<sup>2</sup> and u<sup>3</sup>. */
+    /**
+     * The collocation polynomial: the weight of each stage in the coefficients of u, u<sup>2</sup> and u<sup>3</sup>.
+     */
     private static final double[][] POLYNOMIAL = {
         {(13 + 7 * S6) / 3, (-23 - 22 * S6) / 3, (10 + 15 * S6) / 3},
         {(13 - 7 * S6) / 3, (-23 + 22 * S6) / 3, (10 - 15 * S6) / 3},
@@ -36,7 +38,7 @@ final class RadauTableau {
     private RadauTableau() {
     }
 
-    /** When stage k is, as a part of the sub-step. */
+    /** The time of stage k, as a fraction of the sub-step. */
     static double c(int k) {
         return C[k];
     }

@@ -12,14 +12,14 @@ interface ShiftedJacobian {
      * Sets up J at a state and the source's present time.
      *
      * @param source the step's source; left anywhere
-     * @param state  where; not kept
-     * @param slope  f there; not kept
+     * @param state  the state; not kept
+     * @param slope  f at that state; not kept
      * @param h      a step (s), for how far the state may be expected to move
-     * @param kind   which variant of J
+     * @param kind   the variant of J
      */
     void setJacobian(StepTransaction source, double[] state, double[] slope, double h, Kind kind);
 
-    /** Which variant of J is wanted; what knows no variants sets up J itself. */
+    /** The variant of J; an implementation without variants always sets up J itself. */
     enum Kind {
         /** J. */
         EXACT,
@@ -45,7 +45,7 @@ interface ShiftedJacobian {
     /** Whether J, once set up, may serve later sub-steps. */
     boolean keepsJacobian();
 
-    /** Makes nothing of earlier steps count. */
+    /** Discards all memory of earlier steps. */
     default void forget() {
     }
 
@@ -74,7 +74,7 @@ interface ShiftedJacobian {
     }
 
     /**
-     * How steeply a direction still leads to the solution: positive before it, negative beyond it.
+     * The slope along a direction, for the line search: positive before the solution, negative beyond it.
      *
      * @param residual  at some place along the direction
      * @param solution  of (I - g J) x = residual
@@ -83,10 +83,10 @@ interface ShiftedJacobian {
     double slope(double[] residual, double[] solution, double[] direction);
 
     /**
-     * How large the round-off of f makes each entry of g f, by the last J.
+     * Estimates the round-off of f in each entry of g f, from the last J.
      *
-     * @param state where
-     * @param slope f there
+     * @param state the state
+     * @param slope f at that state
      * @param g     a step (s)
      * @param size  receives for each entry the size of the terms whose sum is rounded
      */

@@ -12,7 +12,7 @@ public final class BlockMatrix implements LinearOperator {
     /**
      * A matrix of zeros.
      *
-     * @param pattern where its blocks are
+     * @param pattern the positions of its blocks
      * @param work    counts the products
      */
     public BlockMatrix(BlockPattern pattern, LinearWork work) {
@@ -21,7 +21,7 @@ public final class BlockMatrix implements LinearOperator {
         values = new double[9 * pattern.blocks()];
     }
 
-    /** @return where its blocks are */
+    /** @return the positions of its blocks */
     public BlockPattern pattern() {
         return pattern;
     }

@@ -3,9 +3,9 @@ package deSolvers.linear;
 import java.util.Arrays;
 
 /**
- * Where a sparse matrix of 3 x 3 blocks has entries: row by row, the columns in ascending order, always with the
- * diagonal and always symmetric. It is made from a list of pairs (i, j), and knows the slots of each pair by its number
- * in that list.
+ * The sparsity pattern of a matrix of 3 x 3 blocks: the positions of its entries, row by row, with ascending columns.
+ * It is symmetric and always has the diagonal. It is made from a list of pairs (i, j), and knows the slots of each pair
+ * by its number in that list.
  */
 public final class BlockPattern {
     final int rows;
@@ -22,7 +22,7 @@ public final class BlockPattern {
      * The pattern with the blocks (i, j) and (j, i) of all pairs, and the diagonal.
      *
      * @param rows   rows of blocks
-     * @param pairs  how many pairs there are; the arrays are read so far and copied
+     * @param pairs  the number of pairs; only so many entries of the arrays are used, and copied
      * @param first  i of each pair
      * @param second j of each pair
      */
@@ -83,7 +83,7 @@ public final class BlockPattern {
         return p < pairs && first[p] == i && second[p] == j;
     }
 
-    /** @return how many pairs the pattern was made from */
+    /** @return the number of pairs from which the pattern was made */
     public int pairs() {
         return pairs;
     }

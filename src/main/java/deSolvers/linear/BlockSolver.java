@@ -1,14 +1,14 @@
 package deSolvers.linear;
 
 /**
- * Solves A x = b for a sparse matrix of 3 x 3 blocks. A small or ill-conditioned matrix is factorised; otherwise
- * conjugate gradients solve a symmetric positive definite system, and GMRES any other, both preconditioned by the
- * diagonal blocks.
+ * A sparse linear solver: A x = b for a matrix of 3 x 3 blocks. A small or ill-conditioned matrix is factorised;
+ * otherwise conjugate gradients solve a symmetric positive definite system, and GMRES any other, both preconditioned by
+ * the diagonal blocks.
  *
- * <p>Conjugate gradients need iterations in proportion to the root of the condition number, and a factorisation always
- * needs the same work, so that it is made where iterations are expected to take more, or where they have already taken
- * more for earlier right-hand sides. Factors of an earlier matrix serve as the preconditioner of GMRES until they cost
- * many more iterations than when they were new.
+ * <p>Conjugate gradients need a number of iterations proportional to the square root of the condition number; a
+ * factorisation always needs the same work. The matrix is factorised if iterations are expected to take more work, or
+ * did so for earlier right-hand sides. Factors of an earlier matrix serve as the preconditioner of GMRES until they
+ * cost many more iterations than when they were new.
  */
 public final class BlockSolver implements LinearSolver {
     /** Up to so many rows the factorisation is always made. */
@@ -40,7 +40,7 @@ public final class BlockSolver implements LinearSolver {
     private long most;
     private double spent;                               // iterations of this matrix; complex ones count as two
 
-    /** @param work counts what is done */
+    /** @param work counts the operations */
     public BlockSolver(LinearWork work) {
         this.work = work;
         blockJacobi = new BlockJacobi(work);

@@ -3,7 +3,7 @@ package deSolvers.linear;
 import java.util.Arrays;
 
 /**
- * GMRES with restarts and preconditioning from the right, for matrices that are neither symmetric nor definite.
+ * GMRES with restarts and right preconditioning, for matrices that need not be symmetric or definite.
  *
  * <p>Source: Y. Saad, M. H. Schultz (1986), SIAM J. Sci. Stat. Comput. 7, 856.
  */
@@ -36,8 +36,8 @@ public final class Gmres {
      * @param b              the right-hand side
      * @param x              receives the solution
      * @param tolerance      stops at a residual of this times |b|
-     * @return false if that was not reached in {@value #MOST_ITERATIONS} iterations, or a restart gained next to
-     *     nothing
+     * @return false if that was not reached in {@value #MOST_ITERATIONS} iterations, or if a restart gained almost
+     *         nothing
      */
     public boolean solve(LinearOperator a, LinearOperator preconditioner, double[] b, double[] x, double tolerance) {
         int n = b.length;

@@ -1,6 +1,6 @@
 package deSolvers.linear;
 
-/** Solves A x = b, for the matrix A that it holds. */
+/** A solver of linear systems A x = b, for the matrix A that it holds. */
 public interface LinearSolver {
     /**
      * Solves A x = b. A direct method is exact up to round-off and does not look at the tolerance.

@@ -1,6 +1,6 @@
 package deSolvers.linear;
 
-/** Counts what linear solvers do. Counters only grow. */
+/** Counters of the work of linear solvers; they only grow. */
 public final class LinearWork {
     /** Iterations of conjugate gradients and GMRES. */
     public long iterations;

@@ -3,9 +3,9 @@ package deSolvers.linear;
 import java.util.Arrays;
 
 /**
- * An order of elimination with little fill-in. A separator, a small set of rows, cuts the graph of the matrix in two;
- * each part is ordered in the same way, and the separator comes last, so that eliminating one part never fills in the
- * other. The separators are levels of a breadth-first search.
+ * Nested dissection: an order of elimination with little fill-in. A separator, a small set of rows, cuts the graph of
+ * the matrix in two; each part is ordered in the same way, and the separator comes last, so that eliminating one part
+ * never fills in the other. The separators are levels of a breadth-first search.
  *
  * <p>Source: J. A. George (1973), SIAM J. Numer. Anal. 10, 345; J. A. George, J. W. H. Liu (1978), SIAM J. Numer. Anal.
  * 15, 1053, for separators from level structures.

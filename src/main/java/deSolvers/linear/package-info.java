@@ -1,6 +1,6 @@
 /**
- * Linear systems A x = b for the implicit solvers. A method asks a {@link deSolvers.linear.LinearSolver} and does not
- * see which of these it is:
+ * Linear systems A x = b for the implicit solvers. An implicit method uses the interface {@link
+ * deSolvers.linear.LinearSolver}; these classes implement it:
  * <ul>
  * <li>{@link deSolvers.linear.DenseLU} and {@link deSolvers.linear.ComplexDenseLU}: a full matrix, factorised by
  *     EJML;</li>
@@ -12,11 +12,11 @@
  *
  * <h2>The sparse factorisation</h2>
  * Eliminating a row of a sparse matrix makes new entries, the <i>fill-in</i>: all later rows that it touches then touch
- * each other. How much of it there is depends on the order. {@code NestedDissection} cuts the graph of the matrix,
- * whose edges are the springs, by a small set of rows, a <i>separator</i>, and puts the separator last; the parts on
- * its two sides never touch each other, and are ordered in the same way. In a cloth of n particles that leaves n log n
- * entries. The <i>elimination tree</i> says which row contributes to which: the parent of a row is the first later row
- * that it touches. {@code BlockFactors} finds the fill-in from it before it computes, once for each pattern of springs.
+ * each other. Its size depends on the order. {@code NestedDissection} cuts the graph of the matrix, whose edges are the
+ * springs, by a small set of rows, a <i>separator</i>, and puts the separator last; the parts on its two sides never
+ * touch each other, and are ordered in the same way. In a cloth of n particles this leaves about n log n entries. The
+ * <i>elimination tree</i> says which row contributes to which: the parent of a row is the first later row that it
+ * touches. {@code BlockFactors} finds the fill-in from it before it computes, once for each pattern of springs.
  *
  * <p>References: Y. Saad, <i>Iterative Methods for Sparse Linear Systems</i>, 2nd ed., SIAM 2003; T. A. Davis,
  * <i>Direct Methods for Sparse Linear Systems</i>, SIAM 2006.

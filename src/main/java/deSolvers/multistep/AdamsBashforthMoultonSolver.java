@@ -4,7 +4,7 @@ import deSolvers.DEStateSource;
 import deSolvers.FixedStepSolver;
 
 /**
- * The predictor-corrector method of Adams, Bashforth and Moulton, fourth order: the derivatives of the last four steps
+ * The Adams-Bashforth-Moulton predictor-corrector method of fourth order: the derivatives of the last four steps
  * predict the new state, and the derivative there corrects it.
  * <pre>
  *   predict  p      = s + h/24 (55 f_0 - 59 f_1 + 37 f_2 -  9 f_3)       f_j: the derivative j steps ago
@@ -13,7 +13,7 @@ import deSolvers.FixedStepSolver;
  *   evaluate f_0 at the corrected state, when the next step begins
  * </pre>
  * The first three steps are RK4, and so are the three after a restart. It restarts whenever source, state, time or
- * deltaT are not what the last step left.
+ * deltaT differ from those at the end of the last step.
  *
  * <p><b>Order</b> 4.<br>
  * <b>Evaluations</b> 2 a step; 4 in each of the first three.<br>

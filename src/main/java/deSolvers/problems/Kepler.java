@@ -1,8 +1,9 @@
 package deSolvers.problems;
 
 /**
- * A planet on an orbit of semi-major axis 1 and eccentricity e about a sun of mass 1, from the perihelion; period 2 pi.
- * The state is (x, y, v_x, v_y), one block of dimension 2. Exact through Kepler's equation E - e sin E = t.
+ * The Kepler problem: a planet on an ellipse of semi-major axis 1 and eccentricity e, with period 2 pi, from the
+ * perihelion (G M = 1). The state is (x, y, v_x, v_y), one block of dimension 2. The exact solution comes from Kepler's
+ * equation E - e sin E = t.
  */
 public final class Kepler extends SecondOrderProblem {
     private final double e;
@@ -47,7 +48,7 @@ public final class Kepler extends SecondOrderProblem {
         return false;
     }
 
-    /** @return the orbit's energy at the present state; -1/2 exactly */
+    /** @return the orbit's energy at the present state; -1/2 for the exact solution */
     public double energy() {
         double[] s = state();
         return (s[2] * s[2] + s[3] * s[3]) / 2 - 1 / Math.sqrt(s[0] * s[0] + s[1] * s[1]);

@@ -1,10 +1,10 @@
 package deSolvers.problems;
 
 /**
- * Two linear equations (x, v)' = M (x, v) as a source, three times over in the order (x1, x2, x3, v1, v2, v3) that
+ * The linear test equation (x, v)' = M (x, v) as a source, in three copies. Their order is (x1, x2, x3, v1, v2, v3), as
  * methods for positions and velocities expect. The first copy starts at (1, 0) and the second at (0, 1), so that one
- * step shows the 2 x 2 matrix by which it multiplies; the third starts at (1, 1) and ends at the sum of the two, if the
- * step is linear.
+ * step shows the 2 x 2 matrix by which it multiplies. The third starts at (1, 1); if the step is linear, it ends at the
+ * sum of the first two.
  */
 public class LinearPair extends ReferenceProblem {
     private static final int COPIES = 3;
@@ -33,7 +33,7 @@ public class LinearPair extends ReferenceProblem {
         return new LinearSpring(stiffness, damping);
     }
 
-    /** @param size of the unit vectors at which the copies start */
+    /** @param size the length of the unit vectors at which the copies start */
     public void start(double size) {
         setState(new double[] {size, 0, size, 0, size, size});
         incTime(-getTime());

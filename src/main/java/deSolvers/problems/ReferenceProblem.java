@@ -3,8 +3,8 @@ package deSolvers.problems;
 import deSolvers.DEStateSource;
 
 /**
- * An initial value problem with a count of evaluations and, if known, the exact solution. It refuses arrays that are
- * not exactly as long as the state.
+ * An initial value problem as a state source: state, clock, a count of evaluations and, if known, the exact solution.
+ * It refuses arrays that are not exactly as long as the state.
  */
 public abstract class ReferenceProblem implements DEStateSource {
     private final double[] start;
@@ -19,7 +19,7 @@ public abstract class ReferenceProblem implements DEStateSource {
     }
 
     /**
-     * The right-hand side f(s, t).
+     * Computes the right-hand side f(s, t).
      *
      * @param t    the time (s)
      * @param s    the state; to be read only
@@ -28,10 +28,10 @@ public abstract class ReferenceProblem implements DEStateSource {
     protected abstract void rates(double t, double[] s, double[] dSdt);
 
     /**
-     * The exact solution. A problem whose solution is not known knows only its start, at t = 0.
+     * Returns the exact solution. A problem without a known solution has only its start, at t = 0.
      *
      * @param t the time (s)
-     * @return the state then; a new array
+     * @return the state at that time; a new array
      */
     public double[] exactState(double t) {
         if (t != 0) {
@@ -61,7 +61,7 @@ public abstract class ReferenceProblem implements DEStateSource {
         return error;
     }
 
-    /** @return how often the derivative was evaluated since the start or the last {@link #startAt} */
+    /** @return the number of evaluations of the derivative since the start or the last {@link #startAt} */
     public final long evaluations() {
         return evaluations;
     }
@@ -75,7 +75,7 @@ public abstract class ReferenceProblem implements DEStateSource {
      * Called with every array that a solver hands over.
      *
      * @param array the solver's array
-     * @return how many of its entries to use
+     * @return the number of its entries to use
      * @throws IllegalArgumentException unless it is exactly as long as the state
      */
     protected int checkLength(double[] array) {

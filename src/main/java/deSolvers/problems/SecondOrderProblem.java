@@ -7,7 +7,7 @@ public abstract class SecondOrderProblem extends ReferenceProblem implements Sec
     private final int d;
 
     /**
-     * @param d     positions in a block
+     * @param d     the number of positions in a block
      * @param start the state at t = 0, whole blocks; a copy is taken
      */
     protected SecondOrderProblem(int d, double... start) {
@@ -16,7 +16,7 @@ public abstract class SecondOrderProblem extends ReferenceProblem implements Sec
     }
 
     /**
-     * The acceleration, to be written into the velocity entries of the derivative.
+     * Writes the acceleration into the velocity entries of the derivative.
      *
      * @param t    the time (s)
      * @param s    the state; to be read only

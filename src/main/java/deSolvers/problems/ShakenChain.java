@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * A stiff, strongly damped chain: three masses of 1 kg on a line, each on a spring and a damper to the one before, the
- * first to a wall that moves as sin t. It follows the wall from the start, since every other motion decays at once;
- * only an integrator notices the stiff springs.
+ * first to a wall that moves as sin t. It follows the wall from the start, since every other motion decays at once. The
+ * stiff springs do not show in the motion, but they limit the step of explicit solvers.
  *
  * <p>The shaken wall makes each spring the problem of A. Prothero and A. Robinson (Math. Comp. 28, 1974): a slow motion
  * that attracts all others. Implicit Runge-Kutta methods have only the order of their stages there, as long as deltaT
@@ -19,7 +19,7 @@ public final class ShakenChain extends SecondOrderProblem {
     private static final double STIFFNESS = 1e7;    // N/m
     private static final double DAMPING = 6e3;      // N s/m
 
-    /** The chain, on its steady swing. */
+    /** Creates the chain, on its steady swing. */
     public ShakenChain() {
         super(MASSES, new double[2 * MASSES]);
         startAt(0);

@@ -5,32 +5,33 @@ import deSolvers.DESolver;
 /**
  * The 2 x 2 matrix by which a step multiplies the state (x, v) of a linear system.
  *
- * @param xx            of x in the new x
- * @param xv            of v in the new x
- * @param vx            of x in the new v
- * @param vv            of v in the new v
- * @param nonlinearity  how far the step is from multiplying by any matrix, as a part of the largest entry
+ * @param xx            the share of x in the new x
+ * @param xv            the share of v in the new x
+ * @param vx            the share of x in the new v
+ * @param vv            the share of v in the new v
+ * @param nonlinearity  the deviation of the step from a multiplication by any matrix, as a fraction of the largest
+ *                      entry
  */
 public record StepMatrix(double xx, double xv, double vx, double vv, double nonlinearity) {
 
     /**
-     * A step of deltaT = 1 on the test equation.
+     * Measures a step of deltaT = 1 on the test equation.
      *
-     * @param solver one that remembers nothing
+     * @param solver a solver without memory
      * @param re     real part of lambda
      * @param im     its imaginary part
-     * @return the matrix; of a method that treats all entries of the state alike it is (a, -b; b, a) with R = a + i b
+     * @return the matrix; for a method that treats all entries of the state alike it is (a, -b; b, a) with R = a + i b
      */
     public static StepMatrix onTestEquation(DESolver solver, double re, double im) {
         return of(solver, LinearPair.testEquation(re, im), 1, 1, 1);
     }
 
     /**
-     * @param solver one that remembers nothing
+     * @param solver a solver without memory
      * @param source the system
-     * @param steps  how many
+     * @param steps  the number of steps
      * @param deltaT the time step
-     * @param size   of the state at its start
+     * @param size   the size of the state at its start
      * @return the matrix of all these steps
      */
     public static StepMatrix of(DESolver solver, LinearPair source, int steps, double deltaT, double size) {
@@ -51,7 +52,7 @@ public record StepMatrix(double xx, double xv, double vx, double vv, double nonl
         return new StepMatrix(m[0], m[1], m[2], m[3], source.nonlinearity());
     }
 
-    /** @return the determinant: the factor of areas in state space */
+    /** @return the determinant: the factor by which the step changes areas in state space (1 = symplectic) */
     public double determinant() {
         return xx * vv - xv * vx;
     }

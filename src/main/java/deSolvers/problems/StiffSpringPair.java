@@ -1,9 +1,9 @@
 package deSolvers.problems;
 
 /**
- * Two masses of 1/2 kg on a line: each on a soft spring of 1/2 N/m, and a spring of k between them. Their centre swings
- * with omega = 1 for any k; the spring between them vibrates with omega = sqrt(1 + 4 k), at first with a tiny
- * amplitude.
+ * A stiff oscillator: two masses of 1/2 kg on a line, each on a soft spring of 1/2 N/m, with a stiff spring k between
+ * them. Their centre swings with omega = 1 for any k. The stiff spring vibrates with omega = sqrt(1 + 4 k), at first
+ * with a tiny amplitude.
  */
 public final class StiffSpringPair extends SecondOrderProblem {
     /** The amplitude of the stiff vibration at the start: far below 1 %, far above rounding (m). */
@@ -40,7 +40,7 @@ public final class StiffSpringPair extends SecondOrderProblem {
         return (s[0] + s[1]) / 2;
     }
 
-    /** @return the energy of the stiff vibration over that at the start */
+    /** @return the energy of the stiff vibration divided by that at the start */
     public double vibration() {
         double[] s = state();
         double x = (s[1] - s[0]) / 2;

@@ -1,9 +1,10 @@
 /**
  * Reference problems: small differential equations to try a solver on, most of them with a known solution.
  *
- * <p>A problem is its law, and where a formula is known also {@link deSolvers.problems.ReferenceProblem#exactState}.
- * State, clock and the count of evaluations stand once, in {@link deSolvers.problems.ReferenceProblem}, and the layout
- * of positions and velocities in {@link deSolvers.problems.SecondOrderProblem}. To see what a solver of your own does:
+ * <p>A problem class has only its equation and, where a formula is known, {@link
+ * deSolvers.problems.ReferenceProblem#exactState}. State, clock and the count of evaluations are in {@link
+ * deSolvers.problems.ReferenceProblem}, the layout of positions and velocities in {@link
+ * deSolvers.problems.SecondOrderProblem}. To try a solver of your own:
  * <pre>
  * Oscillator oscillator = new Oscillator();
  * for (int i = 0; i &lt; 100; i++) {

@@ -29,7 +29,7 @@ public final class RungeKuttaStages {
      * @param source the step's source; left at the last stage
      * @param state  the state at the beginning
      * @param slope  the derivative there
-     * @param offset where the sub-step begins, from the beginning of the step (s)
+     * @param offset time from the beginning of the step to that of the sub-step (s)
      * @param h      the sub-step (s)
      */
     public void evaluate(StepTransaction source, double[] state, double[] slope, double offset, double h) {
@@ -61,7 +61,7 @@ public final class RungeKuttaStages {
     }
 
     /**
-     * A weighted sum of the slopes.
+     * Computes a weighted sum of the slopes.
      *
      * @param weights one for each stage
      * @param h       a factor for all (s)

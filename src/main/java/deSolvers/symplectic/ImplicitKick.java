@@ -23,7 +23,7 @@ final class ImplicitKick {
      * @param s          holds (x, v0); receives (x, v)
      * @param guess      an acceleration nearby
      * @param velocities the indices of the velocity entries
-     * @param d          how far before its velocity a position stands
+     * @param d          the distance in the array from a position to its velocity
      * @param h          the kick's length (s)
      * @param a          receives the acceleration at (x, v)
      */

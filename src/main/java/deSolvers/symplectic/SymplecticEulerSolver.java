@@ -10,7 +10,7 @@ import deSolvers.DEStateSource;
  *   x(t + h) = x(t) + h v(t + h)
  * </pre>
  * One line differs from the Euler method of the later slides, which moves with the old velocity: this one is stable
- * where that one spirals out. (The slide's loop moves the clock first; here, as in the field, forces are those at t.)
+ * where that one spirals out. (The slide's loop moves the clock first; here, as usual, forces are those at t.)
  *
  * <p><b>Order</b> 1.<br>
  * <b>Evaluations</b> 1 a step.<br>

@@ -5,8 +5,9 @@ import deSolvers.FixedStepSolver;
 import deSolvers.SecondOrderStateSource;
 
 /**
- * A method that moves positions and velocities in turn. A state has the blocks (x1, v1, x2, v2, ...) of a
- * {@link SecondOrderStateSource}; an acceleration stands where the velocity does in the state, as in ds/dt.
+ * Base class of symplectic methods, which move positions and velocities in turn. A state has the blocks (x1, v1, x2,
+ * v2, ...) of a {@link SecondOrderStateSource}; an array of accelerations holds them in the velocities' entries, as
+ * ds/dt does.
  */
 abstract class SymplecticSolver extends FixedStepSolver {
     private final ImplicitKick implicitKick = new ImplicitKick();
@@ -86,8 +87,8 @@ abstract class SymplecticSolver extends FixedStepSolver {
     }
 
     /**
-     * The kick that ends a leapfrog, v += h a(x, v, t) with the acceleration at the new state: an equation for v where
-     * the acceleration depends on v.
+     * The kick that ends a leapfrog, v += h a(x, v, t) with the acceleration at the new state. If the acceleration
+     * depends on v, this is an equation for v.
      *
      * @param s     holds the new x and the old v; receives the new v
      * @param guess an acceleration nearby, for the equation's first guess

@@ -41,7 +41,7 @@ abstract class AirDrag implements PerParticleEffect, DifferentiableEffect {
                 : Set.of(Trait.DISSIPATIVE, Trait.DRIVING);
     }
 
-    /** The velocity w = v - u of the particles from ... to - 1 through the air, where v stands in the state. */
+    /** The velocity w = v - u of the particles from ... to - 1 through the air, in the entries of v. */
     final double[] velocityThroughAir(double[] state, double time, int from, int to) {
         if (wind == Wind.STILL) {
             return state;

@@ -9,8 +9,8 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 
 /**
- * Pair force that repels at short range and attracts at longer range, so that a heap of particles holds together like a
- * drop. With r = x_i - x_j, range h, and
+ * Cohesion: a pair force that repels at short range and attracts at longer range, so that a heap of particles holds
+ * together like a drop. With r = x_i - x_j, range h, and
  * <pre>
  *   u = 1 - |r|^2 / h^2,     X = (u / u0)^4,     u0 = u at the distance d of balance
  *   potential of the pair  = e (X^2 - 2 X)       for |r| &lt; h, 0 beyond
@@ -44,7 +44,7 @@ public final class Cohesion implements DifferentiableEffect {
      * @param particles the particles on which it acts
      * @param range     h, the distance beyond which two particles exert no force on each other (m)
      * @param distance  d, the distance at which two are in balance (m), less than h
-     * @param depth     e, the energy that it takes to separate two (J), positive
+     * @param depth     e, the energy needed to separate a pair in balance (J), positive
      * @param damping   c, damping of the relative speed of a pair (N s/m), 0 or more
      * @throws IllegalArgumentException if a number is out of its range
      */

@@ -2,7 +2,7 @@ package particles.effects;
 
 import java.util.List;
 
-/** The effects that scenes can name. */
+/** The catalogue of all effects that scenes can name. */
 public final class EffectCatalog {
     /** All effects in the order in which they are built: wind comes before drag, which uses it. */
     public static final List<EffectKind> ALL = List.of(

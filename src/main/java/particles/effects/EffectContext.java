@@ -26,6 +26,6 @@ public interface EffectContext {
     /** @param g an acceleration of every particle (m/s&sup2;), used for the scene's energy scale */
     void noteAcceleration(Vector3 g);
 
-    /** @param speed a speed to which particles may be carried (m/s), used for the scene's energy scale */
+    /** @param speed a speed that particles may reach, in wind for example (m/s), used for the scene's energy scale */
     void noteSpeed(double speed);
 }

@@ -12,7 +12,7 @@ import particles.spec.Values;
 public abstract class EffectKind extends Kind {
     /**
      * @param name     the name in scenes; for a law that is not in {@link EffectCatalog} the full name of its class
-     * @param sentence what the effect is
+     * @param sentence a description in one sentence
      * @param keys     the keys that a scene can set
      */
     protected EffectKind(String name, String sentence, Key<?>... keys) {

@@ -66,7 +66,7 @@ public final class Gravity implements PerParticleEffect, DifferentiableEffect {
         return energy;
     }
 
-    /** How scene files describe gravity: its name and its keys. */
+    /** The keys of gravity in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Vector3> ACCELERATION = Key.withDefault("acceleration", VectorType.of("m/s^2"),
                 new Vector3(0, -9.81, 0), "g, the acceleration of free fall (m/s^2).");

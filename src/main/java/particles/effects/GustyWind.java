@@ -19,7 +19,7 @@ public final class GustyWind implements Wind {
     /**
      * @param mean   the steady part (m/s)
      * @param gust   the amplitude of the varying part (m/s)
-     * @param period the period of the gusts (s), positive
+     * @param period the period of the sine (s), positive
      * @throws IllegalArgumentException if a number is not finite or the period not positive
      */
     public GustyWind(Vector3 mean, Vector3 gust, double period) {

@@ -19,7 +19,7 @@ public final class SharedKeys {
     public static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Its centre (m).");
     /** The radius of a sphere. */
     public static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "Its radius (m).");
-    /** Which side of a sphere is solid. */
+    /** Whether a sphere is a hollow: solid outside, particles inside. */
     public static final Key<Boolean> HOLLOW = Key.withDefault("hollow", FlagType.FLAG, false,
             "true: particles stay inside, as in a bowl or a bubble; false: outside.");
 

@@ -7,9 +7,9 @@ import particles.law.AnchorMotion;
 import particles.law.Particles;
 
 /**
- * Moving anchors: particles whose motion is prescribed. Every force is computed with their exact position and velocity
- * at the clock's time. They are not unknowns of the equations: a solver sees zeros in their place that stay zeros. So
- * they have no step error, and a multistep solver finds unchanged bits there.
+ * Moving anchors: particles whose motion is prescribed. They are not unknowns of the equations. The system's own state
+ * and every force use their exact positions at the clock's time; a solver sees zeros in their place, which stay zeros.
+ * They therefore have no truncation error, and a multistep solver finds their bits unchanged.
  */
 public final class Anchors {
     private static final int STRIDE = Particles.STRIDE;
@@ -47,8 +47,8 @@ public final class Anchors {
     }
 
     /**
-     * Returns the state with the anchors at their places at a time: the array itself without anchors, otherwise a copy,
-     * valid until the next call.
+     * Returns the state with the anchors at their positions at a time: the array itself without anchors, otherwise a
+     * copy, valid until the next call.
      */
     public double[] shownIn(double[] state, double time, int n) {
         if (anchors.isEmpty()) {

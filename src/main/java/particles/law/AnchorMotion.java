@@ -1,6 +1,6 @@
 package particles.law;
 
-/** The prescribed motion of a moving anchor, such as a shaken hand or a turning crank. */
+/** The prescribed motion of a moving anchor: a shaken hand, a turning crank. */
 public interface AnchorMotion {
 
     /**

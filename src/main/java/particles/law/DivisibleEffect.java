@@ -1,10 +1,10 @@
 package particles.law;
 
 /**
- * An effect whose forces are split into parts that several threads can evaluate at once. The parts form a binary tree.
- * Its n leaves are blocks, each with a range of particles of its own; an inner node, called a joint, holds the forces
- * between its two children and is evaluated after them. The tree does not depend on the number of threads, so neither
- * do the bits of the sums.
+ * An effect whose forces are split into parts that several threads can evaluate in parallel. The parts form a binary
+ * tree. Its n leaves are blocks, each with a range of particles of its own; an inner node, called a joint, holds the
+ * forces between its two children and is evaluated after them. The tree does not depend on the number of threads, so
+ * neither do the bits of the sums.
  */
 public interface DivisibleEffect extends Effect {
 

@@ -27,7 +27,7 @@ public interface Effect {
         CONSERVATIVE,
         /** Takes energy out: the dissipated power is never negative. */
         DISSIPATIVE,
-        /** Something outside does work: the driven power may have either sign. */
+        /** Something outside the system does work: the driven power may have either sign. */
         DRIVING;
 
         /**

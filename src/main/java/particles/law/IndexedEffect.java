@@ -6,7 +6,7 @@ public interface IndexedEffect extends Effect {
     /**
      * Called after particles were removed from the system.
      *
-     * @param newIndex the new index of each particle by its old one, -1 for those that are gone
+     * @param newIndex for each old index, the new one, or -1 if the particle was removed
      */
     void reindex(int[] newIndex);
 }

@@ -17,7 +17,7 @@ public final class Particles {
     private double[] birthTimes = new double[8];
     private double[] deathTimes = new double[8];
 
-    /** Makes an empty set. */
+    /** Creates an empty set. */
     public Particles() {
     }
 
@@ -34,7 +34,7 @@ public final class Particles {
         }
     }
 
-    /** Throws if the particle is free: only a fixed one can follow a given motion. */
+    /** Throws if the particle is free: only a fixed one can become a moving anchor. */
     public void requireFixed(int particle) {
         if (!isFixed(particle)) {
             throw new IllegalArgumentException("particle '" + id(particle)
@@ -100,7 +100,7 @@ public final class Particles {
         return masses[i];
     }
 
-    /** @return whether particle i stays where it is, whatever the forces */
+    /** @return whether no force moves particle i */
     public boolean isFixed(int i) {
         return inverseMasses[i] == 0;
     }
@@ -110,7 +110,7 @@ public final class Particles {
         return birthTimes[i];
     }
 
-    /** @return the simulated time at which particle i will die of age (s); infinity if it does not age */
+    /** @return the simulated time at which the lifetime of particle i ends (s); infinity if it has no lifetime */
     public double deathTime(int i) {
         return deathTimes[i];
     }

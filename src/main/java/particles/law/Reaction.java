@@ -53,7 +53,7 @@ public interface Reaction {
     /**
      * Called after particles were removed from the system.
      *
-     * @param newIndex the new index of each particle by its old one, -1 for those that are gone
+     * @param newIndex for each old index, the new one, or -1 if the particle was removed
      */
     void reindex(int[] newIndex);
 }

@@ -4,9 +4,9 @@
  * depend on the sum of the others, and {@link particles.law.Particles}, {@link particles.law.Vector3}, planes and
  * spheres.
  *
- * <p>This is all one needs to know to write a force law. The optional interfaces ({@link
- * particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect}, {@link particles.law.DifferentiableEffect},
- * {@link particles.law.IndexedEffect}) make a law faster, give implicit solvers exact derivatives, or follow particles
- * that are removed; a law without them is right too.
+ * <p>To write a force law, read {@link particles.law.ParticleForce} or {@link particles.law.Effect}; nothing else is
+ * needed. The optional interfaces ({@link particles.law.PerParticleEffect}, {@link particles.law.DivisibleEffect},
+ * {@link particles.law.DifferentiableEffect}, {@link particles.law.IndexedEffect}) make a law faster, give implicit
+ * solvers exact derivatives, or update indices when particles are removed. A law without them works too.
  */
 package particles.law;

@@ -140,11 +140,12 @@ public final class BlowUpMessage {
                 + particles.id(scene.springs().to(s)) + "'";
         boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
         double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
-        return "deltaT is " + Digits.few(times) + " times too long for the fastest " + (byFixedPoint
-                ? "damping (rate * deltaT = " + Digits.few(damping * deltaT) + "; " + solver.name() + " converges well up to "
-                        + FIXED_POINT
-                : "vibration (omega * deltaT = " + Digits.few(deltaT * rate(solver)) + "; the limit of " + solver.name()
-                        + " is " + Digits.few(limit)) + spring + ")";
+        String what = byFixedPoint
+                ? "damping (rate * deltaT is at most " + Digits.few(damping * deltaT) + "; " + solver.name()
+                        + " converges well up to " + FIXED_POINT
+                : "vibration (|lambda| * deltaT is at most " + Digits.few(deltaT * rate(solver)) + "; the limit of "
+                        + solver.name() + " is " + Digits.few(limit);
+        return "deltaT is up to " + Digits.few(times) + " times too long for the fastest " + what + spring + ")";
     }
 
     /** The fastest motion that counts for this solver (1/s): with damping, unless that is solved for apart. */

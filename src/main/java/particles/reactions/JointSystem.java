@@ -152,7 +152,7 @@ final class JointSystem {
      * Solves for {@link #right}.
      *
      * @param signed as for {@link ActiveSetMethod#solve}
-     * @param bound  how many of the first contacts hold in any case
+     * @param bound  the number of the first contacts that hold in any case
      */
     boolean solve(boolean signed, int bound) {
         return activeSet.solve(size(), members.length + bound, matrix, right, signed, solution);

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import particles.law.Particles;
 
-/** The linkages (sets connected by rods and wires) of a system, and which particle belongs to which. */
+/** The linkages of a system: the sets of particles that rods and wires connect. */
 final class Linkages {
     private final List<Linkage> all = new ArrayList<>();
     private int[] linkageOf = {};                       // by particle; -1 for none

@@ -146,8 +146,8 @@ public final class RestingContacts implements Reaction {
     /**
      * @param particle its index
      * @param state    the state
-     * @return whether it is slow enough for static friction: it touches a rough surface and is slower than its
-     *         threshold or round-off
+     * @return whether the particle is slow enough for static friction: it touches a rough surface and is slower than
+     *         its threshold or round-off
      */
     public boolean isSlow(int particle, double[] state) {
         double limit = -1;
@@ -203,10 +203,10 @@ public final class RestingContacts implements Reaction {
 
     /**
      * Lets Coulomb friction act as an impulse over the step that begins, on all particles that it may stop in that
-     * step: as a constant force that brings the particle to rest at the end of the step, as far as the cone of friction
-     * allows. The direction of exact friction turns near a stop as fast as the velocity's, so that implicit solvers do
-     * not converge and adaptive ones make no headway, above all where springs stop and start a particle again and
-     * again. On all others friction remains exact.
+     * step: as a constant force that brings the particle to rest at the end of the step, as far as the friction cone
+     * allows. Near a stop the direction of exact friction turns as fast as that of the velocity. Implicit solvers then
+     * do not converge and adaptive ones make no progress, above all where springs stop and start a particle again and
+     * again. For all other particles friction remains exact.
      *
      * @param system the system at the beginning of the step
      * @param deltaT the length of the step (s)

@@ -18,12 +18,12 @@ import particles.view.SpringView;
  * damped, at the feedback rate alpha. (A. Witkin, "Constrained Dynamics", SIGGRAPH course notes 1997; J. Baumgarte
  * 1972.)
  *
- * <p>How large may alpha be? The solver has to be stable for the decay: alpha deltaT &lt; 2 for euler and midpoint,
- * 2.78 for rk4. There is a stricter limit: at the stages inside a step C is off by O(deltaT&sup2;), because a straight
- * line leaves a circle, and the feedback turns that into a wrong acceleration of alpha&sup2; O(deltaT&sup2;). It is
- * small beside the true acceleration only if (alpha deltaT)&sup2; &lt;&lt; 1, and it falls with the solver's order only
- * if alpha does not grow with 1/deltaT. Measured for a pendulum of 1 m released at 90 degrees, rk4 at 0.01 s, the
- * largest error of the length in ten minutes:
+ * <p>The choice of alpha: the solver has to be stable for the decay, alpha deltaT &lt; 2 for euler and midpoint, 2.78
+ * for rk4. There is a stricter limit: at the stages inside a step C is off by O(deltaT&sup2;), because a straight line
+ * leaves a circle, and the feedback turns that into a wrong acceleration of alpha&sup2; O(deltaT&sup2;). It is small
+ * beside the true acceleration only if (alpha deltaT)&sup2; &lt;&lt; 1, and it falls with the solver's order only if
+ * alpha does not grow with 1/deltaT. Measured for a pendulum of 1 m released at 90 degrees, rk4 at 0.01 s, the largest
+ * error of the length in ten minutes:
  * <pre>
  *   alpha (1/s)   0       1      3      5      10     20     50     100    200    280
  *   error (m)     0.15    7e-7   5e-8   1e-7   4e-7   1e-6   8e-6   5e-5   7e-4   unstable
@@ -31,8 +31,8 @@ import particles.view.SpringView;
  * With a smaller alpha errors accumulate faster than they decay; with a larger one the feedback itself causes them. The
  * default is 5 /s.
  *
- * <p>Only moving anchors do work through these forces; any other change of energy, of the order of C and C', is
- * numerical error. The derivatives of the forces are not known, so implicit solvers use finite differences.
+ * <p>Only moving anchors do work through these forces. Any other change of energy is numerical error; it is of the
+ * order of C and C'. The derivatives of the forces are not known, so implicit solvers use finite differences.
  */
 public final class RigidConstraints implements Reaction, SpringView {
     /** The default feedback rate alpha (1/s). */
@@ -74,8 +74,8 @@ public final class RigidConstraints implements Reaction, SpringView {
     /**
      * Adds a rod.
      *
-     * @param from   the index of the particle where it begins
-     * @param to     the index of the particle where it ends
+     * @param from   the index of the particle at its first end
+     * @param to     the index of the particle at its second end
      * @param length the distance that it keeps (m), positive
      * @throws IllegalArgumentException if the length is out of range, or no end is free
      */
@@ -212,7 +212,7 @@ public final class RigidConstraints implements Reaction, SpringView {
     }
 
     /**
-     * Solves these constraints and contacts together where a particle has both. Each books its own power.
+     * Solves these constraints and contacts together where a particle has both. Each reports its own power.
      *
      * @param contacts a reaction of the same system
      */

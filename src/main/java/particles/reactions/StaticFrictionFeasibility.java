@@ -6,7 +6,7 @@ import particles.law.Particles;
 
 /**
  * Decides whether static friction can hold a statically indeterminate linkage. The load of a rod between two sticking
- * ends is not determined, and no motion depends on it; friction holds if there is any load with which all ends hold.
+ * ends is not unique, but the motion does not depend on it. Friction holds if it can hold all ends with any one load.
  * The search maximises the smallest margin of all ends, a concave function of the load, by golden section, one rod
  * after the other.
  */

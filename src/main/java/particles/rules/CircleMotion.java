@@ -11,7 +11,7 @@ public final class CircleMotion implements AnchorMotion {
     private final double omega;
 
     /**
-     * @param start  where the point is at t = 0 (m)
+     * @param start  the position at t = 0 (m)
      * @param centre any point of the axis (m)
      * @param axis   its direction
      * @param period the time of one turn (s), not 0; a negative one turns the other way

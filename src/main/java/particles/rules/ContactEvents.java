@@ -26,7 +26,7 @@ final class ContactEvents {
     private static final int STRIDE = Particles.STRIDE;
     /** Round-off of a few operations, relative to a speed. */
     private static final double ROUNDING = 1e-12;
-    /** How many ulps of the clock an event may be off its time. */
+    /** The largest error of an event's time, in ulps of the clock. */
     private static final int CLOCK_ROUNDINGS = 4;
 
     private final RestingContacts contacts;

@@ -12,8 +12,8 @@ final class ContactGeometry {
     /** Largest distance from a surface in contact, relative to 1 m plus the distance from the origin. */
     private static final double ON_SURFACE = 1e-9;
     /**
-     * Where {@link #putOnAll} stops: largest distance from all surfaces, relative to 1 m plus the distance from the
-     * origin.
+     * The accuracy at which {@link #putOnAll} stops: largest distance from all surfaces, relative to 1 m plus the
+     * distance from the origin.
      */
     private static final double ROUNDING = 1e-13;
     private static final int MOST_SWEEPS = 100;

@@ -91,7 +91,7 @@ public final class Emitter implements Rule {
         born++;
     }
 
-    /** @return how many particles were born so far */
+    /** @return the number of particles born so far */
     public long getBorn() {
         return born;
     }

@@ -84,7 +84,7 @@ public final class ExactImpacts implements EventRule {
 
     /**
      * Removes the solver's error that would let particles drift off a curved surface; everything else happens at
-     * events. The laws do not change, and no energy is booked.
+     * events. The equations do not change, and no work is recorded.
      */
     @Override
     public boolean afterStep(ParticleSystem system, double deltaT) {

@@ -15,9 +15,9 @@ public final class GlideMotion implements AnchorMotion {
     private final double duration;
 
     /**
-     * @param from     where it begins at t = 0 (m)
-     * @param to       where it ends (m)
-     * @param duration how long it takes (s), positive
+     * @param from     the position at t = 0 (m)
+     * @param to       the position at the end (m)
+     * @param duration the duration of the motion (s), positive
      * @throws IllegalArgumentException if the duration is not positive or a number not finite
      */
     public GlideMotion(Vector3 from, Vector3 to, double duration) {

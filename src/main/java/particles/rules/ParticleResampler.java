@@ -10,10 +10,10 @@ import particles.law.Vector3;
 import particles.view.SpringView;
 
 /**
- * Keeps the density of samples even, the slides' "birth/death rules e.g. to maintain uniform density of samples": at
- * the end of a step two particles that are too close merge, and one without near neighbours splits. Mass and momentum
- * are conserved: a merged particle has both masses, the centre of mass and its velocity; the halves of a split one have
- * equal velocities. A merger loses the kinetic energy of the relative motion.
+ * Keeps the density of particles even by births and deaths, the slides' "birth/death rules e.g. to maintain uniform
+ * density of samples": at the end of a step two particles that are too close merge, and one without near neighbours
+ * splits. Mass and momentum are conserved: a merged particle has both masses, the centre of mass and its velocity; the
+ * halves of a split one have equal velocities. A merger loses the kinetic energy of the relative motion.
  *
  * <p>Fixed particles and those with springs neither merge nor split. New particles have new ids, {@code sample[3]}, and
  * the lifetime of the particle they came from, of the heavier one in a merger.

@@ -148,6 +148,10 @@ public final class YamlText {
         return false;
     }
 
+    private static String inPart(MarkedYamlEngineException e) {
+        return e.getContextMark().map(mark -> ", in the part that begins at line " + (mark.getLine() + 1)).orElse("");
+    }
+
     /** The parser's reason, and what experience says about it. */
     private static String reason(MarkedYamlEngineException e, String text) {
         String problem = e.getProblem() == null ? "the text ends too early or continues unexpectedly" : e.getProblem();
@@ -156,13 +160,16 @@ public final class YamlText {
                 index)) == '\t') {
             return "a tab; YAML is indented by spaces";
         }
-        String hint = "";
         if (problem.startsWith("mapping values are not allowed")) {
-            hint = " (a text with a colon in it needs quotes around it)";
-        } else if (problem.startsWith("expected ',' or")) {
-            hint = " (inside [ ] and { } an id such as cloth[3,4] needs quotes around it)";
+            return problem + inPart(e) + " (a text with a colon in it needs quotes around it)";
         }
-        String begun = e.getContextMark().map(mark -> ", in what begins at line " + (mark.getLine() + 1)).orElse("");
-        return problem + begun + hint;
+        if (problem.startsWith("expected ',' or '") && e.getContextMark().isPresent()) {
+            String found = problem.substring(problem.indexOf("but got ") + "but got ".length());
+            String open = problem.contains("'}'") ? "{" : "[";
+            return "the '" + open + "' of line " + (e.getContextMark().get().getLine() + 1) + " is not closed before "
+                    + (found.equals("<stream end>") ? "the end" : "this '" + found + "'")
+                    + (found.equals("[") ? " (an id such as cloth[3,4] needs quotes here)" : "");
+        }
+        return problem + inPart(e);
     }
 }

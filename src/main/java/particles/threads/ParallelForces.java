@@ -44,7 +44,7 @@ public final class ParallelForces implements ParallelDerivative {
     }
 
     /**
-     * Lets several threads evaluate the forces of a system when there are enough of them.
+     * Lets several threads evaluate the forces of a system if it has enough of them.
      *
      * @param system the system
      * @param threads the number of threads, including the caller's; 1 ends all others

@@ -30,7 +30,7 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
         this(title, xLabel, yLabel, xLog, yLog, List.of(), series);
     }
 
-    /** How a series is drawn. */
+    /** The ways of drawing a series. */
     public enum Mark {
         /** A line without points. */
         LINE,
@@ -57,7 +57,7 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
      *
      * @param name the name in the legend; if it begins with a solver's name, the series has that solver's colour and
      *             mark in all charts, and other series beside it are grey
-     * @param mark how it is drawn
+     * @param mark the way of drawing it
      * @param x    the abscissae
      * @param y    the ordinates, as many as x has entries
      */

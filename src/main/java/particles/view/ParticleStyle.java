@@ -3,14 +3,14 @@ package particles.view;
 import java.util.List;
 
 /**
- * How free particles are drawn: kind, colours, trails, day or night.
+ * The drawing style of free particles: kind, colours, trails, day or night.
  *
  * @param kind       the shape of a particle
  * @param ageColours the colours of a glow through a particle's life, evenly spread from its birth to its death,
  *                   0xRRGGBB
- * @param trail      how long a trail stays visible (s); 0 for no trails
+ * @param trail      the time for which a trail stays visible (s); 0 for no trails
  * @param night      whether the sky is dark, so that a glow is visible
- * @param arrows     how long arrows along velocities are: as far as a particle gets in this time (s); 0 for none
+ * @param arrows     the length of velocity arrows: the distance that a particle covers in this time (s); 0 for none
  * @param marks      particles that are drawn in their own way
  */
 public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, boolean night, double arrows,

@@ -3,10 +3,10 @@ package particles.view;
 import java.util.List;
 
 /**
- * Which parts of a scene are drawn, and in which colours.
+ * Render options: the parts of a scene that are drawn, and their colours.
  *
- * @param particles      which particles are drawn
- * @param springs        which springs are drawn
+ * @param particles      whether particles are drawn
+ * @param springs        whether springs are drawn
  * @param particleRadius the radius of a particle as it is drawn (m), positive, or 0 for one that suits the scene's size
  * @param strainRange    the strain (stretch over rest length) at which a spring has the full colour of stretched or
  *                       compressed, positive: 0.1 for 10 %
@@ -14,7 +14,7 @@ import java.util.List;
  * @param fixedColour    the colour of fixed particles
  * @param frontColour    the colour of a surface's front
  * @param backColour     the colour of its back
- * @param style          how free particles are drawn
+ * @param style          the drawing style of free particles
  */
 public record RenderOptions(Visibility particles, Visibility springs, double particleRadius, double strainRange,
         int particleColour, int fixedColour, int frontColour, int backColour, ParticleStyle style) {
@@ -23,7 +23,7 @@ public record RenderOptions(Visibility particles, Visibility springs, double par
     public static final RenderOptions STANDARD = new RenderOptions(Visibility.BESIDE_SURFACES,
             Visibility.BESIDE_SURFACES, 0, 0.1, 0xf0a43c, 0x5a6270, 0xd9534f, 0x4a78b5, ParticleStyle.STANDARD);
 
-    /** Which of the particles, or of the springs, are drawn. */
+    /** Whether particles, or springs, are drawn. */
     public enum Visibility {
         /** All. */
         ALWAYS,

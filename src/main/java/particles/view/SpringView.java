@@ -2,13 +2,13 @@ package particles.view;
 
 /** Read-only view of springs, for pictures and messages. */
 public interface SpringView {
-    /** @return how many springs there are */
+    /** @return the number of springs */
     int springCount();
 
-    /** @return the index of the particle where spring s begins */
+    /** @return the index of the particle at the first end of spring s */
     int from(int s);
 
-    /** @return the index of the particle where spring s ends */
+    /** @return the index of the particle at the second end of spring s */
     int to(int s);
 
     /** @return the length at which spring s exerts no force (m) */

@@ -25,7 +25,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code gradle race}: solvers beside each other, with equal work. */
-@Command(name = RaceCommand.NAME, description = "Runs solvers with equal work on a scene, side by side in one animation.")
+@Command(name = RaceCommand.NAME,
+        description = "Runs solvers with equal work on a scene, side by side in one animation.")
 public final class RaceCommand extends ExperimentCommand {
     static final String NAME = "race";
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";

@@ -47,11 +47,11 @@ final class SceneStabilityPage {
                 limits);
         if (!growth.series().isEmpty()) {
             pictures.add(Picture.chart("growth",
-                    "Lines: the largest factor of any mode in one step, by the spectrum. Points: the step at"
+                    "Lines: the largest factor of any mode in one step, as predicted. Points: the step at"
                     + " which pairs of runs began to move apart, by bisection.", growth));
         }
         return new ResultPage(StabilityCommand.NAME, title(scene, limits, fastest), text(spectrum, fastest), pictures,
-                List.of(SceneStability.table(limits), modes(spectrum)));
+                List.of(SceneStability.table(limits, scene.deltaT()), modes(spectrum)));
     }
 
     private static String planeTitle(SceneDescription scene, Mode fastest) {
@@ -74,13 +74,14 @@ final class SceneStabilityPage {
                 : String.format(Locale.ROOT, " Some motion grows by itself, by %.3g /s: that is physics, not an"
                         + " error of the solver.", spectrum.growth());
         return List.of(String.format(Locale.ROOT,
-                "By the spectrum: the scene's equations, linearised at its start, have eigenvalues up to"
+                "Predicted: the scene's equations, linearised at its start, have modes with eigenvalues up to"
                         + " |lambda| = %.8g /s (%s, %d products with the Jacobian, relative error below %.0e). The"
-                        + " longest safe step is the one at which the solver's own factor of some mode leaves"
-                        + " 1.%s", fastest.size(),
+                        + " longest safe step is the one at which the solver's own factor of some mode exceeds"
+                        + " 1. A mode counts even if the scene does not excite it, such as the sideways swing of a"
+                        + " stretched spring.%s", fastest.size(),
                         spectrum.method(),
                 spectrum.products(), Math.max(1e-15, spectrum.error()), grows),
-                "By running: two runs of the whole scene, rules included, begin a ten-millionth of its size apart. A"
+                "Measured: two runs of the whole scene, rules included, begin a ten-millionth of its size apart. A"
                         + " step is unsafe if 512 of them bring the runs 20 times farther apart than the motion itself"
                         + " does, as very short steps show it, or if a run fails; the limit is bisected to 2e-3 of it."
                         + " Growth, too, is counted over that of the motion itself."

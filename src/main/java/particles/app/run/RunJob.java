@@ -97,7 +97,7 @@ final class RunJob {
             RunSummaryWriter.write(folder, summary.record());
             observers.drawCharts(charts);
             summary.lines().forEach(out::println);
-            out.println("in " + results + ": " + String.join(", ", files.names()));
+            out.println("files in " + results + ": " + String.join(", ", files.names()));
             FolderSize.notice(results, style).ifPresent(out::println);
             early.ifPresent(why -> {
                 throw new Failure(ExitCode.STOPPED, why);

@@ -62,9 +62,10 @@ final class Summary {
                 + " at the end; largest change " + joules(record.largestEnergyDrift()));
         double error = record.largestRelativeNumericalError();
         boolean damped = DAMPING_SOLVERS.contains(record.solver()) && record.numericalError() < 0;
-        lines.add((damped ? "numerical damping: " : "numerical error: ") + "at most "
-                + joules(record.largestNumericalError()) + " (" + Digits.few(error) + " of the energy scale, "
-                + joules(record.energyScale()) + ")");
+        boolean blownUp = endedEarly && error > LARGE_ERROR;     // then the scale is that of the error
+        lines.add("numerical error: at most " + joules(record.largestNumericalError()) + (blownUp ? ""
+                : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
+                + (damped ? ", by numerical damping" : ""));
         if (error > LARGE_ERROR && !endedEarly && !damped) {    // a run that blew up says more of itself
             lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
                     + " this motion. Try a smaller deltaT or another solver.");

@@ -67,7 +67,7 @@ public final class GradeCommand extends ProgramCommand {
     /** One graded item: its name, whether it was handed in, and its mark. */
     private record Graded(String name, boolean answered, Mark mark) {
         void print(PrintWriter out) {
-            out.println((!answered ? "no answer " : mark.right() ? "mark      " : "no mark   ") + name);
+            out.println((!answered ? "missing   " : mark.right() ? "mark      " : "no mark   ") + name);
             if (answered) {
                 mark.lines().forEach(line -> out.println("            " + line));
             }

@@ -99,7 +99,7 @@ final class SpringBlocks {
         }
     }
 
-    /** How many blocks there are, a power of two. */
+    /** The number of blocks, a power of two. */
     int count() {
         return count;
     }

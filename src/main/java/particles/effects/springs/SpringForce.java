@@ -40,8 +40,8 @@ public final class SpringForce implements DivisibleEffect, DifferentiableEffect,
     /**
      * Adds a spring.
      *
-     * @param i          the index of the particle where it begins
-     * @param j          the index of the particle where it ends, another one
+     * @param i          the index of the particle at its first end
+     * @param j          the index of the particle at its second end, not i
      * @param stiffness  k (N/m), 0 or more
      * @param restLength l (m), 0 or more
      * @param damping    k_d (N s/m), 0 or more

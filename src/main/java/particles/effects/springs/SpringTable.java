@@ -4,8 +4,8 @@ import java.util.Arrays;
 import particles.law.Particles;
 
 /**
- * Flat arrays of all springs' data. Springs can be added and removed, follow when particles are removed, and are sorted
- * into the order in which their forces are evaluated fastest.
+ * The data of all springs in flat arrays, sorted into the order in which their forces are evaluated fastest. Springs
+ * can be added and removed; they are removed with their particles.
  */
 final class SpringTable {
     private static final int NOT_COUNTED = -1;

@@ -15,6 +15,8 @@ import particles.experiments.runs.SolverChoice;
 import particles.experiments.spectrum.Mode;
 import particles.experiments.spectrum.Spectrum;
 import particles.experiments.stability.PerturbationGrowth.Twins;
+import particles.law.Particles;
+import particles.ParticleSystem;
 import particles.scene.format.SceneDescription;
 import particles.view.DataTable;
 
@@ -35,7 +37,7 @@ public final class SceneStability {
     private static final double ADAPTIVE_TIMES = 10;
     /** Radians in the scene's duration: what turns less is round-off, or drag that grows with the speed, at rest. */
     private static final double SLOWEST = 1e-3;
-    /** A limit by running this many times off is not set by the modes of the start. */
+    /** A measured limit this many times off is not set by the modes of the start. */
     private static final double FAR_OFF = 1.5;
     /** Part of the rk4 limit at which twins show what the motion itself does to a distance. */
     private static final double FINE = 0.5;
@@ -45,6 +47,7 @@ public final class SceneStability {
 
     private final SceneDescription scene;
     private final Spectrum spectrum;
+    private final Particles particles;
     private final PerturbationGrowth twins;
     private final Map<Mode, Twins> fine = new HashMap<>();
 
@@ -54,7 +57,7 @@ public final class SceneStability {
      * @param solver    which
      * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an
      *                  adaptive solver its longest sub-step; NaN for a solver that is not in the catalogue
-     * @param measured  the longest safe step by running (s): 0 if the scene's deltaT and shorter ones grow,
+     * @param measured  the longest safe step on runs (s): 0 if the scene's deltaT and shorter ones grow,
      *                  infinite if no step grew
      * @param predictedGrowth what a step of the scene's deltaT adds by theory, as a part of the distance
      * @param measuredGrowth  what it added
@@ -68,6 +71,7 @@ public final class SceneStability {
     private SceneStability(SceneDescription scene, Spectrum spectrum) {
         this.scene = scene;
         this.spectrum = spectrum;
+        particles = atStart(scene).getParticles();
         twins = new PerturbationGrowth(scene);
     }
 
@@ -96,10 +100,13 @@ public final class SceneStability {
 
     /** @return the spectrum of the scene's start, without modes too slow to be seen in the scene's duration */
     public static Spectrum spectrum(SceneDescription scene) {
-        Setting setting = new Setting(SolverChoice.of("rk4"), scene.deltaT(), Optional.empty());
-        Spectrum all = Spectrum.of(SceneRun.build(scene, setting, scene.deltaT()).system());
+        Spectrum all = Spectrum.of(atStart(scene));
         return new Spectrum(all.modes().stream().filter(mode -> mode.size() * scene.duration() > SLOWEST).toList(),
                 all.method(), all.products(), all.error());
+    }
+
+    private static ParticleSystem atStart(SceneDescription scene) {
+        return SceneRun.build(scene, setting(SolverChoice.of("rk4"), scene.deltaT()), scene.deltaT()).system();
     }
 
     private Limit limit(SolverChoice solver) {
@@ -120,8 +127,7 @@ public final class SceneStability {
         }
         Twins pair = twins.run(setting(solver, scene.deltaT()), most, PerturbationGrowth.STEPS);
         return new Limit(solver, 0, 0, theory.factor(most, scene.deltaT()) - 1, pair.factor(motion(most)) - 1,
-                String.format(Locale.ROOT, "the mode of |lambda| = %.4g /s grows most at deltaT = %s s", most.size(),
-                        scene.deltaT()));
+                String.format(Locale.ROOT, "%s grows most", named(most)));
     }
 
     private Limit bisected(SolverChoice solver, double predicted, double start, Mode mode) {
@@ -140,7 +146,7 @@ public final class SceneStability {
             unsafe *= BRACKET;
             if (n == MOST_BRACKETS) {
                 return new Limit(solver, predicted, Double.POSITIVE_INFINITY, Double.NaN, Double.NaN,
-                        String.format(Locale.ROOT, "run at %.3g s", safe));
+                        String.format(Locale.ROOT, "longest tried: %.3g s", safe));
             }
         }
         while (unsafe > safe * (1 + ACCURACY)) {
@@ -154,7 +160,7 @@ public final class SceneStability {
         double measured = Math.sqrt(safe * unsafe);
         boolean agree = Math.max(predicted / measured, measured / predicted) < FAR_OFF;
         return new Limit(solver, predicted, measured, Double.NaN, Double.NaN, agree || Double.isNaN(predicted)
-                ? String.format(Locale.ROOT, "set by |lambda| = %.6g /s", mode.size())
+                ? "set by " + named(mode)
                 : "the motion soon leaves the modes of its start");
     }
 
@@ -203,15 +209,34 @@ public final class SceneStability {
             done = deltaT;
         }
         return new Limit(solver, predicted, Double.POSITIVE_INFINITY, predictedGrowth, Double.NaN,
-                String.format(Locale.ROOT, "run at %.3g s, %.3g times 2/|lambda|", done, done / unit));
+                String.format(Locale.ROOT, "longest tried: %.3g s", done));
+    }
+
+    /** A mode by the particle that moves most in it. */
+    private String named(Mode mode) {
+        double[] shape = mode.shape();
+        int most = 0;
+        double largest = 0;
+        for (int x = 0; x < shape.length; x += Particles.STRIDE) {
+            double size = shape[x] * shape[x] + shape[x + 1] * shape[x + 1] + shape[x + 2] * shape[x + 2];
+            if (size > largest) {
+                largest = size;
+                most = x / Particles.STRIDE;
+            }
+        }
+        return String.format(Locale.ROOT, "the mode of '%s' (|lambda| = %.4g /s)", particles.id(most), mode.size());
     }
 
     private static Setting setting(SolverChoice solver, double deltaT) {
         return new Setting(solver, deltaT, Optional.empty());
     }
 
-    /** @return the table: a row for each solver */
-    public static DataTable table(List<Limit> limits) {
+    /**
+     * @param limits of the solvers
+     * @param deltaT the scene's step, at which growth was measured
+     * @return the table: a row for each solver
+     */
+    public static DataTable table(List<Limit> limits, double deltaT) {
         List<List<Object>> rows = new ArrayList<>();
         for (Limit limit : limits) {
             boolean sub = limit.solver().adaptive() && limit.predicted() > 0
@@ -221,10 +246,11 @@ public final class SceneStability {
                             : text(limit.predicted(), limit.predictedGrowth()),
                     text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
         }
-        return new DataTable("largest-safe-step", "The largest safe deltaT (s); growth is that at the scene's deltaT",
-                List.of(
-                DataTable.column("solver"), DataTable.column("by the spectrum"), DataTable.column("by running"),
-                DataTable.column("running/spectrum"), DataTable.column("remark")), rows);
+        return new DataTable("largest-safe-step",
+                "The largest safe deltaT (s); growth is given at the scene's deltaT, " + deltaT + " s",
+                List.of(DataTable.column("solver"), DataTable.column("predicted by modes"),
+                DataTable.column("measured on runs"), DataTable.column("measured/predicted"),
+                DataTable.column("remark")), rows);
     }
 
     private static Object ratio(Limit limit) {
@@ -234,8 +260,8 @@ public final class SceneStability {
     }
 
     private static String text(double value, double growth) {
-        if (value == 0 && !Double.isNaN(growth)) {
-            return growth > 0 ? StabilityLimit.text(0, growth)
+        if (value == 0) {
+            return Double.isNaN(growth) ? "none" : growth > 0 ? StabilityLimit.text(0, growth)
                     : String.format(Locale.ROOT, "no growth seen in %d steps", PerturbationGrowth.STEPS);
         }
         return value > 0 && value < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.6g", value)

@@ -70,9 +70,9 @@ public record StabilityLimit(double value, double growth) {
             return "-";
         }
         if (value == 0) {
-            return Double.isNaN(growth) ? "none"
-                    : growth < ROUND_OFF ? "none: growth below round-off at 0.1"
-                    : String.format(Locale.ROOT, "none: grows by %.2e a step", growth);
+            return Double.isNaN(growth) ? "always grows"
+                    : growth < ROUND_OFF ? "always grows: too little to see"
+                    : String.format(Locale.ROOT, "always grows: %.2e a step", growth).replace("e-0", "e-");
         }
         return value == Double.POSITIVE_INFINITY ? "unbounded" : String.format(Locale.ROOT, "%.4f", value);
     }

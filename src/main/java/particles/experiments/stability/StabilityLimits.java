@@ -28,7 +28,7 @@ public final class StabilityLimits {
             progress.reached((double) rows.size() / all.size(), "limits of " + info.name());
             rows.add(row(info));
         }
-        return new DataTable("limits", "The largest stable deltaT |lambda|; growth is that at 0.1",
+        return new DataTable("limits", "The largest stable deltaT |lambda|; growth is given at deltaT |lambda| = 0.1",
                 List.of(DataTable.column("solver"),
                 DataTable.column("real limit: theory"), DataTable.column("measured"),
                 DataTable.column("imaginary limit: theory"),
@@ -43,7 +43,7 @@ public final class StabilityLimits {
         List<String> never = SolverCatalog.all().stream().filter(info -> info.imaginaryLimit() == 0)
                 .map(SolverInfo::name).toList();
         return "A step has no limit with " + together(free) + "; with " + together(never)
-                + " every undamped spring grows";
+                + " an undamped spring grows in every step";
     }
 
     private static String together(List<String> names) {

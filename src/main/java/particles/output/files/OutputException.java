@@ -5,6 +5,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
@@ -35,7 +36,7 @@ public class OutputException extends RuntimeException {
      * @param cause why it failed
      */
     public OutputException(Path file, String what, IOException cause) {
-        this(file, what, reason(cause), cause);
+        this(file, what, reason(file, cause), cause);
     }
 
     /** @return the file or folder */
@@ -44,12 +45,14 @@ public class OutputException extends RuntimeException {
     }
 
     /** The message of a file system's exception is often only the file's name, so its class is used too. */
-    private static String reason(IOException e) {
+    private static String reason(Path file, IOException e) {
         if (e instanceof AccessDeniedException) {
             return "permission denied";
         }
         if (e instanceof NoSuchFileException) {
-            return "its folder does not exist";
+            Path folder = file.toAbsolutePath().getParent();
+            return folder != null && Files.isDirectory(folder) ? "the system does not allow it"
+                    : "its folder does not exist";
         }
         if (e instanceof NotDirectoryException || e instanceof FileAlreadyExistsException) {
             return "a file is where a folder should be";

@@ -3,10 +3,10 @@ package particles.reactions.algebra;
 import java.util.Arrays;
 
 /**
- * Solves a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and wires, and lambda
- * &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. The active contacts are
- * found by principal pivoting with the least index first, starting with all (K. Murty 1974); each set takes one linear
- * system. If A is positive definite the search always ends.
+ * Active-set solver of a mixed linear complementarity problem: A lambda - b = w with w = 0 in the rows of rods and
+ * wires, and lambda &ge; 0, w &ge; 0, lambda w = 0 in those of contacts: a contact either pushes or separates. The
+ * active contacts are found by principal pivoting with the least index first, starting with all (K. Murty 1974); each
+ * set takes one linear system. If A is positive definite the search always ends.
  */
 public final class ActiveSetMethod {
     private static final double ROUNDING = 1e-10;
@@ -25,7 +25,7 @@ public final class ActiveSetMethod {
      * Solves the problem.
      *
      * @param n       the number of rows
-     * @param free    how many of the first rows are rods and wires
+     * @param free    the number of rows of rods and wires, which come first
      * @param a       A by rows
      * @param b       b
      * @param signed  whether contacts can only push; if false, all of them hold unless they determine each other

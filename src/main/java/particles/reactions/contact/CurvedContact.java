@@ -26,7 +26,7 @@ final class CurvedContact {
     /**
      * Computes the derivatives for a particle.
      *
-     * @param pushing which of the touched surfaces push; the first active are valid
+     * @param pushing the indices of the touched surfaces that push; the first active entries are valid
      * @param inverse the inverse of G for them
      */
     void begin(TouchedSurfaces touched, double mass, double[] state, int v, int[] pushing, int active,

@@ -3,9 +3,9 @@ package particles.reactions.wires;
 import particles.view.CurveView;
 
 /**
- * A curve in space for a bead to slide along, defined as the common zeros of two smooth functions of position. Their
- * gradients must be linearly independent on the curve, and near it their values must be approximate distances from it
- * (m).
+ * A wire: a curve in space along which a bead slides, defined as the common zeros of two smooth functions of position.
+ * Their gradients must be linearly independent on the curve, and near it their values must be approximate distances
+ * from it (m).
  */
 public interface Curve extends CurveView {
     /** The number of functions of a curve. */

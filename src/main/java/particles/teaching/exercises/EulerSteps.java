@@ -13,7 +13,7 @@ final class EulerSteps extends NumericExercise {
 
     EulerSteps() {
         super("Three steps of the Euler method", -4, 2,
-                "Write down x, v and a for the start, make one step, and go on from there; a is new in every step.");
+                "Write down x, v and a for the start, make one step, and go on from there; compute a anew each step.");
     }
 
     @Override
@@ -24,8 +24,8 @@ final class EulerSteps extends NumericExercise {
         double v = picks.decimal(5, 15, 1);
         double h = picks.of(0.1, 0.15, 0.2, 0.25);
         double answer = new Spring(m, k, 0, x, v).after("euler", STEPS, h).x();
-        return new Question("A particle of m = " + Draw.text(m) + " kg hangs on a spring of k = " + Draw.text(k)
-                + " N/m: x'' = -(k/m) x. It is at x = "
+        return new Question("A particle of m = " + Draw.text(m) + " kg slides on a spring of k = " + Draw.text(k)
+                + " N/m, without gravity or friction: x'' = -(k/m) x. It is at x = "
                 + Draw.text(x) + " m and moves with v = " + Draw.text(v)
                         + " m/s.\nWhere is it after three Euler steps of deltaT = "
                 + Draw.text(h) + " s?", "m", FOUR_DIGITS, answer, 0.1 * x, List.of(

@@ -93,7 +93,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         List<double[]> points = new ArrayList<>();
         for (int step = 1; step <= ENERGY_STEPS && springs.energy() < BLOWN_UP; step++) {
             solver.stepState(springs, ENERGY_STEP);
-            if (step % 7 == 0) {
+            if (step % 7 == 0 || step == ENERGY_STEPS) {
                 points.add(new double[] {step * ENERGY_STEP, Math.abs(springs.energy() / first - 1)});
             }
         }
@@ -126,12 +126,12 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         rows.addAll(stability.rows());
         if (!verdict.multistep()) {                     // else a step does not multiply the state by a matrix
             StepMatrix step = step(maker, 1);
-            rows.add(List.of("amplitude of a spring after a step of deltaT omega = 1", text(step.radius()),
+            rows.add(List.of("a spring's amplitude, factor in a step of deltaT omega = 1", text(step.radius()),
                     amplitude(step.radius())));
             double area = step.determinant() - 1;
-            rows.add(List.of("area in state space after such a step", text(step.determinant()), small != large
+            rows.add(List.of("areas in state space, factor in such a step", text(step.determinant()), small != large
                     ? "differs from 1 by what the tolerance allows" : Math.abs(area) > 1e-10
-                    ? "not symplectic: " + (area > 0 ? "gains" : "loses") + " area"
+                    ? "not symplectic: areas " + (area > 0 ? "grow" : "shrink")
                     : "symplectic on the spring: areas are kept"));
         }
         rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)),
@@ -146,9 +146,10 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
 
     private static String amplitude(double factor) {
         if (Math.abs(factor - 1) < SHOWN) {
-            return "kept; it was 1";
+            return "kept";
         }
-        return factor > 1 ? "it was 1: it grows in every step" : "it was 1: it shrinks in every step";
+        return String.format(Locale.ROOT, "%s by %.2g %% in every step", factor > 1 ? "grows" : "shrinks",
+                100 * Math.abs(factor - 1));
     }
 
     private static String text(double x) {

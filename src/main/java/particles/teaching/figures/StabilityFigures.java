@@ -97,7 +97,8 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         List<Object> damped = plane.springs ? List.of(DAMPED, text(damping), "of a critically damped spring" + how)
                 : List.of(REAL, text(damping), "of drag alone: on the negative real axis" + how);
         List<Object> undamped = List.of(IMAGINARY, text(spring), "of an undamped spring"
-                + (plane.springs ? "" : ": on the imaginary axis") + (spring.value() == 0 ? "; it always grows" : "")
+                + (plane.springs ? "" : ": on the imaginary axis")
+                + (spring.value() == 0 ? "; grows at any deltaT" : "")
                 + how);
         rows.addAll(plane.springs ? List.of(undamped, damped) : List.of(damped, undamped));
         return new StabilityFigures(rows, Optional.of(chart(name, plane, nearest, damping, spring)),

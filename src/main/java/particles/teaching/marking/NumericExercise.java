@@ -60,8 +60,8 @@ public abstract class NumericExercise implements Exercise {
         return question.text() + "\n" + (question.tolerance() <= FOUR_DIGITS ? "Give four significant digits"
                 : "Give three significant digits") + "; accepted within "
                 + Draw.text(100 * question.tolerance()) + " %. "
-                + (question.unit().isEmpty() ? "The answer is a pure number." : "The unit is " + question.unit() + ".")
-                + " It lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
+                + (question.unit().isEmpty() ? "The answer is a pure number" : "The answer is in " + question.unit())
+                + " and lies between " + Draw.text(lowest) + " and " + Draw.text(highest) + ".";
     }
 
     @Override

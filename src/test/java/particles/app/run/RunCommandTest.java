@@ -138,7 +138,7 @@ class RunCommandTest {
         assertEquals(1 + 51 * 2, rows.size());
         assertTrue(rows.get(102).startsWith("0.5,block,"), rows.get(102));
         assertTrue(lines.toString().contains("0.5 s simulated in 50 steps with 200 evaluations"), lines.toString());
-        String where = "in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json";
+        String where = "files in " + out + ": frames, animation.gif, energy.png, phase.png, trajectory.csv, run.json";
         assertTrue(lines.toString().contains(where), lines.toString());
         String json = Files.readString(out.resolve("run.json"));
         for (String part : List.of("\"scene\" : \"01-block\"", "\"solver\" : \"rk4\"", "\"steps\" : 50",
@@ -297,7 +297,7 @@ class RunCommandTest {
     void aThousandfoldGainIsABlowUp() throws IOException {
         assertEquals(ExitCode.STOPPED, run("--solver=euler", "--duration=20", "--frames=false"));
         assertTrue(errors.toString().matches("euler stopped at t = 9\\.\\d+ s at particle 'block': the numerical error"
-                + " is \\d+ J, over 1000 times the energy to be expected, [\\d.]+ J\\R"
+                + " is \\d+ J, over 1000 times the energy that the forces explain, [\\d.]+ J\\R"
                 + "undamped springs gain energy with euler at any deltaT\\Rtry -Psolver=rk4\\R"), errors.toString());
     }
 

@@ -52,7 +52,8 @@ class SummaryTest {
     void energyLostByABackwardEulerMethodIsNumericalDamping(String solver) throws IOException {
         List<String> lines = lines(solver, 0.1, 10);
         assertEquals(4, lines.size(), lines.toString());
-        assertEquals("numerical damping: at most 0.315 J (0.63 of the energy scale, 0.5 J)", lines.get(3));
+        assertEquals("numerical error: at most 0.315 J (0.63 of the energy scale, 0.5 J), by numerical damping",
+                lines.get(3));
     }
 
     @Test

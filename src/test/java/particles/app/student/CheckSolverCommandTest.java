@@ -132,7 +132,7 @@ class CheckSolverCommandTest {
     @Test
     void anUnknownNameSaysWhatIsKnown(@TempDir Path folder) {
         assertTrue(here(ExitCode.BAD_INPUT, "HeunSolver",
-                folder).contains("no class is called 'exercises.HeunSolver', and no solver; known"));
+                folder).contains("no class or solver is called 'exercises.HeunSolver'; known"));
     }
 
     private static String failure(Class<?> solver, Path folder) throws IOException, InterruptedException {

@@ -125,7 +125,7 @@ class GradeCommandTest {
         Files.writeString(classes.resolve("BrokenSolver.java"), EULER.formatted("BrokenSolver", "deltaT * dSdx[i]"));
         String screen = grade(ExitCode.BAD_INPUT);
         assertTrue(screen.contains("2 of 15 marks for " + STUDENT), screen);
-        assertEquals(8, screen.lines().filter(line -> line.startsWith("no answer ")).count(), screen);
+        assertEquals(8, screen.lines().filter(line -> line.startsWith("missing   ")).count(), screen);
         assertTrue(screen.strip().endsWith("13 marks are missing"), screen);
 
         String report = Files.readString(folder.resolve("report/grade.md"));
@@ -202,8 +202,8 @@ class GradeCommandTest {
         assertTrue(lines.get(0).endsWith("answers.yaml: there is no such file"), screen);
         assertEquals(1, lines.stream().filter(line -> line.contains("answers.yaml")).count(),
                 "it is said once: " + screen);
-        assertEquals("no answer 1. Three steps of the Euler method", lines.get(1));
-        assertEquals("no answer 12. Design a scene", lines.get(12));
+        assertEquals("missing   1. Three steps of the Euler method", lines.get(1));
+        assertEquals("missing   12. Design a scene", lines.get(12));
         assertTrue(Files.exists(folder.resolve("report/TEST-grade.xml")), "who hands in nothing gets a report too");
     }
 

@@ -66,7 +66,8 @@ class NumericalErrorLimitTest {
         assertTrue(e.isEarly());
         assertEquals(11, e.getTime());
         assertEquals(1, e.getParticle());
-        assertEquals("the numerical error is 1020 J, over 1000 times the energy to be expected, 1 J", e.getMessage());
+        assertEquals("the numerical error is 1020 J, over 1000 times the energy that the forces explain, 1 J",
+                e.getMessage());
     }
 
     /**

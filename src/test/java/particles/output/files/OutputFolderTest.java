@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -201,5 +202,15 @@ class OutputFolderTest {
             Locale.setDefault(before);
         }
         assertTrue(Files.exists(top.resolve("frames/frame-00007.png")));
+    }
+
+    /** As where a folder is to be made in /proc. */
+    @Test
+    void aFileThatTheSystemRefusesDoesNotBlameItsFolder() {
+        IOException refused = new NoSuchFileException(top.resolve("x").toString());
+        assertEquals("cannot write " + top.resolve("x") + ": the system does not allow it",
+                new OutputException(top.resolve("x"), "write", refused).getMessage());
+        assertEquals("cannot write " + top.resolve("none/x") + ": its folder does not exist",
+                new OutputException(top.resolve("none/x"), "write", refused).getMessage());
     }
 }
