@@ -13,7 +13,7 @@ import particles.view.ChartData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle effectCost}: what each effect and rule adds to the time of a step. */
+/** {@code gradle effectCost}: measures the time that each effect and rule adds to a step. */
 @Command(name = EffectCostCommand.NAME,
         description = "Measures what each effect adds to the time of a step.")
 public final class EffectCostCommand extends ExperimentCommand {

@@ -14,7 +14,7 @@ import particles.output.report.Picture;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle stiffGallery}: what stiffness costs. */
+/** {@code gradle stiffGallery}: measures the cost of stiffness. */
 @Command(name = StiffGalleryCommand.NAME,
         description = "Measures what each solver costs as a spring gets stiffer.")
 public final class StiffGalleryCommand extends ExperimentCommand {

@@ -26,7 +26,7 @@ import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle workPrecision}: what precision costs. */
+/** {@code gradle workPrecision}: measures the cost of precision. */
 @Command(name = WorkPrecisionCommand.NAME,
         description = "Plots the error of solvers against their cost, on several problems.")
 public final class WorkPrecisionCommand extends ExperimentCommand {

@@ -61,7 +61,7 @@ final class RunJob {
     /**
      * Runs the scene.
      *
-     * @param out where progress and the summary are printed
+     * @param out the output for progress and the summary
      * @throws Failure if the run ended early; the results until then are complete
      */
     void run(PrintWriter out) {

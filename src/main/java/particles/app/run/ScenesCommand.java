@@ -14,7 +14,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 
-/** {@code gradle scenes}: lists the scenes and what each teaches. */
+/** {@code gradle scenes}: lists the scenes, each with its lesson. */
 @Command(name = "scenes", description = "Lists the scenes and what each teaches.")
 public final class ScenesCommand extends ProgramCommand {
     private static final int WIDTH = 110;

@@ -13,11 +13,11 @@ import particles.scene.Scene;
 
 /** The summary of a run, for people and for run.json. */
 final class Summary {
-    /** Of the energy scale: a tenth is seen in the motion. */
+    /** An error above this part of the energy scale gives a warning: a tenth shows in the motion. */
     private static final double LARGE_ERROR = 0.1;
-    /** These damp what their steps do not resolve, and are chosen for that. */
+    /** Solvers that damp motion which their steps do not resolve, and are chosen for that. */
     private static final Set<String> DAMPING_SOLVERS = Set.of("backward-euler", "linearised-euler");
-    /** Of the energy scale: a few units in the last place. */
+    /** Energies below this part of the energy scale are round-off. */
     private static final double ROUND_OFF = 1e-15;
 
     private final Scene scene;
@@ -44,7 +44,7 @@ final class Summary {
         return record;
     }
 
-    /** @return a few lines */
+    /** @return the summary, a few lines */
     List<String> lines() {
         List<String> lines = new ArrayList<>();
         lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())

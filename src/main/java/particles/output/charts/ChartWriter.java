@@ -17,16 +17,16 @@ import particles.output.text.FontCheck;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/** Writes charts as PNG pictures, and as SVG where that is asked for, all in one style. */
+/** Writes charts as PNG pictures, and as SVG if wanted, all in one style. */
 public final class ChartWriter {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 560;
     private static final int STACKED_HEIGHT = 760;
     private static final int SQUARE_WIDTH = 720;
     private static final int SQUARE_HEIGHT = 700;
-    /** How the name of a picture ends. */
+    /** The ending of a picture's name. */
     public static final String PNG = ".png";
-    /** How the name of a vector graphic ends. */
+    /** The ending of a vector graphic's name. */
     public static final String SVG = ".svg";
 
     private final OutputFolder folder;
@@ -47,7 +47,7 @@ public final class ChartWriter {
     }
 
     /**
-     * Charts above each other over the same x axis, or on slides each by itself.
+     * Writes charts above each other over the same x axis, or on slides each by itself.
      *
      * @param name   the file's name, such as {@code energy.png}; further slides are {@code energy-2.png} and so on
      * @param charts at least one, the uppermost first

@@ -144,7 +144,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         void run() throws IOException;
     }
 
-    /** The file reports its own errors; a broken file is not committed. */
+    /** Runs an action on the file, which reports its own errors; a broken file is not committed. */
     private void attempt(Action action) {
         try {
             action.run();

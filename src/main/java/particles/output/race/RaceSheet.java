@@ -11,7 +11,10 @@ import particles.output.charts.ChartWriter;
 import particles.output.charts.StripChart;
 import particles.output.text.FontCheck;
 
-/** The end of a race as a still of 16:9: the runs beside each other, many of them in two rows, and the chart below. */
+/**
+ * The still of 16:9 that shows the end of a race: the runs beside each other, in two rows if there are many, with the
+ * chart below.
+ */
 final class RaceSheet {
     private static final int MOST_COLUMNS = 6;
     private static final int WIDTH = 960;

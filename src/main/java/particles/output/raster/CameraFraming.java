@@ -27,7 +27,7 @@ public final class CameraFraming {
      * Frames a system at its start with room for its motion: hanging particles may swing around fixed ones, and others
      * may fall to a plane.
      *
-     * @param system at its start
+     * @param system the system at its start
      * @param planes the ground and other planes
      * @param aspect width over height of the pictures
      * @return a perspective camera

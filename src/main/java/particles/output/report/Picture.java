@@ -99,7 +99,7 @@ public final class Picture {
     }
 
     /**
-     * @param file    of a picture that is in the folder already
+     * @param file    the file of a picture that is already in the folder
      * @param caption what it shows
      * @return a picture that is not drawn again, such as an animation
      */
@@ -107,7 +107,7 @@ public final class Picture {
         return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", false, List.of(), false);
     }
 
-    /** @return the picture, marked as one that shows by itself what a larger picture of the page has already */
+    /** @return the picture, marked as a repetition of a part of a larger picture of the page */
     public Picture again() {
         return new Picture(name, caption, file, title, oneScale, panels, true);
     }
@@ -132,7 +132,10 @@ public final class Picture {
         return panels.stream().flatMap(panel -> panel.charts().stream()).toList();
     }
 
-    /** On slides each chart is a picture; elsewhere only what has too many curves is shown by families. */
+    /**
+     * Splits a picture as the format needs: on slides each chart is a picture of its own; elsewhere only charts with
+     * too many curves are split by solver families.
+     */
     List<Picture> laidOut(ChartFormat format) {
         boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
         if (again && format.slide()) {
@@ -157,7 +160,7 @@ public final class Picture {
         return before.isEmpty() ? name : name + "-" + (before.size() + 1);
     }
 
-    /** A chart without a title of its own shows its quantity. */
+    /** The title of a panel; a chart without a title of its own shows its quantity. */
     private static String heading(Panel panel) {
         return panel.title().isEmpty() ? panel.charts().get(0).yLabel() : panel.title();
     }

@@ -16,11 +16,10 @@ import particles.view.ChartData;
 import particles.view.DataTable;
 
 /**
- * Writes what an experiment has to show: each picture with its numbers, each table, and a page that says what they
- * mean.
+ * Writes the results of an experiment: each picture with its numbers, each table, and a page that explains them.
  */
 public final class ResultPageWriter {
-    /** A longer table is for programs. */
+    /** A table with more rows is only written as CSV. */
     private static final int MOST_ROWS = 100;
 
     private ResultPageWriter() {
@@ -74,7 +73,7 @@ public final class ResultPageWriter {
         return lines;
     }
 
-    /** The points of all series below each other. */
+    /** The lines of a CSV file with the points of all series below each other. */
     private static List<String> points(List<ChartData> charts) {
         List<String> lines = new ArrayList<>(List.of("chart,series,x quantity,x,y quantity,y"));
         for (ChartData chart : charts) {
