@@ -24,7 +24,8 @@ public final class BlowUpMessage {
     private static final double SAFETY = 0.9;
     /** Where damping is solved for by fixed point, as in verlet, a step times its rate that converges quickly. */
     private static final double FIXED_POINT = 0.5;
-    private static final String STEADY = "rk4";
+    private static final String STEADY = "verlet";
+    private static final String STEADY_WITH_DAMPING = "rk4";
     private static final String ADAPTIVE = "dormand-prince";
     private static final String STIFF = "backward-euler";
     private static final String ACCURATE = "radau";
@@ -108,7 +109,7 @@ public final class BlowUpMessage {
         }
         if (limit == 0 && fastest > 0) {
             return "\nundamped springs gain energy with " + name + " at any deltaT"
-                    + trying(withStep(SolverCatalog.info(STEADY)));
+                    + trying(withStep(SolverCatalog.info(damping == 0 ? STEADY : STEADY_WITH_DAMPING)));
         }
         if (limit == Double.POSITIVE_INFINITY) {
             return "\n" + name + " has no stability limit, but " + (unsolved && name.equals(STIFF)
