@@ -62,15 +62,15 @@ public final class GustyWind implements Wind {
     /** Steady and gusty wind in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Vector3> MEAN = Key.required("mean", VectorType.of("m/s"),
-                "The wind's steady part (m/s).");
+                "The steady part of the wind (m/s).");
         private static final Key<Vector3> GUST = Key.withDefault("gust", VectorType.of("m/s"), Vector3.ZERO,
-                "The amplitude of the gusts, gust sin(2 pi t / period) (m/s).");
+                "The amplitude of the gusts (m/s); the wind is mean + gust sin(2 pi t / period).");
         private static final Key<Double> PERIOD = Key.withDefault("period", NumberType.positive("s"), 1.0,
-                "The time between gusts (s).");
+                "The period of the gusts (s).");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {
-            super("wind", "Moves the air; drag then carries particles along.", MEAN, GUST, PERIOD);
+            super("wind", "Moves the air. Particles feel it only through drag.", MEAN, GUST, PERIOD);
         }
 
         @Override

@@ -66,7 +66,7 @@ public final class PenaltyPlane extends Penalty {
         private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
                 "Any point of the plane (m).");
         private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""),
-                new Vector3(0, 1, 0), "N, the direction out of the solid; its length does not matter.");
+                new Vector3(0, 1, 0), "A vector that points out of the solid; its length does not matter.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

@@ -126,12 +126,12 @@ public final class PointAttraction implements PerParticleEffect, DifferentiableE
     /** Attraction by a point in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Double> STRENGTH = Key.required("strength", NumberType.any("m^3/s^2"),
-                "mu, the acceleration at 1 m (m^3/s^2); negative repels.");
+                "mu (m^3/s^2): at the distance r the acceleration is mu / r^2; a negative mu repels.");
         private static final Key<Vector3> CENTRE = Key.withDefault("centre", VectorType.of("m"), Vector3.ZERO,
                 "The point that attracts (m).");
         private static final Key<Double> SOFTENING = Key.withDefault("softening", NumberType.notNegative("m"), 0.0,
-                "s: the force is that at the distance sqrt(r^2 + s^2), so that particles may pass through the"
-                        + " centre (m).");
+                "s (m): the acceleration is mu r / (r^2 + s^2)^1.5, so that particles can pass through the"
+                        + " centre.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

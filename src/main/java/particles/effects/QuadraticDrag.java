@@ -55,8 +55,8 @@ public final class QuadraticDrag extends AirDrag {
     /** Quadratic drag in scenes. */
     public static final class Keys extends EffectKind {
         private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative("kg/m"),
-                "c, the force divided by the square of the speed through the air: half of air density times"
-                        + " cross-section times drag coefficient (kg/m).");
+                "c (kg/m): the force is c v^2, with v the speed through the air. c is half of air density times"
+                        + " cross-section times drag coefficient.");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

@@ -21,15 +21,15 @@ public final class SharedKeys {
     public static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "Its radius (m).");
     /** Whether a sphere is a hollow: solid outside, particles inside. */
     public static final Key<Boolean> HOLLOW = Key.withDefault("hollow", FlagType.FLAG, false,
-            "Whether particles belong inside, as in a bowl or a bubble, instead of outside.");
+            "true: particles stay inside, as in a bowl or a bubble; false: outside.");
 
     /** The stiffness of a penalty force. */
     static final Key<Double> STIFFNESS = Key.required("stiffness", NumberType.notNegative("N/m"),
             "k, the push per metre of depth (N/m).");
     /** The damping of a penalty force. */
     static final Key<Double> LOSS = Key.withDefault("loss", NumberType.notNegative("s/m"), 0.0,
-            "Relative increase of the force per m/s of inward speed, and decrease per m/s of outward speed"
-                    + " (s/m); 0 loses no energy.");
+            "b (s/m): at depth d and inward speed v the push is k d (1 + b v), and never negative; 0 loses no"
+                    + " energy.");
 
     private SharedKeys() {
     }

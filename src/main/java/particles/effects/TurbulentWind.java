@@ -124,7 +124,7 @@ public final class TurbulentWind implements Wind {
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {
-            super("turbulence", "Moves the air in eddies of many sizes; drag then carries particles along.", STRENGTH,
+            super("turbulence", "Moves the air in eddies of many sizes. Particles feel it only through drag.", STRENGTH,
                     EDDY_SIZE, MEAN, SharedKeys.SEED);
         }
 

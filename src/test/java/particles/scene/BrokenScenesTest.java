@@ -171,7 +171,7 @@ class BrokenScenesTest {
                 added("look: {ageColours: ['#ffffff']}\n",
                         "x.yaml:8:20: 'ageColours' only works with a glow; add 'particlesAs: glow' or remove it"),
                 added("look: {particlesAs: glow, ageColours: []}\n",
-                        "x.yaml:8:39: 'ageColours' has 0 colours; allowed are 1 to 16 are possible"),
+                        "x.yaml:8:39: 'ageColours' has 0 colours; allowed are 1 to 16"),
                 added("look: {trail: -1}\n",
                         "x.yaml:8:15: 'trail' is -1; it has to be a number from 0 to 1000 (s)"),
                 added("camera: {position: [0, 1, 0], target: [0, 1, 0]}\n",

@@ -26,7 +26,7 @@ class SceneSchemaTest {
     @Test
     void theReferenceHasARowForEachKey() {
         List<String> lines = SceneFormat.reference("###").lines().toList();
-        assertTrue(lines.contains("| `deltaT` | a number over 0 (s) | *needed* | The time step (s). |"));
+        assertTrue(lines.contains("| `deltaT` | a number over 0 (s) | *required* | The time step (s). |"));
         assertTrue(lines.contains("| `acceleration` | three numbers [x, y, z] (m/s^2) | [0, -9.81, 0] | g, the"
                 + " acceleration of free fall (m/s^2). |"));
         for (String heading : List.of("The scene", "A particle", "`rope`", "`cloth`", "`jelly`", "A spring",

@@ -21,9 +21,10 @@ public final class GalleryPage {
             A scene is a text file that names particles, forces, rules and a solver. `gradle run -Pscene=9` runs scene
             9; `-Pscene=my-scene.yaml` runs a file of your own. To write one, copy the scene nearest to what you want
             and change it: each file explains itself in comments. Editors that know JSON Schema complete and check
-            keys by `scene.schema.json`, which each scene names in its first line.
+            keys: the first line of a scene names the schema, `scene.schema.json`.
 
-            `gradle gallery` writes this page, with one picture of each scene. Lines show where particles came from.
+            `gradle gallery` writes this page, with one picture of each scene. Lines are the paths of
+            particles.
 
             | picture | scene |
             | --- | --- |
@@ -32,9 +33,9 @@ public final class GalleryPage {
 
             ## Keys of a scene file
 
-            Lengths are in metres, masses in kilograms, times in seconds; y points up. A key whose default is *needed*
-            has to be given, and a key with an empty default may be left out. An unknown key is an error, with its
-            line.
+            Lengths are in metres, masses in kilograms, times in seconds; y points up. Keys whose default is *required*
+            have to be given, and keys with an empty default may be left out. An unknown key is an error, reported with
+            its line.
 
             """;
 

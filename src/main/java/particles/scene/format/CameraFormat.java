@@ -16,7 +16,8 @@ import particles.view.Camera;
 public final class CameraFormat {
     private static final String PERSPECTIVE = "perspective";
 
-    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where the camera stands (m).");
+    static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"),
+            "The position of the camera (m).");
     static final Key<Vector3> TARGET = Key.required("target", VectorType.of("m"),
             "The point at the centre of the picture (m).");
     static final Key<Vector3> UP = Key.withDefault("up", VectorType.notZero(""), new Vector3(0, 1, 0),

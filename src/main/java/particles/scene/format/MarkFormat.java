@@ -14,10 +14,10 @@ public final class MarkFormat {
     public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
             "The particle that is drawn in this way.");
     static final Key<String> COLOUR = Key.optional("colour", RenderFormat.COLOUR,
-            "Its colour, and that of its trail; by default that of its kind.");
+            "The colour of the particle and its trail; by default that of its kind.");
     static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
-            "The radius of its ball (m); 0 for that of all others.");
-    static final Key<String> LABEL = Key.optional("label", TextType.prose(), "What is written beside it.");
+            "The radius of its ball (m); 0 for the radius of all others.");
+    static final Key<String> LABEL = Key.optional("label", TextType.prose(), "A text beside it.");
 
     static final MappingType TYPE = MappingType.of("a mark", PARTICLE, COLOUR, RADIUS, LABEL);
 

@@ -71,8 +71,8 @@ public record OutputDescription(double frameRate, int width, int height, boolean
         public static final Key<String> AXIS = Key.withDefault("axis", NameType.of("axis", AXES), "y",
                 "The component of position and velocity to plot; or angle, for the angle about another particle.");
         public static final Key<String> ABOUT = Key.optional("about", SpringDescription.ANY_ID,
-                "With axis: angle, the particle that the angle is seen from: 0 straight below it, in the plane of x and"
-                        + " y.");
+                "With axis: angle, the particle about which the angle is measured: 0 straight below it,"
+                        + " counter-clockwise in the x-y plane.");
 
         static final MappingType TYPE = MappingType.of("the phase-space plot", PARTICLE, AXIS, ABOUT);
 
@@ -84,20 +84,20 @@ public record OutputDescription(double frameRate, int width, int height, boolean
 
     public static final Key<Double> FRAME_RATE = Key.withDefault("frameRate", NumberType.between(0.001, 1000, "1/s"),
             25.0,
-            "Pictures per second of simulated time (1/s).");
+            "Frames per second of simulated time (1/s).");
     static final Key<Integer> WIDTH = Key.withDefault("width", new WholeNumberType(16, 4096), 960,
-            "The pictures' width (pixels).");
+            "The width of a frame (pixels).");
     static final Key<Integer> HEIGHT = Key.withDefault("height", new WholeNumberType(16, 4096), 540,
-            "The pictures' height (pixels).");
+            "The height of a frame (pixels).");
     static final Key<Boolean> ANIMATION = Key.withDefault("animation", FlagType.FLAG, true,
-            "Whether to make animation.gif from the pictures.");
+            "Whether to write the frames as animation.gif.");
     static final Key<String> VIDEO = Key.withDefault("video", NameType.of("kind of film", Video.names()),
             Video.NONE.label(),
-            "mp4 to make film.mp4 from the pictures, none for no film.");
+            "mp4: write the frames as film.mp4 too; none: no film.");
     static final Key<Boolean> ENERGY = Key.withDefault("energy", FlagType.FLAG, true,
-            "Whether to plot the energies to energy.png.");
+            "Whether to plot the energies in energy.png.");
     public static final Key<Values> PHASE = Key.optional("phase", Phase.TYPE,
-            "Plots velocity over position of one particle to phase.png; no plot if left out.");
+            "Plots velocity against position of one particle in phase.png; no plot if left out.");
     static final Key<Integer> TRAJECTORY_STRIDE = Key.optional("trajectoryStride", new WholeNumberType(1, 1_000_000),
             "Write every n-th step to trajectory.csv; by default n keeps the file below about 200,000 lines.");
 

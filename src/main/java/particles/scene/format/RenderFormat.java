@@ -28,7 +28,7 @@ public final class RenderFormat {
     private static final RenderOptions STANDARD = RenderOptions.STANDARD;
 
     static final Key<String> PARTICLES = Key.withDefault("particles", NameType.of("choice", SHOWN),
-            nameOf(STANDARD.particles()), "Which particles are drawn.");
+            nameOf(STANDARD.particles()), "Which particles are drawn. beside-surfaces: all but those of a surface.");
     static final Key<String> PARTICLES_AS = Key.withDefault("particlesAs", NameType.of("way of drawing", KINDS),
             nameOf(ParticleStyle.STANDARD.kind()), "How free particles are drawn. balls: shaded; points: dots of the"
                     + " same size at any distance; blobs: drops that merge into one smooth surface; glow: spots"
@@ -37,17 +37,18 @@ public final class RenderFormat {
             "The colours of a glow from birth to death, evenly spaced; by default those of a flame.");
     static final Key<Double> TRAIL = Key.withDefault("trail", NumberType.between(0, 1000, "s"),
             ParticleStyle.STANDARD.trail(),
-            "How long the path of a particle stays visible as a fading line (s); 0 for no trail.");
+            "The time for which a particle's path stays visible as a fading line (s); 0 for no trail.");
     static final Key<String> SKY = Key.optional("sky", NameType.of("sky", SKIES),
             "day or night; by default night for a glow, which does not show by day, and day otherwise.");
     static final Key<String> SPRINGS = Key.withDefault("springs", NameType.of("choice", SHOWN),
-            nameOf(STANDARD.springs()), "Which springs and rods are drawn; the colour of a spring shows its strain.");
+            nameOf(STANDARD.springs()),
+            "Which springs and rods are drawn. Stretched springs are red, compressed ones blue.");
     static final Key<Double> PARTICLE_RADIUS = Key.withDefault("particleRadius", NumberType.notNegative("m"),
             STANDARD.particleRadius(), "The radius of a ball, a single blob or a spot of light (m); 0 to choose"
                     + " it from the scene's size.");
     static final Key<Double> STRAIN_RANGE = Key.withDefault("strainRange", NumberType.positive(""),
             STANDARD.strainRange(),
-            "The strain, stretch over rest length, at which a spring has its full colour.");
+            "The strain, stretch divided by rest length, at which a spring has its full colour.");
     static final Key<String> PARTICLE_COLOUR = colour("particleColour", STANDARD.particleColour(),
             "The colour of particles and trails; a glow has its own.");
     static final Key<String> FIXED_COLOUR = colour("fixedColour", STANDARD.fixedColour(), "The colour of fixed"
@@ -58,8 +59,8 @@ public final class RenderFormat {
             + " surface's back.");
 
     static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.between(0, 1000, "s"), 0.0,
-            "Draws an arrow along each particle's velocity, as long as the way it would go in this time (s); 0 for"
-                    + " no arrows.");
+            "Draws each particle's velocity as an arrow, as long as its path in this time at its present speed (s);"
+                    + " 0 for no arrows.");
     public static final Key<List<Values>> MARKS = Key.withDefault("marks", ListType.of("a mark", MarkFormat.TYPE),
             List.of(), "Particles with a colour, a size or a label of their own.");
 
@@ -94,8 +95,7 @@ public final class RenderFormat {
         int count = values.find(AGE_COLOURS).orElse(List.of()).size();
         if (count < 1 || count > MOST_COLOURS) {
             problems.add(values.place(AGE_COLOURS), "'ageColours' has " + count + " colours; allowed are 1"
-                    + " to " + MOST_COLOURS
-                    + " are possible");
+                    + " to " + MOST_COLOURS);
         }
         if (values.find(PARTICLES_AS).filter(as -> !as.equals(GLOW)).isPresent()) {
             problems.add(values.place(AGE_COLOURS), "'ageColours' only works with a glow; add 'particlesAs:"

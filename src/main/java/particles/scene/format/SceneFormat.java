@@ -26,30 +26,30 @@ import particles.spec.documents.Reference;
 /** The format of scene files. The reader, its messages, the schema and the reference are all made from it. */
 public final class SceneFormat {
     public static final Key<String> TITLE = Key.required("title", TextType.prose(),
-            "What the scene shows, in a few words.");
+            "The scene's title, a few words.");
     public static final Key<String> TEACHES = Key.required("teaches", TextType.prose(),
-            "What it teaches, in a sentence or two.");
+            "The lesson of the scene, in a sentence or two.");
     public static final Key<Values> SOLVER = Key.required("solver", SolverFormat.TYPE,
             "The method that solves the equations of motion.");
     public static final Key<Double> DELTA_T = Key.required("deltaT", NumberType.positive("s"), "The time step (s).");
-    public static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"), "How long the run"
-            + " lasts (s).");
-    public static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64), "How many threads"
-            + " evaluate the forces of a large system; by default one for each processor. The result is the"
-            + " same, bit for bit.");
+    public static final Key<Double> DURATION = Key.required("duration", NumberType.notNegative("s"),
+            "The duration of the run (s).");
+    public static final Key<Integer> THREADS = Key.optional("threads", new WholeNumberType(1, 64),
+            "The number of threads that evaluate the forces of a large system; by default one for each processor. The"
+                    + " result is the same with any number, bit for bit.");
     public static final Key<List<Values>> PARTICLES = Key.withDefault("particles", ListType.of("a particle",
             ParticleDescription.TYPE),
-            List.of(), "Particles, one by one; they pass through each other.");
+            List.of(), "Single particles. Particles do not collide with each other.");
     public static final Key<List<Chosen<ShapeKind>>> SHAPES = Key.withDefault("shapes",
             ListType.of("a shape", new KindType<>("shape", ShapeKind.ALL)), List.of(),
-                    "Many particles and springs at once.");
+                    "Ropes, cloths and blocks: many particles and springs at once.");
     public static final Key<List<Values>> SPRINGS = Key.withDefault("springs",
             ListType.of("a spring", SpringDescription.TYPE),
             List.of(),
             "Springs between any two particles.");
     public static final Key<List<Values>> RODS = Key.withDefault("rods", ListType.of("a rod", RodDescription.TYPE),
             List.of(),
-            "Rigid rods between any two particles, as long as their initial distance.");
+            "Rigid rods between any two particles. The length of a rod is the initial distance of its particles.");
     public static final Key<List<Chosen<WireKind>>> WIRES = Key.withDefault("wires",
             ListType.of("a wire", new KindType<>("wire", WireKind.ALL)), List.of(), "Wires that particles slide"
                     + " along.");
@@ -59,23 +59,24 @@ public final class SceneFormat {
             ListType.of("an effect", new KindType<>("effect", EffectCatalog.ALL)
                     .orByClass(EffectKind.class, "exercises.MyForce")
                     .notToConfuseWith("rule", "rules", RuleKind.ALL)), List.of(),
-            "Forces on all particles; only those named here act.");
+            "Force laws besides springs; only laws named here act. Without gravity, for example, nothing falls.");
     public static final Key<List<Chosen<RuleKind>>> RULES = Key.withDefault("rules",
             ListType.of("a rule", new KindType<>("rule", RuleKind.ALL)
                     .notToConfuseWith("effect", "effects", EffectCatalog.ALL)), List.of(),
-            "What happens between steps; only rules named here act.");
+            "Rules that act between steps, such as bounces; only rules named here act.");
     public static final Key<String> IMPACT = Key.withDefault("impact",
             NameType.of("kind of impact", List.of("clamp", "exact")),
             "clamp",
-            "clamp: after each step, particles below a surface are moved onto it and bounce with the speed they"
-                    + " have then, up to deltaT late; in a groove they may keep jumping by about g deltaT^2."
-                    + " exact: the step is divided at the impact.");
+            "exact: each step is divided at the moment of impact. clamp: after each step, particles below a"
+                    + " surface are moved onto it and bounce, so impacts come up to deltaT late. With clamp, particles"
+                    + " in a groove may keep jumping by about g deltaT^2.");
     public static final Key<Values> CAMERA = Key.optional("camera", CameraFormat.TYPE,
-            "Where the scene is seen from; by default so that everything fits into the picture.");
+            "The position and direction of the camera; by default everything fits into the picture.");
     public static final Key<Values> LOOK = Key.optional("look", RenderFormat.TYPE, "How things are drawn.");
     public static final Key<Values> OUTPUT = Key.optional("output", OutputDescription.TYPE, "Which files are written.");
     public static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
-            "The run ends when the kinetic energy exceeds the scene's own energy scale by this factor.");
+            "The run has blown up, and ends, when the kinetic energy is this many times the energy to be expected. That"
+                    + " energy is estimated before the run.");
 
     public static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION,
             PARTICLES,

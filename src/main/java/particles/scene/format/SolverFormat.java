@@ -21,10 +21,11 @@ public final class SolverFormat {
             "The method that solves the equations of motion.");
     static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0,
                     AdaptiveSolver.LOOSEST_TOLERANCE, ""),
-            "The error that an adaptive solver allows in a sub-step, relative to the state; 1e-6 if only the"
-                    + " other is given.");
+            "In a sub-step, an adaptive solver keeps the error of each entry of the state below absoluteTolerance"
+                    + " + relativeTolerance times the entry's size, the larger of that before and after; 1e-6 by"
+                    + " default.");
     static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
-            "The error that it allows in addition, in m and m/s; 1e-9 if only the other is given.");
+            "See relativeTolerance (in m and m/s); 1e-9 by default.");
 
     static final MappingType TYPE = MappingType.of("the solver", NAME, RELATIVE, ABSOLUTE).shortFor(NAME);
 

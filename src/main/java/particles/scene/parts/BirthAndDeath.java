@@ -19,8 +19,8 @@ final class BirthAndDeath {
     }
 
     private static final Key<Double> STRAIN = Key.required("strain", NumberType.positive(""),
-            "The strain, stretch over rest length, at which a spring tears: 0.5 is one and a half times its"
-                    + " rest length.");
+            "A spring tears at this strain, stretch divided by rest length: 0.5 means at 1.5 times its rest"
+                    + " length.");
 
     static final RuleKind TEAR = new RuleKind("tear", "Removes springs that are stretched too far.", STRAIN) {
         @Override
@@ -35,25 +35,25 @@ final class BirthAndDeath {
     };
 
     private static final Key<String> ID = Key.required("id", ParticleDescription.NEW_ID,
-            "Its name. Its particles get ids that begin with it: fountain[0], fountain[1] ... It must differ"
-                    + " from the ids of particles and shapes.");
-    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "Where particles"
-            + " are born (m).");
+            "Its name, with which its particles' ids begin: fountain[0], fountain[1] ... It must differ from"
+                    + " the ids of particles and shapes.");
+    private static final Key<Vector3> POSITION = Key.required("position", VectorType.of("m"), "The point"
+            + " where particles are born (m).");
     private static final Key<Double> RADIUS = Key.withDefault("radius", NumberType.notNegative("m"), 0.0,
-            "The largest distance from that position at birth (m).");
+            "The largest distance from that point at birth (m).");
     private static final Key<Vector3> DIRECTION = Key.withDefault("direction", VectorType.notZero(""),
             new Vector3(0, 1, 0),
-            "The direction they leave in; its length does not matter.");
+            "The direction in which they start; its length does not matter.");
     private static final Key<Double> SPREAD = Key.withDefault("spread", NumberType.between(0, 180, "degrees"), 0.0,
             "The largest angle between a particle's velocity and the direction (degrees).");
     private static final Key<Double> SPEED = Key.required("speed", NumberType.notNegative("m/s"), "Their speed"
             + " at birth (m/s).");
     private static final Key<Double> RATE = Key.required("rate", NumberType.between(1e-6, 1e6, "1/s"),
-            "Particles born in a second (1/s).");
+            "The number of particles born per second (1/s).");
     private static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0,
             "The mass of each (kg).");
     private static final Key<Double> LIFETIME = Key.optional("lifetime", NumberType.positive("s"),
-            "How long each lives (s); for ever if left out.");
+            "The lifetime of each (s); unlimited if left out.");
 
     static final RuleKind EMITTER = new RuleKind("emitter", "A source of particles.", ID, POSITION, RADIUS, DIRECTION,
             SPREAD, SPEED,

@@ -12,13 +12,13 @@ import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
-/** The given motions of fixed particles; {@link RuleKind#ALL} lists them. */
+/** Prescribed motions of particles; {@link RuleKind#ALL} lists them. */
 abstract class MotionKinds extends RuleKind {
     private static final Key<String> PARTICLE = Key.required("particle", TextType.of("the id of a fixed"
             + " particle", "\\S"),
-            "The fixed particle that moves in this way, starting from its position.");
+            "The particle to move, starting from its position. It needs fixed: true.");
     private static final Key<Double> PERIOD = Key.required("period", NumberType.positive("s"),
-            "The time of one round trip (s).");
+            "The period of the motion (s).");
 
     private MotionKinds(String name, String sentence, Key<?>... keys) {
         super(name, sentence, keys);
@@ -44,8 +44,8 @@ abstract class MotionKinds extends RuleKind {
     private static final Key<Vector3> AMPLITUDE = Key.required("amplitude", VectorType.notZero("m"),
             "The largest displacement to one side, as a vector (m).");
 
-    static final RuleKind SHAKE = new MotionKinds("shake", "Moves a fixed particle to and fro: amplitude sin(2"
-            + " pi t / period).",
+    static final RuleKind SHAKE = new MotionKinds("shake", "Moves a particle to and fro: its displacement is"
+            + " amplitude sin(2 pi t / period).",
             PARTICLE, AMPLITUDE, PERIOD) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {
@@ -61,9 +61,10 @@ abstract class MotionKinds extends RuleKind {
     private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "Any point of the"
             + " axis (m).");
     private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
-            "The axis of rotation, counter-clockwise when it points at you; its length does not matter.");
+            "The axis of rotation; the motion is counter-clockwise if the axis points at you. Its length does not"
+                    + " matter.");
 
-    static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a fixed particle round an axis like a"
+    static final RuleKind CIRCLE = new MotionKinds("circle", "Moves a particle round an axis, like a"
             + " crank.", PARTICLE,
             CENTRE,
             AXIS, PERIOD) {
@@ -78,12 +79,12 @@ abstract class MotionKinds extends RuleKind {
         }
     };
 
-    private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "Where it stops (m).");
-    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"), "How long it"
-            + " takes (s).");
+    private static final Key<Vector3> TO = Key.required("to", VectorType.of("m"), "The point where it stops (m).");
+    private static final Key<Double> DURATION = Key.required("duration", NumberType.positive("s"), "The"
+            + " duration of the motion (s).");
 
     static final RuleKind GLIDE = new MotionKinds("glide",
-            "Moves a fixed particle straight to another place, starting and stopping"
+            "Moves a particle straight to another place, starting and stopping"
                     + " smoothly.", PARTICLE, TO, DURATION) {
         @Override
         AnchorMotion motion(Values values, Vector3 start) {

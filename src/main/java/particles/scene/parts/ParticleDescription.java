@@ -36,7 +36,7 @@ public record ParticleDescription(String id, Vector3 position, Vector3 velocity,
             "Its velocity at the start (m/s).");
     static final Key<Double> MASS = Key.withDefault("mass", NumberType.positive("kg"), 1.0, "Its mass (kg).");
     static final Key<Boolean> FIXED = Key.withDefault("fixed", FlagType.FLAG, false,
-            "Whether it stays in place, whatever the forces.");
+            "true: forces do not move it. A rule such as 'circle' still can.");
 
     public static final MappingType TYPE = MappingType.of("a particle", ID, POSITION, VELOCITY, MASS, FIXED);
 

@@ -20,9 +20,9 @@ import particles.spec.VectorType;
 /** A kind of rule that a scene can name, with its keys; {@link #ALL} lists them. */
 public abstract class RuleKind extends Kind {
     private static final Key<String> LAW = Key.required("law", NameType.of("friction law", List.of("slide", "coulomb")),
-            "slide: the lecture's law, normal force times k_f times velocity; coulomb: normal force times mu.");
+            "slide: F = k_f N v, the formula of the lecture's slides; coulomb: F = mu N. N is the normal force.");
     private static final Key<Double> COEFFICIENT = Key.required("coefficient", NumberType.notNegative(""),
-            "k_f of slide (s/m), or mu of coulomb (a pure number).");
+            "k_f for slide (s/m), or mu for coulomb (a pure number).");
     private static final Key<Double> STATIC = Key.optional("static", NumberType.notNegative(""),
             "The largest force that holds a particle at rest, as a multiple of the normal force; by default mu"
                     + " for coulomb and 0 for slide.");
@@ -30,12 +30,12 @@ public abstract class RuleKind extends Kind {
             "Below this speed a sliding particle comes to rest if static friction can hold it (m/s).");
 
     static final Key<Double> RESTITUTION = Key.withDefault("restitution", NumberType.between(0, 1, ""), 0.5,
-            "r: a bounce turns the normal velocity v into -r v; 0 does not bounce, 1 loses nothing.");
+            "r: a bounce turns the normal velocity v into -r v. With 0 nothing bounces; with 1 no energy is lost.");
     static final Key<Values> FRICTION = Key.optional("friction", MappingType.of("'friction'", LAW, COEFFICIENT, STATIC,
             THRESHOLD),
-            "Friction on particles that rest on the plane; no friction if left out.");
+            "Friction on particles in contact with the surface; no friction if left out.");
     static final Key<Double> REST_SPEED = Key.withDefault("restSpeed", NumberType.notNegative("m/s"), 0.01,
-            "A bounce slower than this leaves the particle on the plane (m/s).");
+            "A particle that would bounce off more slowly than this stays on the surface (m/s).");
 
     RuleKind(String name, String sentence, Key<?>... keys) {
         super(name, sentence, keys);
@@ -113,7 +113,7 @@ public abstract class RuleKind extends Kind {
     private static final Key<Vector3> POINT = Key.withDefault("point", VectorType.of("m"), Vector3.ZERO,
             "Any point of the plane (m).");
     private static final Key<Vector3> NORMAL = Key.required("normal", VectorType.notZero(""),
-            "N, the direction out of the solid, to the side where particles are; its length does not matter.");
+            "A vector that points out of the solid, to the side of the particles; its length does not matter.");
 
     private static final RuleKind PLANE = new OfSolid("plane",
             "A ramp or a wall: particles bounce off it, rest on it and slide along"

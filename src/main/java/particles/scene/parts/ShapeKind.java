@@ -65,7 +65,7 @@ public abstract class ShapeKind extends Kind {
         parts.addAll(more);
         return Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)),
                 List.of(),
-                "Which particles stay in place: names of parts, ids of its particles, or a list of both.");
+                "The particles that forces do not move: names of parts, ids of its particles, or a list of both.");
     }
 
     private static MappingType keys(String name, List<Sort> springs, boolean hasSurface, Key<?>[] own,
@@ -104,7 +104,7 @@ public abstract class ShapeKind extends Kind {
     private static final Key<Integer> PARTICLES = Key.required("particles", COUNT, "The number of particles.");
 
     private static final ShapeKind ROPE = new ShapeKind("rope",
-            "Particles rope[0], rope[1] ... at regular distances along a line.",
+            "Particles rope[0], rope[1] ... at equal distances along a line.",
             List.of(List.of("start", "end")), List.of(), List.of(Sort.STRUCTURAL, Sort.BEND), false, START, END,
             PARTICLES) {
         @Override
@@ -115,18 +115,18 @@ public abstract class ShapeKind extends Kind {
     };
 
     private static final Key<Vector3> TOP_LEFT = Key.required("corner", VectorType.of("m"),
-            "The position of its top left particle (m).");
+            "The position of the top-left particle (m).");
     private static final Key<Vector3> ACROSS = Key.required("across", VectorType.notZero("m"),
-            "From its top left to its top right particle (m).");
+            "The vector from the top-left to the top-right particle (m).");
     private static final Key<Vector3> DOWN = Key.required("down", VectorType.notZero("m"),
-            "From its top left to its bottom left particle (m).");
+            "The vector from the top-left to the bottom-left particle (m).");
     private static final Key<Integer> COLUMNS = Key.required("columns", COUNT, "The number of particles across.");
     private static final Key<Integer> ROWS = Key.required("rows", COUNT, "The number of particles from top to"
             + " bottom.");
 
     private static final ShapeKind CLOTH = new ShapeKind("cloth",
             "Particles cloth[column,row] in a rectangle or parallelogram;"
-            + " cloth[0,0] is its top left one.", List.of(List.of("left", "right"), List.of("top", "bottom")),
+            + " cloth[0,0] is the top-left particle.", List.of(List.of("left", "right"), List.of("top", "bottom")),
             List.of("top-left", "top-right", "bottom-left", "bottom-right", "corners", "edges"),
             List.of(Sort.values()), true, TOP_LEFT, ACROSS, DOWN, COLUMNS, ROWS) {
         @Override
@@ -140,7 +140,7 @@ public abstract class ShapeKind extends Kind {
     private static final Key<Vector3> SIZE = Key.required("size", VectorType.positive("m"),
             "Its width, height and depth before it is turned (m).");
     private static final Key<Vector3> TURN = Key.withDefault("turn", VectorType.of("degrees"), Vector3.ZERO,
-            "Its rotation about its centre: first about the x, then the y, then the z axis (degrees).");
+            "Its rotation about its centre: about the fixed x, y and z axes, in this order (degrees).");
     private static final Key<Integer> LAYERS = Key.required("layers", COUNT,
             "The number of particles from back to front.");
     private static final Key<Integer> JELLY_ROWS = Key.required("rows", COUNT,
@@ -148,7 +148,7 @@ public abstract class ShapeKind extends Kind {
 
     private static final ShapeKind JELLY = new ShapeKind("jelly",
             "Particles jelly[column,row,layer] in a block; jelly[0,0,0] is"
-            + " its left bottom back one.", List.of(List.of("left", "right"), List.of("bottom", "top"),
+            + " at the left, bottom and back.", List.of(List.of("left", "right"), List.of("bottom", "top"),
                     List.of("back", "front")),
             List.of("corners"), List.of(Sort.values()), true, CENTRE, SIZE, TURN, COLUMNS, JELLY_ROWS, LAYERS) {
         @Override

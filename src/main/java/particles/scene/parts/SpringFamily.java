@@ -23,11 +23,12 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
     /** Which neighbours are connected. */
     public enum Sort {
         /** The next one along each direction: holds the shape together. */
-        STRUCTURAL("structural", "Springs between next neighbours along each direction: they hold the shape together."),
+        STRUCTURAL("structural", "Springs between nearest neighbours along each direction: they hold the shape"
+                + " together."),
         /** Diagonally across faces and cells: keeps squares from becoming rhombi. */
         SHEAR("shear", "Springs along the diagonals of squares (and cubes): they keep squares from becoming rhombi."),
         /** The next but one along each direction: resists folding. */
-        BEND("bend", "Springs between next neighbours but one along each direction: they resist folding.");
+        BEND("bend", "Springs between second neighbours along each direction, past one particle: they resist folding.");
 
         private final Key<Values> key;
 

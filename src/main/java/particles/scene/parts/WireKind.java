@@ -24,7 +24,7 @@ public abstract class WireKind extends Kind {
     public abstract Curve curve(Values values, Vector3 start);
 
     private static final Key<Vector3> DIRECTION = Key.required("direction", VectorType.notZero(""),
-            "Along the wire; its length does not matter.");
+            "The direction of the wire; the vector's length does not matter.");
 
     private static final WireKind LINE = new WireKind("line", "A straight wire through the bead's initial"
             + " position.", BEAD,
@@ -42,7 +42,7 @@ public abstract class WireKind extends Kind {
     private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "The ring's"
             + " radius (m).");
 
-    private static final WireKind CIRCLE = new WireKind("circle", "A ring.", BEAD, CENTRE, AXIS, RADIUS) {
+    private static final WireKind CIRCLE = new WireKind("circle", "A circular wire.", BEAD, CENTRE, AXIS, RADIUS) {
         @Override
         public Curve curve(Values values, Vector3 start) {
             return new CircularWire(values.get(CENTRE), values.get(AXIS), values.get(RADIUS));
@@ -56,10 +56,10 @@ public abstract class WireKind extends Kind {
     private static final Key<Double> AMPLITUDE = Key.required("amplitude", NumberType.any("m"),
             "A (m); the wire is y = A sin(2 pi x / wavelength).");
     private static final Key<Double> WAVELENGTH = Key.required("wavelength", NumberType.positive("m"),
-            "From crest to crest (m).");
+            "The distance from crest to crest (m).");
 
     private static final WireKind PARABOLA = new WireKind("parabola",
-            "A parabola, a valley or a hill, in the x-y plane.", BEAD, ORIGIN, CURVATURE) {
+            "A parabola in the x-y plane; a hill if the curvature is negative.", BEAD, ORIGIN, CURVATURE) {
         @Override
         public Curve curve(Values values, Vector3 start) {
             return graph(values, GraphWire.parabola(values.get(CURVATURE)));

@@ -43,7 +43,7 @@ public final class Reference {
         if (!lines.isEmpty()) {
             lines.add("");
         }
-        lines.add(heading + " " + capital(mapping.name().replace('\'', '`')));
+        lines.add(heading + " " + heading(mapping));
         if (!sentence.isEmpty()) {
             lines.add(sentence);
         }
@@ -51,7 +51,7 @@ public final class Reference {
         lines.add("| key | value | default | meaning |");
         lines.add("| --- | --- | --- | --- |");
         for (Key<?> key : mapping.keys()) {
-            String standard = key.required() ? "*needed*" : key.defaultJson().map(Reference::written).orElse("");
+            String standard = key.required() ? "*required*" : key.defaultJson().map(Reference::written).orElse("");
             lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + key.sentence()
                     + " |");
         }
@@ -71,8 +71,10 @@ public final class Reference {
     private static String values(Type<?> type) {
         if (type instanceof MappingType mapping) {
             Optional<Key<?>> brief = mapping.shortForm();
-            return brief.map(key -> values(key.type()) + "; or ").orElse("") + "see " + mapping.name().replace('\'',
-                    '`');
+            return brief.map(key -> values(key.type()) + "; or with keys of its own, ").orElse("") + "see "
+                    + link(mapping);
+        } else if (type instanceof ListType<?> list && list.element() instanceof MappingType mapping) {
+            return "a list, see " + link(mapping);
         } else if (type instanceof ListType<?> list && !(list.element() instanceof NameType)) {
             return "a list of: " + values(list.element());
         } else if (type instanceof KindType<?> kinds) {
@@ -80,6 +82,16 @@ public final class Reference {
                     + kinds.orClass();
         }
         return type.describe();
+    }
+
+    private static String heading(MappingType mapping) {
+        return capital(mapping.name().replace('\'', '`'));
+    }
+
+    /** A link to the table of a mapping, as Markdown viewers name the places of headings. */
+    private static String link(MappingType mapping) {
+        String place = heading(mapping).toLowerCase(Locale.ROOT).replace("`", "").replace(' ', '-');
+        return "[" + heading(mapping) + "](#" + place + ")";
     }
 
     private static String written(Object json) {
