@@ -114,6 +114,29 @@ class BlowUpMessageTest {
                 + " is at most .*\\ntry --deltaT=0\\.00\\d+"), line);
     }
 
+    /** The times of the bounces converge: without a rest speed, they are more than any number in one step. */
+    @Test
+    void bouncesWithoutEndNameTheRestSpeed() {
+        String text = """
+                title: A ball
+                teaches: When bounces end.
+                solver: rk4
+                deltaT: 0.01
+                duration: 20
+                impact: exact
+                particles:
+                  - {id: a, position: [0, 1, 0]}
+                effects: [gravity]
+                rules:
+                  - ground: {restitution: 0.8, restSpeed: 0}
+                """;
+        Scene scene = SceneBuilder.build(SceneReader.read("ball.yaml", text.getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
+        String lines = blowUp(scene);
+        assertTrue(lines.matches("rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
+                + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule"), lines);
+    }
+
     /** omega = 2e30 rad/s needs a deltaT below 1e-30 s, which every scene and option refuses. */
     @Test
     void noDeltaTIsAdvisedThatTheOptionRefuses() {
