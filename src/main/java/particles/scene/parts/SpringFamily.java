@@ -28,7 +28,8 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         /** Diagonally across faces and cells: keeps squares from becoming rhombi. */
         SHEAR("shear", "Springs along the diagonals of squares (and cubes): they keep squares from becoming rhombi."),
         /** The next but one along each direction: resists folding. */
-        BEND("bend", "Springs between second neighbours along each direction, past one particle: they resist folding.");
+        BEND("bend", "Springs between second neighbours along each direction, skipping one particle: they"
+                + " resist folding.");
 
         private final Key<Values> key;
 
