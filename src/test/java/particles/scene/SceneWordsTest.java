@@ -62,7 +62,7 @@ class SceneWordsTest {
     }
 
     /**
-     * With clamp and deltaT = 0.01 the red one keeps jumping from plane to plane, by 1.3 mm, or 1.5 mm before rules act;
+     * With clamp and deltaT = 0.01 the red one keeps jumping from plane to plane, by 1.3 mm (1.5 mm before rules act);
      * the others lie still.
      */
     @Test
