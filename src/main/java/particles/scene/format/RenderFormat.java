@@ -15,7 +15,7 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 
-/** The keys of how a scene is drawn. */
+/** The keys of a scene's render options. */
 public final class RenderFormat {
     static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
     private static final List<String> SHOWN = Arrays.stream(Visibility.values()).map(RenderFormat::nameOf)

@@ -12,7 +12,7 @@ import particles.spec.TextType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
-/** Prescribed motions of particles; {@link RuleKind#ALL} lists them. */
+/** The prescribed motions of moving anchors; {@link RuleKind#ALL} lists them. */
 abstract class MotionKinds extends RuleKind {
     private static final Key<String> PARTICLE = Key.required("particle", TextType.of("the id of a fixed"
             + " particle", "\\S"),

@@ -12,7 +12,7 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
-/** The wires that a bead can slide along: each is one entry of {@link #ALL}, with its keys and the curve it is. */
+/** A kind of wire along which a bead can slide, with its keys and its curve; {@link #ALL} lists them. */
 public abstract class WireKind extends Kind {
     public static final Key<String> BEAD = Key.required("bead", SpringDescription.ANY_ID, "The particle on the wire.");
 
