@@ -10,21 +10,20 @@ import particles.law.Vector3;
 import particles.scene.parts.SceneAssembly;
 
 /**
- * Estimates the kinetic energy to expect in a scene; a million times more means that it blew up. The estimate is the
- * largest of
+ * Estimates the kinetic energy to expect in a scene, before the run; many times more means that it blew up. The
+ * estimate is the largest of
  * <ul>
- * <li>kinetic energy plus what springs, attraction, cohesion and penalties store at the start;</li>
- * <li>what gravity can give: the sum of m g (H + g T&sup2;/2), with H the extent of all particles along g and T the
- *     duration, since everything may fall for as long as the run lasts;</li>
- * <li>what wind, emitters and moving anchors can give: the sum of m w&sup2;/2, with w the largest of their speeds, over
- * all
- *     particles, including those born during the run;</li>
- * <li>what laws can give that say nothing of their energy, as a student's own may: the sum of F&sup2; T&sup2;/(2 m),
- *     with F the force at the start.</li>
+ * <li>kinetic energy plus the energy that springs, attraction, cohesion and penalties store at the start;</li>
+ * <li>the energy that gravity can supply: the sum of m g (H + g T&sup2;/2), with H the extent of all particles along g
+ *     and T the duration, since everything may fall for as long as the run lasts;</li>
+ * <li>the energy that wind, emitters and moving anchors can supply: the sum of m w&sup2;/2, with w the largest of their
+ * speeds, over all particles, including those born during the run;</li>
+ * <li>the energy that laws without a declared energy can supply, as a student's own may be: the sum of F&sup2;
+ *     T&sup2;/(2 m), with F the force at the start.</li>
  * </ul>
- * If all four are 0 nothing in the scene sets anything in motion. The estimate is then the kinetic energy with which
- * every particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1
- * m if that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
+ * If all four are 0, nothing in the scene causes motion. The estimate is then the kinetic energy with which every
+ * particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
+ * that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
  */
 final class EnergyScale {
     private EnergyScale() {
@@ -34,7 +33,7 @@ final class EnergyScale {
      * @param system   the system at its start
      * @param springs  its springs
      * @param assembly its gravity and wind
-     * @param duration how long the run lasts (s), over 0
+     * @param duration the duration of the run (s), over 0
      * @return the scale (J), over 0
      */
     static double of(ParticleSystem system, SpringForce springs, SceneAssembly assembly, double duration) {

@@ -16,15 +16,16 @@ import particles.view.SpringView;
  *
  * @param description the contents of its file, with options applied
  * @param simulation  the simulation; it can be run once
- * @param system      what moves
+ * @param system      the particles and forces
  * @param solver      the solver
  * @param springs     its springs, maybe none
  * @param scenery     surfaces, planes, spheres and wires to draw
  * @param camera      the camera; empty if it is to be fitted to the motion
- * @param look        how it is drawn
+ * @param look        the render options
  * @param output      the files to write
  * @param phase       the phase-space plot, if the scene has one
- * @param energyScale the expected kinetic energy (J); {@code blowUpFactor} times that ends the run
+ * @param energyScale the estimated energy (J); a run whose kinetic energy exceeds {@code blowUpFactor} times this value
+ *                    is ended
  */
 public record Scene(SceneDescription description, Simulation simulation, ParticleSystem system, DESolver solver,
                     SpringView springs, Scenery scenery, Optional<Camera> camera, RenderOptions look,
@@ -35,7 +36,7 @@ public record Scene(SceneDescription description, Simulation simulation, Particl
      *
      * @param particle the index of the particle
      * @param axis     0 for x, 1 for y, 2 for z, 3 for the angle about another particle
-     * @param about    the id of that one
+     * @param about    the id of that other particle
      */
     public record Phase(int particle, int axis, Optional<String> about) {
     }

@@ -32,7 +32,7 @@ import particles.spec.Chosen;
 import particles.spec.messages.Problems;
 import particles.view.Surface;
 
-/** Builds a simulation from a scene description; only what the description names is created. */
+/** Builds a simulation from a scene description. It creates only the effects and rules that the description names. */
 public final class SceneBuilder {
     private SceneBuilder() {
     }

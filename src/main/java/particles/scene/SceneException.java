@@ -2,7 +2,7 @@ package particles.scene;
 
 import java.util.List;
 
-/** Thrown for a faulty scene; has one line for each problem, to be shown as it is. */
+/** Thrown for a faulty scene; has one line for each problem, ready to be shown. */
 public class SceneException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

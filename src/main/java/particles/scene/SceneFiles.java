@@ -23,7 +23,7 @@ public final class SceneFiles {
     }
 
     /**
-     * @param folder where scenes are
+     * @param folder the folder of the scenes
      * @return its scenes, sorted by name and so by number
      * @throws SceneException if there is no such folder
      */
@@ -37,7 +37,7 @@ public final class SceneFiles {
     }
 
     /**
-     * Finds a scene.
+     * Finds one scene.
      *
      * @param folder where scenes are
      * @param wanted a path; or the name of a scene of the folder, such as {@code 09-cloth-in-wind},
@@ -79,7 +79,7 @@ public final class SceneFiles {
         return typed.getNameCount() > 1 || typed.isAbsolute();
     }
 
-    /** Why a path is not a scene. */
+    /** The message for a path that is not a scene. */
     private static String noFile(Path folder, Path typed) {
         String quoted = Wording.quote(typed.toString());
         if (Files.isDirectory(typed)) {

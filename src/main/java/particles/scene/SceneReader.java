@@ -12,7 +12,7 @@ import particles.spec.Values;
 import particles.spec.YamlText;
 import particles.spec.messages.Problems;
 
-/** Reads scene files. */
+/** Reads and checks scene files; reports all mistakes together, each with its line and column. */
 public final class SceneReader {
     private SceneReader() {
     }

@@ -13,9 +13,9 @@ public interface ClassNames {
 
     /**
      * @param name the full name of a class
-     * @param type which sort of kind it has to declare
+     * @param type the sort of kind that it has to declare
      * @param <K>  that sort
-     * @return what a file can say of it
+     * @return the kind that the class declares
      * @throws IllegalArgumentException if there is none; the message is one line that says what to do
      */
     <K extends Kind> K find(String name, Class<K> type);

@@ -5,16 +5,16 @@ import java.util.Optional;
 /**
  * A key of a mapping: its name, type, default and description.
  *
- * @param name         how it is written
- * @param type         what values it takes
- * @param required     whether it must be there
- * @param defaultValue the value if the key is absent; empty if the sentence says what absence means
- * @param sentence     what it means
- * @param <T>          what a value is in Java
+ * @param name         its name in the file
+ * @param type         the type of its value
+ * @param required     whether it must be given
+ * @param defaultValue the value if the key is absent; empty if the sentence explains the default
+ * @param sentence     its meaning, in one sentence
+ * @param <T>          the Java class of its values
  */
 public record Key<T>(String name, Type<T> type, boolean required, Optional<T> defaultValue, String sentence) {
 
-    /** @return a key that must be there */
+    /** @return a key that must be given */
     public static <T> Key<T> required(String name, Type<T> type, String sentence) {
         return new Key<>(name, type, true, Optional.empty(), sentence);
     }
@@ -24,7 +24,7 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
         return new Key<>(name, type, false, Optional.of(defaultValue), sentence);
     }
 
-    /** @return a key that may be absent; the sentence says what that means */
+    /** @return a key that may be absent; its sentence explains the default */
     public static <T> Key<T> optional(String name, Type<T> type, String sentence) {
         return new Key<>(name, type, false, Optional.empty(), sentence);
     }
@@ -37,7 +37,7 @@ public record Key<T>(String name, Type<T> type, boolean required, Optional<T> de
                 && required == key.required && defaultValue.equals(key.defaultValue) && sentence.equals(key.sentence);
     }
 
-    /** Uses the name alone, in which the keys of a mapping differ. */
+    /** Uses the name alone, since the keys of a mapping differ in their names. */
     @Override
     public int hashCode() {
         return name.hashCode();

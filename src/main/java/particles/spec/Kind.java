@@ -8,7 +8,7 @@ public abstract class Kind {
 
     /**
      * @param name     the name by which scenes choose it
-     * @param sentence what it is, in one sentence
+     * @param sentence a description in one sentence
      * @param keys     the keys that a scene can set
      */
     protected Kind(String name, String sentence, Key<?>... keys) {
@@ -27,7 +27,7 @@ public abstract class Kind {
         return name;
     }
 
-    /** @return what it is, in one sentence */
+    /** @return a description in one sentence */
     public final String sentence() {
         return sentence;
     }

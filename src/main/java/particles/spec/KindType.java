@@ -18,7 +18,7 @@ import particles.spec.messages.Wording;
  * The type of an entry that names a kind: {@code gravity: {acceleration: [0, -9.81, 0]}}, or just {@code gravity} if it
  * needs no keys.
  *
- * @param <K> the kinds there are
+ * @param <K> the common class of the kinds
  */
 public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     private final String what;
@@ -34,7 +34,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     /**
-     * @param what  what the kinds are kinds of, such as {@code effect}
+     * @param what  the common name of the kinds, such as {@code effect}
      * @param kinds the kinds, with different names
      */
     public KindType(String what, List<K> kinds) {
@@ -58,8 +58,8 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
     }
 
     /**
-     * @param otherWhat what other kinds are kinds of, such as {@code effect}
-     * @param key       the key under which they stand, such as {@code effects}
+     * @param otherWhat the common name of other kinds, such as {@code effect}
+     * @param key       the key of their list, such as {@code effects}
      * @param others    the other kinds, with other names
      * @return this type; for a name of another kind the message says where it belongs
      */
@@ -145,7 +145,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
                 + ", with its keys below it";
     }
 
-    /** @return what may be written instead of a kind's name; text that follows the names */
+    /** @return the alternative to a kind's name, as text to follow the names */
     public String orClass() {
         return byClass.map(other -> ", or " + other.form().describe()).orElse("");
     }
@@ -183,7 +183,7 @@ public final class KindType<K extends Kind> extends Type<Chosen<K>> {
         return either;
     }
 
-    /** @return the kinds there are */
+    /** @return all kinds */
     public List<K> kinds() {
         return kinds;
     }

@@ -12,7 +12,7 @@ import org.snakeyaml.engine.v2.nodes.SequenceNode;
 /**
  * The type of a list of values; some lists of one may be written without brackets.
  *
- * @param <T> what an element is in Java
+ * @param <T> the Java class of an element
  */
 public final class ListType<T> extends Type<List<T>> {
     private final String elementName;
@@ -25,12 +25,12 @@ public final class ListType<T> extends Type<List<T>> {
         this.bareAllowed = bareAllowed;
     }
 
-    /** @return lists of elements, which are called so in messages */
+    /** @return the type of a list of elements, with the name of an element in messages */
     public static <T> ListType<T> of(String elementName, Type<T> element) {
         return new ListType<>(elementName, element, false);
     }
 
-    /** @return lists of elements, or one element that is not a list itself */
+    /** @return the type of a list of elements, or of one element that is not a list itself */
     public static <T> ListType<T> oneOrMore(String elementName, Type<T> element) {
         return new ListType<>(elementName, element, true);
     }
@@ -53,7 +53,7 @@ public final class ListType<T> extends Type<List<T>> {
 
     @Override
     public String describe() {
-        return bareAllowed ? element.describe() + ", or a list of such" : "a list, each entry after a dash: "
+        return bareAllowed ? element.describe() + ", or a list of these" : "a list, each entry after a dash: "
                 + element.describe();
     }
 

@@ -33,7 +33,7 @@ public final class MappingType extends Type<Values> {
     }
 
     /**
-     * @param name what the mapping describes, in messages
+     * @param name the name of the mapping in messages
      * @param keys its keys, in the order in which they are explained
      * @return the type
      */
@@ -41,7 +41,7 @@ public final class MappingType extends Type<Values> {
         return new MappingType(name, List.of(keys), List.of(), Optional.empty());
     }
 
-    /** @return this type with the condition that exactly one of these keys is there */
+    /** @return this type with the condition that exactly one of these keys is given */
     public MappingType withExactlyOneOf(Key<?>... alternatives) {
         return new MappingType(name, keys, List.of(alternatives), shortFor);
     }
@@ -55,8 +55,8 @@ public final class MappingType extends Type<Values> {
      * Reads a whole file.
      *
      * @param root its root
-     * @param in   its name, and where problems go
-     * @return what it says, as far as it is right
+     * @param in   its name, and the list that receives problems
+     * @return all values without mistakes
      */
     public Values readRoot(Node root, Reading in) {
         Reading inFormat = new Reading(in.source(), in.problems(), in.classes(), Optional.of(this));
@@ -165,12 +165,12 @@ public final class MappingType extends Type<Values> {
                 + String.join(", ", keys.stream().map(Key::name).toList()));
     }
 
-    /** @return how a short mapping is written, such as {@code {coefficient: ...}} */
+    /** @return an example of a short mapping, such as {@code {coefficient: ...}} */
     String example() {
         return necessary().stream().map(key -> key.name() + ": ...").collect(Collectors.joining(", ", "{", "}"));
     }
 
-    /** The keys without which it does not do; the first where it does without any. */
+    /** The required keys; the first key if none is required. */
     private List<Key<?>> necessary() {
         List<Key<?>> found = new ArrayList<>(keys.stream().filter(Key::required).toList());
         found.addAll(exactlyOneOf.stream().limit(1).toList());
@@ -209,7 +209,7 @@ public final class MappingType extends Type<Values> {
                 : new LinkedHashMap<>(Map.of("anyOf", List.of(shortFor.get().type().schema(), schema)));
     }
 
-    /** @return what the mapping describes */
+    /** @return the name of the mapping in messages */
     public String name() {
         return name;
     }

@@ -23,19 +23,19 @@ public final class NameType extends Type<String> {
     }
 
     /**
-     * @param what  what is named, such as {@code solver}
+     * @param what  the kind of thing that has these names, such as {@code solver}
      * @param names the names
-     * @return one of them
+     * @return the type of one of these names
      */
     public static NameType of(String what, List<String> names) {
         return new NameType(what, names, Optional.empty());
     }
 
     /**
-     * @param what  what the names name
+     * @param what  the kind of thing that has these names
      * @param names the names
-     * @param other what else is allowed; no name may have that form
-     * @return a name, or a text of the other form
+     * @param other the type of other texts allowed; no name may have their form
+     * @return the type of a name, or of a text of the other form
      */
     public static NameType or(String what, List<String> names, TextType other) {
         return new NameType(what, names, Optional.of(other));

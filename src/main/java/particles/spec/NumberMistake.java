@@ -34,9 +34,9 @@ final class NumberMistake {
     }
 
     /**
-     * @param node what stands where a number should be
+     * @param node the value found in place of a number
      * @param unit the unit of that number, or empty
-     * @return what is wrong and what to write, as text to follow a semicolon; empty if no known mistake
+     * @return the mistake and its remedy, as text to follow a semicolon; empty if it is no known mistake
      */
     static Optional<String> of(Node node, String unit) {
         if (!(node instanceof ScalarNode)) {

@@ -27,22 +27,22 @@ public final class NumberType extends Type<Double> {
         this.unit = unit;
     }
 
-    /** @return numbers over 0; the unit is empty for pure numbers */
+    /** @return the type of numbers over 0; the unit is empty for pure numbers */
     public static NumberType positive(String unit) {
         return new NumberType(0, false, HUGE, unit);
     }
 
-    /** @return numbers from 0 */
+    /** @return the type of numbers of 0 or more */
     public static NumberType notNegative(String unit) {
         return new NumberType(0, true, HUGE, unit);
     }
 
-    /** @return numbers of either sign */
+    /** @return the type of any numbers */
     public static NumberType any(String unit) {
         return new NumberType(-HUGE, true, HUGE, unit);
     }
 
-    /** @return numbers from least to most, both allowed */
+    /** @return the type of numbers from least to most, both included */
     public static NumberType between(double least, double most, String unit) {
         return new NumberType(least, true, most, unit);
     }
@@ -79,7 +79,7 @@ public final class NumberType extends Type<Double> {
         return leastAllowed ? least : Math.max(TINY, Math.nextUp(least));
     }
 
-    /** The number that a node is, in YAML 1.2's core schema: 1e-3, .5, +2, 0x10, but also .inf and .nan. */
+    /** Parses a number by YAML 1.2's core schema: 1e-3, .5, +2, 0x10, but also .inf and .nan. */
     static Optional<Double> parse(Node node) {
         if (!(node instanceof ScalarNode) || !(node.getTag().equals(Tag.INT) || node.getTag().equals(Tag.FLOAT))) {
             return Optional.empty();

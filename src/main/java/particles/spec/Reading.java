@@ -10,9 +10,9 @@ import particles.spec.messages.Problems;
  * The context of reading one source: its name, its problems and the classes it may name.
  *
  * @param source   its name in messages
- * @param problems where problems go
+ * @param problems receives the problems
  * @param classes  finds students' classes by name
- * @param format   the format of the whole source, once it is known; for hints where a misplaced key belongs
+ * @param format   the format of the whole source, once it is known; for hints about misplaced keys
  */
 public record Reading(String source, Problems problems, ClassNames classes, Optional<MappingType> format) {
 

@@ -32,7 +32,7 @@ public final class SourceText {
      * Reads a file up to the largest size.
      *
      * @param file   the file
-     * @param in     its name, and where problems go
+     * @param in     its name, and the list that receives problems
      * @return its bytes, or empty if a problem was reported
      */
     public static Optional<byte[]> read(Path file, Reading in) {
@@ -57,8 +57,8 @@ public final class SourceText {
     /**
      * Decodes bytes as UTF-8, with or without a byte order mark.
      *
-     * @param bytes what a file holds
-     * @param in    its name, and where problems go
+     * @param bytes the contents of a file
+     * @param in    its name, and the list that receives problems
      * @return the text, or empty if a problem was reported
      */
     static Optional<String> decode(byte[] bytes, Reading in) {
@@ -100,7 +100,7 @@ public final class SourceText {
         return Optional.of(text);
     }
 
-    /** The place after a text. */
+    /** The place right after the end of a text. */
     static Place end(String text, Reading in) {
         String[] lines = text.split("\r\n|\r|\n", -1);
         String last = lines[lines.length - 1];

@@ -23,16 +23,16 @@ public final class TextType extends Type<String> {
         this.compiled = Pattern.compile(pattern);
     }
 
-    /** @return any text with something in it */
+    /** @return the type of any text that is not empty */
     public static TextType prose() {
         return new TextType("a text that is not empty", "\\S");
     }
 
     /**
-     * @param description what it is, with what is allowed
+     * @param description the text's meaning and allowed form
      * @param pattern     a regular expression that means the same in Java and in ECMA 262; it has to be found in the
      *                    text
-     * @return texts of that form
+     * @return the type of texts of that form
      */
     public static TextType of(String description, String pattern) {
         return new TextType(description, pattern);

@@ -13,17 +13,17 @@ import particles.spec.messages.Wording;
 /**
  * The type of a key's value: reads and checks it, and describes it.
  *
- * @param <T> what a value is in Java
+ * @param <T> the Java class of a value
  */
 public abstract class Type<T> {
 
     /**
      * Reads a value.
      *
-     * @param node where it stands
-     * @param what what to call it in a message, such as {@code 'mass'}
-     * @param in   where problems go
-     * @return the value, or nothing if a problem was said
+     * @param node the node of the value
+     * @param what its name in messages, such as {@code 'mass'}
+     * @param in   receives the problems
+     * @return the value, or empty if a problem was reported
      */
     abstract Optional<T> read(Node node, String what, Reading in);
 
@@ -32,15 +32,15 @@ public abstract class Type<T> {
      *
      * @param text     the value as it was typed
      * @param option   the option as it was typed, such as {@code -PdeltaT}; the place of all problems
-     * @param problems where problems go
-     * @return the value, or nothing if a problem was said
+     * @param problems receives the problems
+     * @return the value, or empty if a problem was reported
      */
     public final Optional<T> readOption(String text, String option, Problems problems) {
         Node node = new ScalarNode(new CoreSchema().getScalarResolver().resolve(text, true), text, ScalarStyle.PLAIN);
         return read(node, "the value", new Reading(option, problems));
     }
 
-    /** @return what is allowed; text that follows "it has to be": {@code a number over 0 (kg)} */
+    /** @return the values allowed, as text that follows "it has to be": {@code a number over 0 (kg)} */
     public abstract String describe();
 
     /** @return a sample value of this type for trials; empty if there is none */

@@ -29,7 +29,7 @@ public final class Values {
         sound = false;
     }
 
-    /** @return whether nothing was wrong in the mapping, so that {@link #get} works */
+    /** @return whether the mapping has no mistake, so that {@link #get} works */
     public boolean isSound() {
         return sound;
     }
@@ -61,17 +61,17 @@ public final class Values {
         return found.containsKey(key);
     }
 
-    /** @return whether nothing is wrong with the key's value, nor with anything in it */
+    /** @return whether neither the key's value nor anything in it has a mistake */
     public boolean isIntact(Key<?> key) {
         return !found.containsKey(key) || found.get(key).intact();
     }
 
-    /** @return where the key's value stands, or where the mapping begins if it is not there */
+    /** @return the place of the key's value, or of the mapping if the key is not given */
     public Place place(Key<?> key) {
         return found.containsKey(key) ? found.get(key).place() : place;
     }
 
-    /** @return where the mapping begins */
+    /** @return the place of the mapping's beginning */
     public Place place() {
         return place;
     }

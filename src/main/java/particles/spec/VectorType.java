@@ -20,17 +20,17 @@ public final class VectorType extends Type<Vector3> {
         this.zeroAllowed = zeroAllowed;
     }
 
-    /** @return any vector; the unit is that of its components */
+    /** @return the type of any vector; the unit is that of its components */
     public static VectorType of(String unit) {
         return new VectorType(NumberType.any(unit), "three numbers [x, y, z]" + inUnit(unit), true);
     }
 
-    /** @return vectors other than [0, 0, 0]; the unit is empty where only the direction matters */
+    /** @return the type of vectors other than [0, 0, 0]; the unit is empty if only the direction matters */
     public static VectorType notZero(String unit) {
         return new VectorType(NumberType.any(unit), "three numbers [x, y, z], not all 0" + inUnit(unit), false);
     }
 
-    /** @return three numbers over 0; the unit is that of each */
+    /** @return the type of three numbers over 0; the unit is that of each */
     public static VectorType positive(String unit) {
         return new VectorType(NumberType.positive(unit), "three numbers over 0 [x, y, z]" + inUnit(unit), true);
     }

@@ -10,7 +10,10 @@ public final class WholeNumberType extends Type<Integer> {
     private final int least;
     private final int most;
 
-    /** @param least the smallest one allowed; @param most the largest one */
+    /**
+     * @param least the smallest number allowed
+     * @param most  the largest number allowed
+     */
     public WholeNumberType(int least, int most) {
         this.least = least;
         this.most = most;

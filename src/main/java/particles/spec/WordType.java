@@ -14,7 +14,7 @@ public final class WordType extends Type<String> {
     }
 
     /**
-     * @param description what it is, with what is allowed
+     * @param description the value's meaning and allowed form
      * @return a type that accepts any single value unchecked
      */
     public static WordType of(String description) {

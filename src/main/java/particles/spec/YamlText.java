@@ -37,9 +37,9 @@ public final class YamlText {
     }
 
     /**
-     * @param bytes what a file holds
-     * @param in    its name, and where problems go
-     * @return the root of its tree, or nothing if a problem was said
+     * @param bytes the contents of a file
+     * @param in    its name, and the list that receives problems
+     * @return the root of its tree, or empty if a problem was reported
      */
     public static Optional<Node> compose(byte[] bytes, Reading in) {
         return SourceText.decode(bytes, in).flatMap(text -> compose(text, in));
@@ -79,10 +79,10 @@ public final class YamlText {
     }
 
     /**
-     * The parser says what is wrong where it notices, which can be a line too late.
+     * Looks for a typing mistake. The parser reports a mistake where it notices it, which can be a line too late.
      *
      * @param noticed the line in which the parser noticed something, from 0
-     * @return whether a mistake was found, and said, in that line or the one before it that is not empty
+     * @return whether a mistake was found and reported in that line or in the last line before it that is not empty
      */
     static boolean typingMistake(String text, int noticed, Reading in) {
         String[] lines = text.split("\r\n|\r|\n", -1);
@@ -152,7 +152,7 @@ public final class YamlText {
         return e.getContextMark().map(mark -> ", in the part that begins at line " + (mark.getLine() + 1)).orElse("");
     }
 
-    /** The parser's reason, and what experience says about it. */
+    /** The parser's reason, and the usual mistake behind it. */
     private static String reason(MarkedYamlEngineException e, String text) {
         String problem = e.getProblem() == null ? "the text ends too early or continues unexpectedly" : e.getProblem();
         int index = e.getProblemMark().map(mark -> mark.getIndex()).orElse(0);

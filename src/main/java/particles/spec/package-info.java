@@ -1,10 +1,10 @@
 /**
- * A small language for saying what may stand in a file: mappings with typed keys. One description serves three ends
- * that therefore cannot contradict each other - reading a file, saying what is wrong in it and where, and the JSON
- * Schema by which editors complete and check while one types.
+ * The types of which a file format is declared: mappings with typed keys. One declaration serves three purposes, which
+ * therefore agree: reading a file, reporting its mistakes with their places, and the JSON Schema by which editors
+ * complete and check a file as it is typed.
  *
- * <p>A {@link particles.spec.Key} has a name, a {@link particles.spec.Type}, a default and a sentence;
- * a {@link particles.spec.MappingType} is a set of keys; {@link particles.spec.YamlText} makes a tree of
- * nodes with places out of a file, and refuses whatever could exhaust memory or patience.
+ * <p>A {@link particles.spec.Key} has a name, a {@link particles.spec.Type}, a default and a sentence; a {@link
+ * particles.spec.MappingType} is a set of keys; {@link particles.spec.YamlText} parses a file into a tree of nodes with
+ * places, and refuses files that could exhaust memory or time.
  */
 package particles.spec;

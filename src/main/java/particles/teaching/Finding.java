@@ -1,14 +1,14 @@
 package particles.teaching;
 
 /**
- * One thing that a check found.
+ * One finding of a check: a mistake or advice.
  *
- * @param kind what it concerns
- * @param text what is found and what would be right, in the lecture's words
+ * @param kind the kind of finding
+ * @param text the mistake and the right way, in the lecture's words
  */
 public record Finding(Kind kind, String text) {
 
-    /** What a finding concerns. */
+    /** The kinds of findings. */
     public enum Kind {
         /** The formula is not that of the method. */
         METHOD("method"),
@@ -16,9 +16,9 @@ public record Finding(Kind kind, String text) {
         TIME("time"),
         /** The state is not read, set or left as it should be. */
         STATE("state"),
-        /** The class cannot be used at all, or did not come back. */
+        /** The class cannot be used at all, or did not return. */
         FAILURE("failure"),
-        /** Nothing wrong; something that could be better. */
+        /** No mistake, but something that could be better. */
         ADVICE("advice");
 
         private final String word;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Writes coefficients as people do: 1/6, deltaT/2, s + k1/2. */
+/** Formats coefficients and formulas as people write them: 1/6, deltaT/2, s + k1/2. */
 public final class Formula {
     private static final double SAME = 1e-9;
     private static final double SAME_TIME = 1e-13;
@@ -15,17 +15,17 @@ public final class Formula {
     private Formula() {
     }
 
-    /** @return whether two coefficients of order 1 are the same but for rounding */
+    /** @return whether two coefficients of order 1 are equal up to round-off */
     public static boolean same(double x, double y) {
         return Math.abs(x - y) <= SAME * Math.max(1, Math.abs(y));
     }
 
-    /** @return whether two times in units of deltaT are the same but for a few roundings of double arithmetic */
+    /** @return whether two times in units of deltaT are equal up to a few round-offs */
     public static boolean sameTime(double x, double y) {
         return Math.abs(x - y) <= SAME_TIME * Math.max(1, Math.abs(y));
     }
 
-    /** @return the number as a fraction where it is a simple one, else with four digits */
+    /** @return the number as a fraction if it is a simple one, otherwise with four digits */
     public static String number(double x) {
         return fraction(x, SAME).orElseGet(() -> String.format(Locale.ROOT, "%.4g", x));
     }
@@ -47,16 +47,16 @@ public final class Formula {
                 : new BigDecimal(x).round(new MathContext(13)).stripTrailingZeros().toPlainString());
     }
 
-    /** @return such as {@code t + deltaT/2}; c is in units of deltaT */
+    /** @return the time, such as {@code t + deltaT/2}; c is in units of deltaT */
     public static String time(double c) {
         return sameTime(c, 0) ? "t" : "t" + term(c, "deltaT", exactly(Math.abs(c)));
     }
 
     /**
-     * @param kept   how much of s is in it
+     * @param kept   the weight of s
      * @param weight the coefficients
-     * @param names  of what they belong to
-     * @return such as {@code s + k1/2}
+     * @param names  the names that belong to the coefficients
+     * @return the formula, such as {@code s + k1/2}
      */
     public static String state(double kept, double[] weight, List<String> names) {
         StringBuilder text = new StringBuilder(same(kept, 1) ? "s" : same(kept, 0) ? "" : number(kept) + " s");

@@ -8,13 +8,14 @@ import java.util.concurrent.atomic.AtomicReference;
 import particles.teaching.Finding.Kind;
 
 /**
- * Runs what calls a student's class in a thread of its own, and says what happened if it does not come back: an endless
- * loop, a stack overflow, more memory than there is. Computing time is counted, not time on the clock, so that a busy
- * machine makes nobody's loop endless. Against {@code System.exit} only a process of its own helps.
+ * Runs a student's class in a thread of its own with a time limit, and reports an endless loop, a stack overflow or a
+ * lack of memory. The limit is on CPU time, so that a busy machine makes no loop endless. It does not protect from
+ * {@code System.exit}; only a separate process does.
  */
 public final class GuardedRun {
     /**
-     * On a busy machine a loop gets only a part of the processor; it is its own time that counts, up to this multiple.
+     * The limit of elapsed time, as a multiple of that of CPU time: on a busy machine a loop gets only a part of the
+     * processor.
      */
     private static final double BUSY_MACHINE = 50;
     private static final double NANOS = 1e9;
@@ -23,25 +24,25 @@ public final class GuardedRun {
     private final double seconds;
     private final AtomicReference<Thread> running = new AtomicReference<>();
 
-    /** @param seconds of computing that are allowed; of waiting, three times as many */
+    /** @param seconds the CPU time allowed (s); three times as much is allowed for waiting */
     public GuardedRun(double seconds) {
         this.seconds = seconds;
     }
 
     /**
-     * How it went.
+     * The outcome of a run.
      *
-     * @param value   what was computed, if it was
-     * @param failure what happened instead
+     * @param value   the result, if there is one
+     * @param failure the failure, if there is one
      */
     public record Outcome<T>(Optional<T> value, Optional<Finding> failure) {
     }
 
     /**
-     * Runs it. A thread that does not come back is interrupted and left behind; it does not keep the program alive.
+     * Runs the code. A thread that does not end is interrupted and abandoned; it does not keep the program alive.
      *
-     * @param what to run
-     * @return how it went
+     * @param what the code to run
+     * @return the outcome
      */
     public <T> Outcome<T> run(Callable<T> what) {
         AtomicReference<T> value = new AtomicReference<>();
@@ -104,8 +105,7 @@ public final class GuardedRun {
     }
 
     /**
-     * @return where the student's class is at this moment, if it is running; for a hook that runs when the program is
-     * ended
+     * @return the line that the student's class executes now, if it is running; for a shutdown hook
      */
     public Optional<String> runningAt() {
         return Optional.ofNullable(running.get()).map(thread -> StudentFailure.place(thread.getStackTrace()));

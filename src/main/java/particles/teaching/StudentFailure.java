@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** Says where in a student's class something went wrong. */
+/** Finds the line of a student's class at which an exception was thrown. */
 public final class StudentFailure {
     private StudentFailure() {
     }
@@ -16,10 +16,9 @@ public final class StudentFailure {
     }
 
     /**
-     * @return such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that is neither
-     * the
-     *         JDK's nor the program's; if there is none, the innermost of the program outside the checker;
-     *         empty without either
+     * @return the place, such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that
+     * is neither the JDK's nor the program's; if there is none, the innermost of the program outside the checker; empty
+     * without either
      */
     public static String place(StackTraceElement[] stack) {
         List<StackTraceElement> written = Arrays.stream(stack).filter(frame -> !isOfJava(frame) && isWritten(frame))
@@ -36,13 +35,17 @@ public final class StudentFailure {
         return frame.getClassName().matches("(java|javax|jdk|sun)[.].*");
     }
 
-    /** The JVM puts a class of its own, with no lines and a '/' in its name, between a lambda and who calls it. */
+    /**
+     * Whether a frame is of written code. Between a lambda and its caller the JVM puts a class of its own, with no
+     * lines and a '/' in its name.
+     */
     private static boolean isWritten(StackTraceElement frame) {
         return frame.getLineNumber() > 0 && !frame.getClassName().contains("/");
     }
 
     /**
-     * Students' classes are of their package, or come from another place than the program's, whatever their package is.
+     * Whether a class belongs to the program. Students' classes are in their own package, or come from another place
+     * than the program's.
      */
     private static boolean isOurs(StackTraceElement frame) {
         if (frame.getClassName().startsWith("exercises.")) {

@@ -13,11 +13,11 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
-/** Energy drift as charts and as a table. */
+/** Charts and table of the energy drift of several solvers. */
 public final class DriftCharts {
     /** The name of the crosses in the legend. */
     public static final String STOPPED = "stopped";
-    /** The linear chart ends where an error is no longer a small one. */
+    /** The linear chart ends at this part of the energy scale. */
     private static final double LINEAR = 0.1;
     private static final double SMALLEST = 1e-17;
 
@@ -25,8 +25,9 @@ public final class DriftCharts {
     }
 
     /**
-     * @param comparison what was measured
-     * @return the error as it is, near 0, and its size on a logarithmic scale, over the same time
+     * @param comparison the measured drifts
+     * @return two charts over the same time: small errors on a linear axis, and the size of all errors on a logarithmic
+     *         one
      */
     public static List<ChartData> charts(Comparison comparison) {
         List<Series> linear = new ArrayList<>();
@@ -57,15 +58,15 @@ public final class DriftCharts {
     }
 
     /**
-     * @param comparison what was measured
-     * @return a sentence: each error with its size, the worst first
+     * @param comparison the measured drifts
+     * @return a sentence that names each error with its size, the worst first
      */
     public static String finding(Comparison comparison) {
         return DriftHeadline.of(comparison);
     }
 
     /**
-     * @param comparison what was measured
+     * @param comparison the measured drifts
      * @return a row for each solver; tolerances and failures have a column only if there are any
      */
     public static DataTable table(Comparison comparison) {

@@ -13,7 +13,7 @@ import particles.messages.Digits;
 
 /** One sentence about a comparison: each solver's energy error with its size, the worst first. */
 final class DriftHeadline {
-    /** So many solvers are named; the others, which are better, share the last place. */
+    /** The largest number of solvers named; the others, which are better, are summed up in the last place. */
     private static final int NAMED = 4;
     /** From ten times the energy on, a percentage is hard to read. */
     private static final double MANY_TIMES = 10;
@@ -34,7 +34,7 @@ final class DriftHeadline {
                 + (comparison.equalWork() ? " (equal evaluations)" : "");
     }
 
-    /** Failures by the time they came to, then the others by the size of their error. */
+    /** Failures come first, by the time that they reached, then the others by the size of their error. */
     private static final Comparator<Drift> WORST_FIRST = Comparator
             .comparing((Drift drift) -> drift.kind() != Kind.FAILED)
             .thenComparingDouble(drift -> drift.kind() == Kind.FAILED ? drift.outcome().endTime() : -size(drift));

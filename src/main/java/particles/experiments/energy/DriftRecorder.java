@@ -6,7 +6,7 @@ import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 
-/** Records a run's numerical energy error, and how much energy its forces and rules exchanged with the outside. */
+/** Records a run's numerical energy error, and the energy that its forces and rules exchanged with the outside. */
 final class DriftRecorder implements Observer {
     private final EnergyLedger ledger = new EnergyLedger();
     private final ErrorCurve curve = new ErrorCurve();

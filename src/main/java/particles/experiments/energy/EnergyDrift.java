@@ -14,26 +14,26 @@ import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
 /**
- * How well solvers keep a scene's energy: the ledger's numerical error, which is the change that neither drag nor
- * bounces nor any other work explains, relative to the scene's energy scale.
+ * Compares the energy drift of solvers on a scene. The drift is the energy ledger's numerical error - the change that
+ * neither drag nor bounces nor any other work explains - relative to the largest energy of the run.
  */
 public final class EnergyDrift {
-    /** Below this part of the scale, errors are those of the last digits. */
+    /** Below this part of the scale, errors are round-off. */
     private static final double ROUNDING = 1e-12;
     /** The same for long runs: half a unit in the last place, always to the same side, in each step. */
     private static final double ROUNDING_OF_A_STEP = 0x1p-53;
     /**
-     * A straight line that rises by more than so many times the scatter about it is no accident of where a wave ends.
+     * The error drifts if its best straight line rises by more than this many times the scatter about it.
      */
     private static final double SECULAR = 2;
     /** An error that grows in proportion to time is twice as large in a run's second half as in its first. */
     private static final double GROWS = 1.4;
-    /** A decay that is complete grows no more; its error ends at the largest there was. */
+    /** When a motion has decayed, its error no longer grows and ends at its largest value. */
     private static final double STILL = 0.98;
     private static final double REFERENCE_TOLERANCE = 1e-9;
     private static final long MOST_EVALUATIONS = 20_000_000;
 
-    /** How an energy error develops. */
+    /** The kind of growth of an energy error. */
     public enum Kind {
         /** The energy is conserved, and its error grows with time. */
         SECULAR("drifts"),
@@ -42,8 +42,8 @@ public final class EnergyDrift {
         /** The error is round-off. */
         ROUNDING("round-off"),
         /**
-         * Damping, driving or impacts change the energy. An error then fades with the motion or follows it, so that
-         * whether it grows says nothing about the solver; only its size does.
+         * Damping, driving or impacts change the energy. The error then fades with the motion or follows it. Only its
+         * size says something about the solver, not its growth.
          */
         EXCHANGING("damped or driven"),
         /** The run failed. */
@@ -55,23 +55,23 @@ public final class EnergyDrift {
             this.words = words;
         }
 
-        /** @return what tables call it */
+        /** @return its name in tables */
         public String words() {
             return words;
         }
     }
 
     /**
-     * One solver's run.
+     * The energy drift of one solver's run.
      *
-     * @param setting how the scene was solved
-     * @param time    when (s)
-     * @param error   the energy's numerical error over the scale then
-     * @param end     the last one
-     * @param largest the largest, without its sign
-     * @param slope   of the straight line through all (1/s)
-     * @param kind    how it goes on
-     * @param outcome how the run went
+     * @param setting the solver and its step
+     * @param time    the times of the errors (s)
+     * @param error   the numerical error at these times, divided by the energy scale
+     * @param end     the last error
+     * @param largest the size of the largest error
+     * @param slope   the slope of the straight line through all errors (1/s)
+     * @param kind    the kind of growth
+     * @param outcome the outcome of the run
      */
     public record Drift(Setting setting, double[] time, double[] error, double end, double largest, double slope,
             Kind kind,
@@ -79,13 +79,13 @@ public final class EnergyDrift {
     }
 
     /**
-     * All of them.
+     * The energy drift of all solvers compared.
      *
      * @param scene     the scene's title
-     * @param duration  of the runs (s)
-     * @param scale     what errors were divided by (J)
+     * @param duration  the duration of the runs (s)
+     * @param scale     the energy scale by which errors were divided (J)
      * @param equalWork whether the runs were made to cost the same, rather than to have the same step
-     * @param drifts    one a solver
+     * @param drifts    the result of each solver
      */
     public record Comparison(String scene, double duration, double scale, boolean equalWork, List<Drift> drifts) {
     }
@@ -95,9 +95,10 @@ public final class EnergyDrift {
 
     /**
      * @param scene     a scene, with the step and duration that are wanted
-     * @param solvers   whom to compare
-     * @param equalWork whether each gets the step, or tolerance, with which it costs what rk4 costs at the scene's step
-     * @param progress  hears how far it is
+     * @param solvers   the solvers to compare
+     * @param equalWork whether each solver gets the step or tolerance with which it costs as much as rk4 at the scene's
+     *                  step
+     * @param progress  receives the progress
      * @return the runs
      */
     public static Comparison compare(SceneDescription scene, List<SolverChoice> solvers, boolean equalWork,
@@ -116,7 +117,7 @@ public final class EnergyDrift {
         return new Comparison(scene.title(), scene.duration(), scale, equalWork, drifts);
     }
 
-    /** @param beside who looks on too, and first */
+    /** @param beside a further observer, which is called first */
     public static Drift measure(Scene built, Setting setting, double scale, List<? extends Observer> beside) {
         DriftRecorder recorder = new DriftRecorder();
         List<Observer> observers = new ArrayList<>(beside);
@@ -128,7 +129,7 @@ public final class EnergyDrift {
     /**
      * @param curve     the error over time (J)
      * @param exchanged the largest work that damping, driving or a rule did (J)
-     * @param scale     of the energy (J)
+     * @param scale     the energy scale (J)
      */
     static Drift judge(Setting setting, ErrorCurve curve, double exchanged, double scale, Outcome outcome) {
         double[][] points = curve.points();
@@ -156,7 +157,7 @@ public final class EnergyDrift {
         return straight && goesOn ? Kind.SECULAR : Kind.BOUNDED;
     }
 
-    /** The largest kinetic plus spring energy of a run that is as good as exact. */
+    /** The largest kinetic plus spring energy of a very accurate run. */
     private static double scale(SceneDescription scene) {
         EnergyHistory history = new EnergyHistory();
         Setting setting = new Setting(SolverChoice.of("dormand-prince"), scene.deltaT(),

@@ -15,16 +15,16 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
- * The energies of a run over time: kinetic, what each effect stores, and their sum, after each step and again after
- * rules changed something, so that the loss in a bounce is a vertical line. Thinned to some thousand points a curve,
- * with every extreme kept.
+ * Records the energies of a run over time: kinetic energy, the potential energy of each effect, and their sum. It
+ * records after each step and again after a rule changed something, so that the loss in a bounce is a vertical line.
+ * Curves are thinned to some thousand points, with every extreme kept.
  */
 public final class EnergyHistory implements Observer {
     private static final int BUCKETS = 1024;
     /** Energies below this part of weight times height are the rounding of a scene at rest. */
     private static final double AT_REST = 1e-12;
 
-    /** Beyond this factor, what came before looks like 0 on a linear axis. */
+    /** If energies grow beyond this factor, earlier ones look like 0 on a linear axis. */
     private static final double MUCH = 1000;
     /** Of the largest energy. */
     private static final double ROUND_OFF = 1e-16;
@@ -41,13 +41,14 @@ public final class EnergyHistory implements Observer {
     private double largestOfMotionAndSprings;
     private double restScale;
 
-    /** Looks at every step. */
+    /** Creates a history that records every step. */
     public EnergyHistory() {
         this(1);
     }
 
     /**
-     * @param stride every how many steps the energies are computed, 1 or more: that costs as much as half an evaluation
+     * @param stride the number of steps from one record to the next, 1 or more; a record costs as much as half an
+     *               evaluation
      */
     public EnergyHistory(long stride) {
         if (stride < 1) {
@@ -117,7 +118,7 @@ public final class EnergyHistory implements Observer {
         return total.last() - zero();
     }
 
-    /** The sum of all that {@link #lowest} takes off. */
+    /** The sum of all zeros that {@link #lowest} subtracts. */
     private double zero() {
         double sum = 0;
         for (int e = 0; e < effects.size(); e++) {
@@ -127,8 +128,8 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * Where the origin lies must not matter, so that a uniform field such as gravity has its zero at its lowest value
-     * in the run. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
+     * A uniform field such as gravity has its zero at its lowest value in the run, so that the choice of the origin
+     * does not matter. An attraction has its own zero, far away: an orbit that cannot escape has a negative energy.
      */
     private double lowest(int effect) {
         Set<Effect.Trait> traits = effects.get(effect).getTraits();
@@ -142,8 +143,8 @@ public final class EnergyHistory implements Observer {
     }
 
     /**
-     * @return what energy errors are divided by (J): the largest kinetic plus spring energy of the run, or for a scene
-     *         at rest its weight times its height. Where the zero of gravity's potential lies does not matter to it.
+     * @return the energy scale by which errors are divided (J): the largest kinetic plus spring energy of the run, or
+     *         for a scene at rest its weight times its height. It does not depend on the zero of gravity's potential.
      */
     public double getScale() {
         return largestOfMotionAndSprings > AT_REST * restScale ? largestOfMotionAndSprings : restScale;
@@ -163,7 +164,7 @@ public final class EnergyHistory implements Observer {
      * The energies. The total is the first series. Gravity's potential has its zero at the lowest value of the run,
      * and its name says so.
      *
-     * @param title of the chart, such as the scene and its solver
+     * @param title the title of the chart, such as the scene and its solver
      * @return the chart
      * @throws IllegalStateException before the run
      */
@@ -208,7 +209,7 @@ public final class EnergyHistory implements Observer {
         return before > ROUND_OFF * largest && largest > MUCH * before;
     }
 
-    /** Rounding errors would stretch a logarithmic axis to 1e-30; what is 0 is not drawn on it. */
+    /** Replaces round-off, which would stretch a logarithmic axis to 1e-30, by 0, which is not drawn on it. */
     private static void dropRounding(double[] energies, double largest) {
         for (int k = 0; k < energies.length; k++) {
             energies[k] = energies[k] > ROUND_OFF * largest ? energies[k] : 0;

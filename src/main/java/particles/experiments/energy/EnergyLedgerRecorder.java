@@ -15,9 +15,8 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
- * A run's energy ledger over time: what each kind of work put in or took out, and what is left over, which is the error
- * of the numbers. Every step is booked; what is drawn is thinned to some thousand points a curve, with every extreme
- * kept.
+ * Records a run's energy ledger over time: the energy that each kind of work put in or took out, and the rest, which is
+ * numerical error. Every step is recorded; curves are thinned to some thousand points, with every extreme kept.
  */
 public final class EnergyLedgerRecorder implements Observer {
     private static final int BUCKETS = 1024;
@@ -28,7 +27,7 @@ public final class EnergyLedgerRecorder implements Observer {
     private final Map<String, MinMaxThinning> work = new LinkedHashMap<>();
     private long step;
 
-    /** @param stride every how many steps a point is drawn, 1 or more */
+    /** @param stride the number of steps from one point of a curve to the next, 1 or more */
     public EnergyLedgerRecorder(long stride) {
         if (stride < 1) {
             throw new IllegalArgumentException("the stride has to be 1 or more, not " + stride);
@@ -85,23 +84,23 @@ public final class EnergyLedgerRecorder implements Observer {
         return ledger.getWork();
     }
 
-    /** @return the energy that no work explains, at the end (J) */
+    /** @return the numerical error at the end, the change of energy that no work explains (J) */
     public double getNumericalError() {
         return ledger.getNumericalError();
     }
 
-    /** The same as of the last step that was recorded (J). */
+    /** The numerical error at the last recorded step (J). */
     double getLatestNumericalError() {
         return error.last();
     }
 
-    /** @return the largest of it during the run, without its sign (J); NaN before a run */
+    /** @return the largest size of the numerical error during the run (J); NaN before a run */
     public double getLargestNumericalError() {
         return error.isEmpty() ? Double.NaN : Math.max(error.largest(), -error.smallest());
     }
 
     /**
-     * @param scale what errors are divided by (J); 0 where nothing moves
+     * @param scale the energy by which errors are divided (J); 0 if nothing moves
      * @param log   whether sizes are drawn on logarithmic axes, as in a run that blows up
      * @return the work of each kind, if there was any, and below it the numerical error, over the same time
      */

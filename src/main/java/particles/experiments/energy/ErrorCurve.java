@@ -3,8 +3,8 @@ package particles.experiments.energy;
 import particles.experiments.runs.MinMaxThinning;
 
 /**
- * An energy error over time, and the straight line that fits it best. Sums are kept while values come in, so that every
- * one counts and none is stored.
+ * An energy error over time, and the straight line that fits it best. It keeps running sums, so that every value counts
+ * and none is stored.
  */
 final class ErrorCurve {
     private static final int BUCKETS = 512;
@@ -17,7 +17,7 @@ final class ErrorCurve {
     private double errorSquares;
     private double products;
 
-    /** Means and squares about them are brought up to date together (B. P. Welford, Technometrics 4, 1962). */
+    /** Updates the means and the sums of squares about them (B. P. Welford, Technometrics 4, 1962). */
     void add(double time, double value) {
         if (!Double.isFinite(value)) {
             return;
@@ -61,7 +61,7 @@ final class ErrorCurve {
         return timeSquares > 0 ? products / timeSquares : 0;
     }
 
-    /** @return how far the values lie from the straight line, root mean square (J) */
+    /** @return the root mean square distance of the values from the straight line (J) */
     double scatter() {
         return n < 3 ? 0 : Math.sqrt(Math.max(0, errorSquares - slope() * products) / n);
     }

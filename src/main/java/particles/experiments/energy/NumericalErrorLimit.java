@@ -8,18 +8,19 @@ import particles.law.Particles;
 import particles.messages.Digits;
 
 /**
- * Fails a run that gained more energy from nothing than it has: at the end of a run if the numerical error was larger
- * than the energy scale, or earlier, once it is {@value #MOST_GAIN} times all energy that is not error. Between the two
- * there is something to be seen: how a step that is too long blows up, or how Euler spirals outwards.
+ * Fails a run whose numerical error, as a gain of energy, became larger than its energy. It fails at the end if the
+ * error was larger than the energy scale, and earlier once the error is {@value #MOST_GAIN} times all energy that is
+ * not error. Between the two the run goes on, so that one can watch a step that is too long blow up, or Euler spiral
+ * outwards.
  *
- * <p>Only a gain counts. Solvers that damp lose energy, and no run can lose more than it has and is given. What wind,
- * moving anchors or births put in belongs to the scale, as a solver that is off by a small part of that has an error
+ * <p>Only a gain counts: solvers that damp lose energy, but no run can lose more than it has and receives. Energy from
+ * wind, moving anchors or births belongs to the scale, since a solver with a small relative error has an absolute error
  * that grows as long as they go on.
  */
 public final class NumericalErrorLimit implements Observer {
     private static final int MOST_GAIN = 1000;
     private static final double ROUND_OFF = 1e-9;
-    /** Of the energy of motion that is expected in a scene: less than this is the rounding of a scene at rest. */
+    /** Kinetic energies below this part of the scene's estimated energy are round-off of a scene at rest. */
     private static final double AT_REST = 1e-12;
 
     private final EnergyHistory energy;
@@ -31,9 +32,9 @@ public final class NumericalErrorLimit implements Observer {
     private int fastest;
 
     /**
-     * @param energy      the run's energies; told of each step before this
-     * @param books       the run's ledger; told of each step before this
-     * @param energyScale how much energy of motion is to be expected in the scene (J)
+     * @param energy      the run's energies; an observer that is called before this one
+     * @param books       the run's ledger; an observer that is called before this one
+     * @param energyScale the scene's estimated energy (J)
      */
     public NumericalErrorLimit(EnergyHistory energy, EnergyLedgerRecorder books, double energyScale) {
         this.energy = energy;
@@ -68,7 +69,7 @@ public final class NumericalErrorLimit implements Observer {
         }
     }
 
-    /** A body that Euler lets fall has, after its first step, an energy that is all error: that is not above. */
+    /** After its first Euler step, all energy of a falling body is error; that does not count as above. */
     private boolean isAboveScale(double error) {
         double above = (1 + ROUND_OFF) * energy.getScale();
         return error > Math.max(rounding, above) && error > above + putIn();
@@ -83,7 +84,7 @@ public final class NumericalErrorLimit implements Observer {
         return sum;
     }
 
-    /** Notes which particle has the largest kinetic energy. */
+    /** Notes the particle with the largest kinetic energy. */
     private void find(Motion motion) {
         Particles particles = motion.getSystem().getParticles();
         double[] state = motion.getEndState();

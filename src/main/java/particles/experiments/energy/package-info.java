@@ -1,4 +1,4 @@
 /**
- * Energy over time, the ledger's numerical error, and how solvers drift.
+ * Energy experiments: energies over time, the ledger's numerical error, and the energy drift of solvers.
  */
 package particles.experiments.energy;

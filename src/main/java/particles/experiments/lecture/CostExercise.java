@@ -17,9 +17,9 @@ public final class CostExercise {
     }
 
     /**
-     * @param error    of the state at the end
-     * @param midpoint evaluations that the midpoint method needs for it
-     * @param rk4      evaluations that RK4 needs
+     * @param error    the error of the state at the end
+     * @param midpoint the evaluations that the midpoint method needs
+     * @param rk4      the evaluations that RK4 needs
      */
     public record Cost(double error, long midpoint, long rk4) {
     }
@@ -30,7 +30,7 @@ public final class CostExercise {
                 .toList();
     }
 
-    /** The fewest steps that reach the error; over this range it falls with every step more. */
+    /** The fewest steps that reach the error; in this range the error falls with each additional step. */
     private static long steps(String solver, double error) {
         int few = 100;
         int enough = 200;
@@ -63,7 +63,7 @@ public final class CostExercise {
     }
 
     /**
-     * @param costs from {@link #solve}
+     * @param costs the result of {@link #solve}
      * @return the answer in a sentence
      */
     public static String finding(List<Cost> costs) {
@@ -77,7 +77,7 @@ public final class CostExercise {
     }
 
     /**
-     * @param costs from {@link #solve}
+     * @param costs the result of {@link #solve}
      * @return the answer to the exercise
      */
     public static DataTable table(List<Cost> costs) {

@@ -23,7 +23,7 @@ import particles.view.VectorField;
 
 /**
  * The figures of the slides on the Euler method, the midpoint method and Runge-Kutta: x'' = -x from (1, 0) in state
- * space, over its vector field, with what theory says of amplitude and phase.
+ * space, over its vector field, with the theory of amplitude and phase.
  *
  * <p>Source: COMPSCI 715 (2003), slides "Example IVP", "The Euler Method", "Mid-point Method", "RK4 Results".
  */
@@ -31,7 +31,7 @@ public final class LectureFigures {
     private static final int ARROWS = 17;
     private static final int CIRCLE = 361;
 
-    /** The slides' captions. Of Euler's step they say only what comes of it; 3 periods are 160.6 of these steps. */
+    /** The slides' captions. They do not state Euler's step, only its result; 3 periods are 160.6 of these steps. */
     private static final List<Figure> ON_SLIDES = List.of(
             new Figure("euler", 0.11737, 161), new Figure("midpoint", 1, 11), new Figure("midpoint", 0.5, 100),
             new Figure("midpoint", 0.1, 5000), new Figure("rk4", 1, 8), new Figure("rk4", 1, 100),
@@ -39,11 +39,11 @@ public final class LectureFigures {
                     1250));
 
     /**
-     * Which run.
+     * The parameters of a run.
      *
      * @param solver its name in the catalogue
      * @param deltaT the time step (s)
-     * @param steps  how many
+     * @param steps  the number of steps
      */
     public record Figure(String solver, double deltaT, int steps) {
     }
@@ -51,11 +51,11 @@ public final class LectureFigures {
     /**
      * A run, measured against theory.
      *
-     * @param figure      which run
-     * @param amplitude   the last state's distance from the origin over the first's
-     * @param phaseError  by how much it has turned further than the exact solution (rad); negative where it lags
+     * @param figure      the run
+     * @param amplitude   the distance of the last state from the origin, divided by that of the first
+     * @param phaseError  the angle by which it is ahead of the exact solution (rad); negative if it lags
      * @param theory      the same two numbers from R(ih), where it is known
-     * @param evaluations of the derivative
+     * @param evaluations the number of evaluations of the derivative
      * @param x           positions after each step, with the start
      * @param v           velocities
      */
@@ -83,7 +83,7 @@ public final class LectureFigures {
 
     /**
      * @param figure a run
-     * @return what comes of it
+     * @return its result
      */
     public static Result run(Figure figure) {
         Oscillator oscillator = new Oscillator();
@@ -110,7 +110,7 @@ public final class LectureFigures {
 
     /**
      * @param result a run
-     * @param title  of the chart
+     * @param title  the title of the chart
      * @return its path, the exact one, the start, and where both end
      */
     public static ChartData chart(Result result, String title) {
@@ -129,7 +129,7 @@ public final class LectureFigures {
     }
 
     /**
-     * @return the exact solution alone, which is what the vector field says, with the looks that it has in the others
+     * @return the exact solution alone, which follows the vector field, drawn as in the other charts
      */
     public static ChartData exactChart() {
         return new ChartData("Vectors show the vector field (v, \u2212x); each solution is a circle",
@@ -151,7 +151,7 @@ public final class LectureFigures {
     }
 
     /**
-     * @param reach how far out it is needed
+     * @param reach the largest distance from the origin that is needed
      * @return the field (v, -x) on a square grid around the origin
      */
     public static VectorField field(double reach) {
@@ -166,7 +166,7 @@ public final class LectureFigures {
         return field;
     }
 
-    /** @return how far out the path goes, with a margin */
+    /** @return the largest distance of the path from the origin, with a margin */
     public static double reach(Result result) {
         double x = Arrays.stream(result.x()).map(Math::abs).max().orElse(1);
         double v = Arrays.stream(result.v()).map(Math::abs).max().orElse(1);
@@ -175,8 +175,8 @@ public final class LectureFigures {
 
     /**
      * @param results runs
-     * @return who spirals which way, and how much the step has to say in that: the longest and the shortest one of a
-     *         solver that spirals outwards with several
+     * @return a sentence about the direction of each solver's spiral, and about the effect of the step: the longest and
+     *         the shortest step of a solver that spirals outwards with several
      */
     public static String finding(List<Result> results) {
         String ways = Stream.of(way(results, "outwards", result -> result.amplitude() > 1),
@@ -215,7 +215,7 @@ public final class LectureFigures {
 
     /**
      * @param results runs
-     * @return measured beside what theory says
+     * @return the table of measured and theoretical values
      */
     public static DataTable table(List<Result> results) {
         List<List<Object>> rows = new ArrayList<>();

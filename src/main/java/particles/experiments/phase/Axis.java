@@ -3,7 +3,7 @@ package particles.experiments.phase;
 import java.util.List;
 import java.util.Locale;
 
-/** What a phase portrait shows of a particle: one component of its motion, or its angle about another particle. */
+/** The axis of a phase portrait: one component of a particle's motion, or its angle about another particle. */
 public enum Axis {
     /** To the right. */
     X,
@@ -25,12 +25,12 @@ public enum Axis {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** @return what is drawn to the right, such as "position x of 'bob' (m)"; the middle may be empty */
+    /** @return the label of the horizontal axis, such as "position x of 'bob' (m)"; the middle may be empty */
     String positionLabel(String whose) {
         return this == ANGLE ? "angle theta" + whose + " (rad)" : "position " + symbol() + whose + " (m)";
     }
 
-    /** @return what is drawn upwards, such as "velocity vx of 'bob' (m/s)"; the middle may be empty */
+    /** @return the label of the vertical axis, such as "velocity vx of 'bob' (m/s)"; the middle may be empty */
     String velocityLabel(String whose) {
         return this == ANGLE ? "angular velocity omega" + whose + " (rad/s)"
                 : "velocity v" + symbol() + whose + " (m/s)";

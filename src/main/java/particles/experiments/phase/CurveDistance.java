@@ -1,8 +1,8 @@
 package particles.experiments.phase;
 
-/** How far a path in state space lies from a curve: by shape alone, whatever the time at which it is where. */
+/** The distance of a path in state space from a curve, by shape alone: times are not compared. */
 final class CurveDistance {
-    /** So many points stand for a path, so many lines for the curve: enough for a few turns, and quick. */
+    /** The largest number of points used of a path, and of lines of the curve: enough for a few turns, and fast. */
     private static final int MOST_POINTS = 600;
     private static final int MOST_LINES = 6000;
 
@@ -15,7 +15,7 @@ final class CurveDistance {
 
     /**
      * @param x positions along the curve
-     * @param v as many velocities
+     * @param v the velocities at these positions
      */
     CurveDistance(double[] x, double[] v) {
         this.x = x;
@@ -36,7 +36,10 @@ final class CurveDistance {
         return reachX == 0 && reachV == 0;
     }
 
-    /** @return how far out a state is: 1 at the edges of the box around the curve; NaN if there is no such box */
+    /**
+     * @return the distance of a state from the middle of the box around the curve: 1 at its edges; NaN if there is no
+     *         box
+     */
     double outwards(double position, double velocity) {
         return isDegenerate() ? Double.NaN
                 : Math.max(Math.abs(position - middleX) / reachX, Math.abs(velocity - middleV) / reachV);
@@ -44,7 +47,7 @@ final class CurveDistance {
 
     /**
      * @param pathX positions along a path
-     * @param pathV as many velocities
+     * @param pathV the velocities at these positions
      * @return the largest distance of its points from the curve, in halves of the curve's width and height; NaN if it
      *         has
      * none

@@ -13,14 +13,14 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
- * The path of one particle in its state space: position against velocity along an axis, or its angle about another
- * particle against the angular velocity, after each step and again after rules changed something, so that a bounce is a
- * vertical line. A very long path is thinned to every 2nd, 4th, ...
- * state, and then drawn as points, since lines between distant states would show a motion that was none.
+ * Records the path of one particle in its state space: position against velocity along an axis, or its angle about
+ * another particle against the angular velocity, after each step and again after rules changed something, so that a
+ * bounce is a vertical line. A very long path is thinned to every 2nd, 4th, ... state, and then drawn as points, since
+ * lines between distant states would show a motion that did not happen.
  */
 public final class PhaseHistory implements Observer {
     private static final int CAPACITY = 1 << 15;
-    /** A path of no more states than this shows each of them. */
+    /** A path of at most this number of states shows each of them. */
     private static final int FEW = 150;
     /** Numbers of each state that is kept: position, velocity, angle and angular velocity. */
     private static final int COLUMNS = Particles.STRIDE + 2;
@@ -36,14 +36,14 @@ public final class PhaseHistory implements Observer {
     private long every = 1;
     private long states;
 
-    /** @param id which particle */
+    /** @param id the id of the particle */
     public PhaseHistory(String id) {
         this(id, Optional.empty());
     }
 
     /**
-     * @param id    which particle
-     * @param about the particle that its angle is seen from, if there is one
+     * @param id    the id of the particle
+     * @param about the particle about which its angle is measured, if there is one
      */
     public PhaseHistory(String id, Optional<String> about) {
         this.id = id;
@@ -65,7 +65,7 @@ public final class PhaseHistory implements Observer {
         add(system, system.getOwnState());
     }
 
-    /** Particles that come and go may move this one to another index; once it is gone, its path has ended. */
+    /** Adds a state. Births and deaths may move the particle to another index; when it is removed, its path ends. */
     private void add(ParticleSystem system, double[] state) {
         Particles particles = system.getParticles();
         index = find(particles, id, index);
@@ -91,7 +91,7 @@ public final class PhaseHistory implements Observer {
         count++;
     }
 
-    /** @return where a particle is now, most often where it was before; the number of particles if it is gone */
+    /** @return the index of a particle, usually the same as before; the number of particles if it was removed */
     private static int find(Particles particles, String id, int before) {
         if (before < particles.count() && particles.id(before).equals(id)) {
             return before;
@@ -113,7 +113,7 @@ public final class PhaseHistory implements Observer {
         rate = (x * vy - y * vx) / (x * x + y * y);
     }
 
-    /** Of the states kept, whose number is even, every second one stays: the next one to come is due as well. */
+    /** Drops every second of the states kept. Their number is even, so the next state is due. */
     private void halve() {
         for (int k = 0; k < count; k += 2) {
             System.arraycopy(path, COLUMNS * k, path, COLUMNS * (k / 2), COLUMNS);
@@ -146,8 +146,8 @@ public final class PhaseHistory implements Observer {
     }
 
     /**
-     * @param axis  which component of the motion
-     * @param title of the chart, such as the scene and its solver
+     * @param axis  the component of the motion
+     * @param title the title of the chart, such as the scene and its solver
      * @return the path, and its first and last state once more as marks of their own
      * @throws IllegalStateException if no run with this particle was observed
      */

@@ -19,9 +19,8 @@ import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
 /**
- * Phase portraits of a scene: the path that each of several solvers gives a particle, over the path of a run as good as
- * exact,
- * each solver in a chart of its own.
+ * Phase portraits of a scene: the path of a particle with each of several solvers, over that of a very accurate run,
+ * one chart for each solver.
  */
 public final class PhasePortraits {
     private static final double REFERENCE_TOLERANCE = 1e-10;
@@ -32,13 +31,11 @@ public final class PhasePortraits {
      * One solver's path of one particle.
      *
      * @param solver   its label
-     * @param particle whose path
-     * @param axis     along which
-     * @param off      how far the path gets from the reference's curve at most, in halves of the curve's width and
-     *                 height;
-     * NaN
-     *                 where the reference has no curve
-     * @param whole    whether the run came to its end
+     * @param particle the id of the particle
+     * @param axis     the axis of the portrait
+     * @param off      the largest distance of the path from the reference's curve, in halves of the curve's width and
+     *                 height; NaN if the reference has no curve
+     * @param whole    whether the run reached its end
      * @param chart    the path over the reference, both ends marked
      */
     public record Portrait(String solver, String particle, Axis axis, double off, boolean whole, ChartData chart) {
@@ -47,8 +44,8 @@ public final class PhasePortraits {
     /**
      * The result of the runs.
      *
-     * @param portraits for each particle and axis, one a solver
-     * @param table     where each solver's particle was at the end, and how far from the reference
+     * @param portraits the portraits of each particle, axis and solver
+     * @param table     the last position of the particle with each solver, and its distance from the reference
      */
     public record Portraits(List<Portrait> portraits, DataTable table) {
     }
@@ -62,11 +59,11 @@ public final class PhasePortraits {
 
     /**
      * @param scene     a scene, with the step and duration that are wanted
-     * @param solvers   whom to compare
+     * @param solvers   the solvers to compare
      * @param particles their ids
-     * @param axes      along which they are looked at; none for the one along which each goes farthest
-     * @param about     the particle about which angles are seen, for {@link Axis#ANGLE}
-     * @param progress  hears how far it is
+     * @param axes      the axes of the portraits; none for the one along which each particle goes farthest
+     * @param about     the particle about which angles are measured, for {@link Axis#ANGLE}
+     * @param progress  receives the progress
      * @return the portraits
      */
     public static Portraits compare(SceneDescription scene, List<SolverChoice> solvers, List<String> particles,
@@ -116,8 +113,8 @@ public final class PhasePortraits {
 
     /**
      * @param scene     its title
-     * @param portraits of it
-     * @return which solvers leave the curve of the reference and which stay on it, in a sentence
+     * @param portraits the portraits of the scene
+     * @return a sentence about the solvers that leave the curve of the reference and those that stay on it
      */
     public static String finding(String scene, List<Portrait> portraits) {
         Map<String, Double> worst = new LinkedHashMap<>();

@@ -8,11 +8,13 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
-/** One solver's path over the reference: the ends of both, and where the path leaves the picture. */
+/**
+ * The chart of one solver's path over the reference, with both ends and the point where the path leaves the picture.
+ */
 final class PortraitChart {
     /**
-     * What goes farther out than so many times the curve leaves the picture, and would make everything else in it a
-     * dot.
+     * A path that goes farther out than this many times the curve leaves the picture; otherwise all else would shrink
+     * to a dot.
      */
     private static final double PICTURE = 3.2;
     /** A path this far from the curve has left it. */
@@ -45,8 +47,8 @@ final class PortraitChart {
     }
 
     /**
-     * @param whose of which particle it is, if there are several charts of this solver
-     * @param axis  along which
+     * @param whose the particle's name, if there are several charts of this solver
+     * @param axis  the axis of the portrait
      */
     ChartData data(String whose, Axis axis) {
         List<Series> series = new ArrayList<>();

@@ -21,15 +21,13 @@ public final class VectorFields {
 
     /**
      * Evaluates the field on a grid around a path. A system has one degree of freedom for this purpose if one particle
-     * can move, and nothing that it meets on the grid drives it across the axis. The effects are asked, reactions are
-     * not.
+     * can move, and no force on the grid drives it across the axis. Only effects are evaluated, not reactions.
      *
-     * @param system whose effects make the field, at its present time; not changed, and not counted as evaluations
-     * @param axis   along which the particle moves
+     * @param system the system at its present time; not changed, and no evaluations are counted
+     * @param axis   the axis along which the particle moves
      * @param x      the positions of the path (m)
      * @param v      its velocities (m/s)
-     * @return the field, or nothing for an angle, if there are more degrees of freedom, or if the path has no
-     *         extent
+     * @return the field; empty for an angle, if there are more degrees of freedom, or if the path has no extent
      */
     public static Optional<VectorField> around(ParticleSystem system, Axis axis, double[] x, double[] v) {
         if (axis == Axis.ANGLE) {

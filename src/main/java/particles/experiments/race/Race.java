@@ -30,8 +30,9 @@ import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
 /**
- * A race of solvers on one scene: all do the same work, evaluations of the derivative or, where implicit ones take part
- * whose work is more than that, time; who stays near a run that is as good as exact?
+ * A race of solvers on one scene: all do the same work, and the solver that stays nearest to a very accurate run wins.
+ * Work is counted in evaluations of the derivative, or in time if implicit solvers take part, whose work is more than
+ * evaluations.
  */
 public final class Race {
     private static final double REFERENCE_TOLERANCE = 1e-11;
@@ -46,23 +47,23 @@ public final class Race {
         /**
          * Called when a run begins; the first run is the reference's.
          *
-         * @param scene  about to run
-         * @param solver of this run; empty for the reference
-         * @param extent where the reference goes
+         * @param scene  the scene, about to run
+         * @param solver the solver of this run; empty for the reference
+         * @param extent the box in which the reference moves
          * @return the observers of this run
          */
         List<Observer> of(Scene scene, Optional<SolverChoice> solver, Extent extent);
     }
 
     /**
-     * One solver's run.
+     * The run of one solver.
      *
-     * @param match    its step or tolerance, and what that costs
-     * @param drift    how it keeps the energy, as far as it came
-     * @param states   at the frames' times, as far as it came: (x1, v1, x2, v2, ...)
+     * @param match    its step or tolerance, and the cost of it
+     * @param drift    its energy drift, up to its end
+     * @param states   its states at the frames' times, up to its end: (x1, v1, x2, v2, ...)
      * @param distance from the reference at these times, root mean square over the particles (m); NaN where there are
      *                 not as many particles, or between the steps of an adaptive solver
-     * @param left     when it left the race (s): it failed, or went where the reference never comes near
+     * @param left     the time at which it left the race (s): it failed, or went far from any place of the reference
      */
     public record Lane(Match match, Drift drift, List<double[]> states, double[] distance, OptionalDouble left) {
     }
@@ -71,13 +72,13 @@ public final class Race {
      * The race.
      *
      * @param scene     the scene's title
-     * @param duration  of the race (s)
-     * @param times     of the frames (s)
-     * @param equalTime whether all take the same time, and not the same number of evaluations
-     * @param shares    what each was to take, and who cannot do with less
-     * @param scale     what energy errors are divided by (J)
+     * @param duration  the duration of the race (s)
+     * @param times     the times of the frames (s)
+     * @param equalTime whether all take the same time instead of the same number of evaluations
+     * @param shares    the work of each solver, and the solver that cannot do with less
+     * @param scale     the energy scale by which errors are divided (J)
      * @param reference its states at the frames' times
-     * @param lanes     one a solver
+     * @param lanes     the run of each solver
      */
     public record Result(String scene, double duration, double[] times, boolean equalTime, Shares shares, double scale,
                          List<double[]> reference, List<Lane> lanes) {
@@ -89,9 +90,9 @@ public final class Race {
     private final ToDoubleFunction<Outcome> clock;
 
     /**
-     * @param scene   with the duration that is wanted; rk4 at its step sets how much work all get
-     * @param solvers who takes part; who cannot do with so little sets the work of all
-     * @param frames  into how many parts the duration is divided, 1 or more
+     * @param scene   the scene, with the duration of the race; rk4 at its step sets the work of all
+     * @param solvers the solvers that take part; one that cannot do with so little work sets the work of all
+     * @param frames  the number of parts into which the duration is divided, 1 or more
      */
     public Race(SceneDescription scene, List<SolverChoice> solvers, int frames) {
         this(scene, solvers, frames, Outcome::busy);
@@ -108,7 +109,7 @@ public final class Race {
      * Runs the reference and all solvers.
      *
      * @param factory  makes the observers of each run
-     * @param progress is told how far the race is
+     * @param progress receives the progress of the race
      * @return the result of every solver
      * @throws SimulationException if the reference cannot be computed
      */
@@ -139,7 +140,10 @@ public final class Race {
         return new Result(scene.title(), scene.duration(), times, equalTime, shares, scale, reference.states(), lanes);
     }
 
-    /** Its steps end at the frames, about as long as the scene's: nothing that is compared is interpolated. */
+    /**
+     * The reference's setting: steps about as long as the scene's that end at the frames, so that nothing compared is
+     * interpolated.
+     */
     private Setting tight() {
         double frame = scene.duration() / frames;
         return new Setting(SolverChoice.of("dormand-prince"), frame / Math.ceil(frame / scene.deltaT()),
@@ -176,8 +180,8 @@ public final class Race {
     }
 
     /**
-     * What an adaptive solver does within its steps is not seen: what is interpolated there has errors that are not its
-     * own.
+     * The frames from one step to the next. An adaptive solver is compared only at the ends of its steps: within them,
+     * interpolation has errors that are not the solver's own.
      */
     private int framesAStep(Setting setting) {
         double a = setting.deltaT() * frames / scene.duration();
@@ -197,7 +201,7 @@ public final class Race {
         return Math.sqrt(sum / (state.length / Particles.STRIDE));
     }
 
-    /** Ends the run of who leaves. */
+    /** Ends the run of a solver that leaves the race. */
     private static final class Fence implements Observer {
         private final Vector3 low;
         private final Vector3 high;

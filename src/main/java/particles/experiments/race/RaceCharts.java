@@ -16,7 +16,7 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
-/** A race as charts, as tables and in words. */
+/** Charts, tables and findings of a race. */
 public final class RaceCharts {
     private static final double SMALLEST = 1e-17;
     /**
@@ -33,8 +33,8 @@ public final class RaceCharts {
     }
 
     /**
-     * @param race what happened
-     * @return the energy error of each solver over time, a line each, and crosses where one left the race
+     * @param race the result of the race
+     * @return the energy error of each solver over time, with a cross where a solver left the race
      */
     public static ChartData energy(Result race) {
         Comparison comparison = new Comparison(race.scene(), race.duration(), race.scale(), !race.equalTime(),
@@ -44,8 +44,8 @@ public final class RaceCharts {
     }
 
     /**
-     * @param race what happened
-     * @return how far each solver is from the reference, over time
+     * @param race the result of the race
+     * @return the distance of each solver from the reference, over time
      */
     public static ChartData distance(Result race) {
         List<Series> series = new ArrayList<>();
@@ -73,8 +73,8 @@ public final class RaceCharts {
     }
 
     /**
-     * @param race what happened
-     * @return what each got, such as {@code equal work, 1000 evaluations each}, and how nearly
+     * @param race the result of the race
+     * @return the work of each, such as {@code equal work, 1000 evaluations each}, and how nearly equal it was
      */
     public static String work(Result race) {
         double work = race.shares().work();
@@ -88,8 +88,8 @@ public final class RaceCharts {
     }
 
     /**
-     * @param race what happened
-     * @return the scene, what is equal, who won and who left
+     * @param race the result of the race
+     * @return the scene, the kind of equal work, the winner and the solvers that left
      */
     public static String title(Result race) {
         String finding = finding(race);
@@ -97,8 +97,8 @@ public final class RaceCharts {
     }
 
     /**
-     * @param race what happened
-     * @return who won and who left; empty where there is nothing to say
+     * @param race the result of the race
+     * @return a sentence about the winner and the solvers that left; may be empty
      */
     public static String finding(Result race) {
         List<String> parts = new ArrayList<>();
@@ -136,7 +136,7 @@ public final class RaceCharts {
         return last == 0 ? names.get(0) : String.join(", ", names.subList(0, last)) + " and " + names.get(last);
     }
 
-    /** What a lane took, over what each was to have. */
+    /** The work of a lane, divided by the work that each was to have. */
     private static double share(Result race, Lane lane) {
         return (race.equalTime() ? lane.match().seconds().orElse(Double.NaN) : lane.match().evaluations())
                 / race.shares().work();
@@ -149,8 +149,8 @@ public final class RaceCharts {
     }
 
     /**
-     * @param race what happened
-     * @return a row a solver
+     * @param race the result of the race
+     * @return the table, with a row for each solver
      */
     public static DataTable table(Result race) {
         List<List<Object>> rows = new ArrayList<>();

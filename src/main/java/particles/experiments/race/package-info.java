@@ -1,4 +1,4 @@
 /**
- * A race: several solvers do the same work on one scene.
+ * Races: several solvers do the same work on one scene, and the most accurate one wins.
  */
 package particles.experiments.race;

@@ -3,7 +3,7 @@ package particles.experiments.runs;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 
-/** Says for how long the calling thread has kept a processor busy: what else the machine does is not in it. */
+/** Measures the CPU time of the calling thread, which does not include other work on the machine. */
 public final class CpuClock {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final double NANO = 1e-9;
@@ -11,7 +11,10 @@ public final class CpuClock {
     private CpuClock() {
     }
 
-    /** @return since some moment (s); where the virtual machine does not know that, all time counts */
+    /**
+     * @return the time since some moment (s): CPU time, or elapsed time if the virtual machine does not measure CPU
+     *         time
+     */
     public static double seconds() {
         return NANO * (THREADS.isCurrentThreadCpuTimeSupported() ? THREADS.getCurrentThreadCpuTime()
                 : System.nanoTime());

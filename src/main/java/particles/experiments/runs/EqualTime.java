@@ -15,27 +15,29 @@ import particles.scene.format.SceneDescription;
 
 /**
  * Finds the steps and tolerances with which runs of a scene take the same time: as long as rk4 at the scene's step, or
- * as long as the slowest at its cheapest. Times decide only how many evaluations each solver is to make; the setting
- * that makes them is found by counting. The solvers run in turn, so that other work on the machine slows
- * all of them alike.
+ * as long as the slowest at its cheapest. Times only set the number of evaluations that each solver should make; the
+ * setting with this number is found by counting. The solvers run in turn, so that other work on the machine slows all
+ * of them alike.
  */
 public final class EqualTime {
     /** Times that differ by less than this fraction count as equal. */
     public static final double CLOSE = 0.08;
     private static final int ROUNDS = 8;
-    /** A setting that makes more evaluations than were wanted, by this part, is one that cannot do with less. */
+    /** A setting with more evaluations than wanted, by this fraction, counts as the cheapest possible. */
     private static final double OVER = 0.05;
     private static final int REPEATS = 61;
     private static final int FEWEST_REPEATS = 3;
-    /** So long (s) are all runs repeated, but not less often than the fewest times, unless that takes very long. */
+    /** Runs are repeated for this time (s), and at least the fewest times unless that takes very long. */
     private static final double ENOUGH = 1.5;
     private static final double LONG = 4;
-    /** After so long (s) of measured runs no further round begins. */
+    /** After this time (s) of measured runs no further round begins. */
     private static final double PATIENCE = 20;
-    /** Java makes code fast while it runs: so long (s), or so many runs of each, before a time counts. */
+    /**
+     * The time of warm-up (s), up to a number of runs of each, before a time counts: Java compiles code while it runs.
+     */
     private static final double WARM = 0.3;
     private static final int WARM_RUNS = 200;
-    /** Runs that make so many times the evaluations that were counted before are given up. */
+    /** Runs that make this many times the evaluations counted before are given up. */
     private static final long MOST = 100;
 
     private final SceneDescription scene;
@@ -46,10 +48,10 @@ public final class EqualTime {
     private double spent;
 
     /**
-     * @param scene       what is to run, for its duration
-     * @param evaluations of rk4 in the run that all are to last as long as, 4 or more
-     * @param frames      into how many parts the duration is divided, 1 or more
-     * @param clock       says how long a run took (s)
+     * @param scene       the scene to run, for its duration
+     * @param evaluations the number of evaluations of the rk4 run whose time all should take, 4 or more
+     * @param frames      the number of parts into which the duration is divided, 1 or more
+     * @param clock       measures the time of a run (s)
      */
     public EqualTime(SceneDescription scene, long evaluations, int frames, ToDoubleFunction<Outcome> clock) {
         this.scene = scene;
@@ -60,9 +62,9 @@ public final class EqualTime {
     }
 
     /**
-     * @param solvers  who takes part
-     * @param progress hears how far it is
-     * @return the shares, of all rounds those whose times differ least
+     * @param solvers  the solvers that take part
+     * @param progress receives the progress
+     * @return the shares of the round whose times differ least
      */
     public Shares share(List<SolverChoice> solvers, ProgressListener progress) {
         List<Entrant> entrants = new ArrayList<>();
@@ -101,7 +103,7 @@ public final class EqualTime {
 
     /**
      * @param shares with seconds
-     * @return by which part the longest time exceeds the shortest, the one that was aimed at among them
+     * @return the fraction by which the longest time exceeds the shortest; the time aimed at counts too
      */
     public static double spread(Shares shares) {
         double[] seconds = shares.matches().stream().mapToDouble(match -> match.seconds().orElseThrow()).toArray();
@@ -117,7 +119,7 @@ public final class EqualTime {
     }
 
     /**
-     * Runs everybody in turn, and rk4 at the scene's step after them.
+     * Runs all solvers in turn, and rk4 at the scene's step after them.
      *
      * @return the median time of rk4 (s)
      */
@@ -136,7 +138,7 @@ public final class EqualTime {
         return median(times);
     }
 
-    /** In one thread, as long as nobody hands in more, so that no time is spent waiting for others. */
+    /** Runs in one thread, so that no time is spent waiting for others. */
     private Outcome run(Setting setting, long mostEvaluations) {
         Scene built = SceneRun.build(scene, setting, scene.duration());
         return SceneRun.run(built, mostEvaluations, List.of());
@@ -155,7 +157,7 @@ public final class EqualTime {
         private Match match;
         /** Whether this is its cheapest setting. */
         private boolean atLeast;
-        /** How long its cheapest setting took, if it was met; 0 if not (s). */
+        /** The time of its cheapest setting (s); 0 if it was not measured. */
         private double leastSeconds;
 
         Entrant(SolverChoice solver) {
@@ -165,7 +167,8 @@ public final class EqualTime {
         }
 
         /**
-         * With a looser tolerance an implicit solver may evaluate less and yet take longer: its iterations get long.
+         * Finds the tolerance with the shortest time. With a looser tolerance an implicit solver may evaluate less and
+         * yet take longer, since it needs more iterations.
          */
         private double cheapest() {
             double best = EqualWork.LOOSEST;
@@ -184,7 +187,8 @@ public final class EqualTime {
         }
 
         /**
-         * @return the median of so many runs, or of fewer when they take long enough (s); infinite for a run that fails
+         * @return the median time of this number of runs (s), or of fewer if they take long enough; infinite if a run
+         *         fails
          */
         private double seconds(double tolerance, int repeats, double enough) {
             List<Double> some = new ArrayList<>();
@@ -200,7 +204,7 @@ public final class EqualTime {
             atLeast = match.whole() && match.evaluations() > (1 + OVER) * wanted;
         }
 
-        /** @return how long it took (s) */
+        /** @return its time (s) */
         double run() {
             Outcome outcome = EqualTime.this.run(match.setting(), MOST * match.evaluations());
             double seconds = clock.applyAsDouble(outcome);

@@ -24,19 +24,21 @@ public final class EqualWork {
     /** A solver that fails with a loose tolerance, or is slow with it, may do with a tighter one down to this. */
     static final double LEAST_LOOSE = 1e-4;
     private static final double TIGHTEST = 1e-13;
-    /** An adaptive solver is given so many steps at most, and for each this many evaluations; sub-steps do the rest. */
+    /**
+     * The largest number of steps of an adaptive solver, and the evaluations for each; it divides them into sub-steps.
+     */
     private static final int ADAPTIVE_STEPS = 200;
     private static final int EVALUATIONS_A_STEP = 14;
-    /** Other numbers of steps are no farther from that than by this factor, and no more than so many. */
+    /** Other numbers of steps differ from the best one by at most this factor. */
     private static final long FAR = 4;
     private static final int CANDIDATES = 6;
     private static final double SHORTER = 1.5;
 
     /**
-     * @param setting     how to solve
-     * @param evaluations what that costs
-     * @param seconds     what it takes, if times were compared: the median of several runs (s)
-     * @param aStep       evaluations in one of its steps, on average
+     * @param setting     the solver and its step or tolerance
+     * @param evaluations the cost, in evaluations of the derivative
+     * @param seconds     the time, if times were compared: the median of several runs (s)
+     * @param aStep       the mean number of evaluations in one of its steps
      * @param whole       whether the run came to its end; if not, its cost is that of the whole duration by proportion
      */
     public record Match(Setting setting, long evaluations, OptionalDouble seconds, double aStep, boolean whole) {
@@ -45,9 +47,9 @@ public final class EqualWork {
     /**
      * The shares of several solvers.
      *
-     * @param matches one a solver
-     * @param work    evaluations, or seconds, that each was to cost
-     * @param slowest who cannot do with less, if that is more than was asked for
+     * @param matches the setting of each solver
+     * @param work    the evaluations, or seconds, that each was to cost
+     * @param slowest the solver that cannot do with less, if that is more than was asked for
      */
     public record Shares(List<Match> matches, double work, Optional<SolverChoice> slowest) {
     }
@@ -55,13 +57,13 @@ public final class EqualWork {
     private final SceneDescription scene;
     private final double duration;
     private final long target;
-    /** How many steps an adaptive solver is given, the best number first. */
+    /** The numbers of steps to try for an adaptive solver, the best first. */
     private final List<Long> adaptiveSteps;
 
     /**
-     * @param scene    what is to run
-     * @param duration how long (s)
-     * @param target   evaluations of the derivative, 1 or more
+     * @param scene    the scene to run
+     * @param duration the duration of the run (s)
+     * @param target   the number of evaluations wanted, 1 or more
      */
     public EqualWork(SceneDescription scene, double duration, long target) {
         this(scene, duration, target, List.of(adaptiveSteps(target)));
@@ -75,11 +77,11 @@ public final class EqualWork {
     }
 
     /**
-     * For runs that are looked at at regular times: the ends of an adaptive solver's steps are among these times.
+     * Creates a search for runs that are compared at regular times; the steps of an adaptive solver end at these times.
      *
-     * @param scene  what is to run, for its duration
-     * @param target evaluations of the derivative, 1 or more
-     * @param frames into how many parts the duration is divided, 1 or more
+     * @param scene  the scene to run, for its duration
+     * @param target the number of evaluations wanted, 1 or more
+     * @param frames the number of parts into which the duration is divided, 1 or more
      * @return the search
      */
     public static EqualWork ofFrames(SceneDescription scene, long target, int frames) {
@@ -96,10 +98,10 @@ public final class EqualWork {
     }
 
     /**
-     * A step of an adaptive solver is one sub-step at least: where that alone costs too much, the steps are made
-     * longer.
+     * Finds the setting of a solver that costs the target. A step of an adaptive solver is at least one sub-step; if
+     * that alone costs too much, the steps are made longer.
      *
-     * @param solver which one
+     * @param solver the solver
      * @return the setting that comes nearest
      */
     public Match find(SolverChoice solver) {
@@ -116,13 +118,14 @@ public final class EqualWork {
     }
 
     /**
-     * An adaptive solver's steps keep their length, so that what is seen at their ends is as dense at any tolerance;
-     * other lengths are tried where its cost jumps over what is wanted from one tolerance to the next.
+     * Finds the setting with a wanted cost. An adaptive solver's steps keep their length, so that results are equally
+     * dense at any tolerance; other lengths are tried if its cost jumps over the wanted one from one tolerance to the
+     * next.
      *
-     * @param solver  which one
+     * @param solver  the solver
      * @param loosest no looser tolerance is tried
      * @param wanted  evaluations, 1 or more
-     * @return the setting that comes nearest to them; of an implicit solver one that comes to the end, if there is one
+     * @return the setting with the nearest cost; for an implicit solver one whose run reaches its end, if there is one
      */
     Match find(SolverChoice solver, double loosest, long wanted) {
         if (!solver.adaptive()) {
@@ -137,7 +140,9 @@ public final class EqualWork {
         return best;
     }
 
-    /** The cheapest run to the end, about: steps too long for Newton's iteration are shortened until it converges. */
+    /**
+     * About the cheapest run that reaches its end: steps too long for Newton's method are shortened until it converges.
+     */
     private Match shortened(Match match) {
         long steps = Math.round(duration / match.setting().deltaT());
         long most = Math.round(MOST_RAISE * target) + FEW;
@@ -156,7 +161,7 @@ public final class EqualWork {
      * If a solver needs more work than was asked for, all get that much: the others make smaller steps.
      *
      * @param solvers  the solvers that take part
-     * @param progress hears how far it is
+     * @param progress receives the progress
      * @return their shares
      */
     public Shares share(List<SolverChoice> solvers, ProgressListener progress) {
@@ -180,7 +185,7 @@ public final class EqualWork {
         }
     }
 
-    /** Whole numbers of steps: the cost of a step changes little with their number, so that proportion finds it. */
+    /** Searches over the number of steps: the cost of a step changes little, so proportion finds the number. */
     private Match byStep(SolverChoice solver, long wanted) {
         long steps = Math.max(1, Math.round(wanted / 4.0));
         Optional<Match> best = Optional.empty();
@@ -198,8 +203,7 @@ public final class EqualWork {
     }
 
     /**
-     * The cost falls with the tolerance, in steps: bisection of its exponent, if the loosest one does not cost too
-     * much.
+     * Searches over the tolerance by bisection of its exponent, if the loosest one does not cost too much.
      */
     private Match byTolerance(SolverChoice solver, long steps, double loosest, long wanted) {
         long most = Math.round(MOST_RAISE * wanted) + FEW;
@@ -229,7 +233,7 @@ public final class EqualWork {
     /**
      * @param solver    an adaptive one
      * @param tolerance its tolerance
-     * @return how it is solved then, with the first choice of steps
+     * @return the setting, with the first choice of steps
      */
     Setting setting(SolverChoice solver, double tolerance) {
         return setting(solver, adaptiveSteps.get(0), tolerance);
@@ -247,7 +251,7 @@ public final class EqualWork {
         return best.isEmpty() || off(match, wanted) < off(best.get(), wanted) ? match : best.get();
     }
 
-    /** @param most evaluations, beyond which the run is given up */
+    /** @param most the number of evaluations at which the run is given up */
     private Match measure(Setting setting, long steps, long most) {
         Outcome outcome = SceneRun.run(SceneRun.build(scene, setting, duration), most, List.of());
         boolean whole = outcome.failure().isEmpty();

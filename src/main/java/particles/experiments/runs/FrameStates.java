@@ -8,7 +8,7 @@ import particles.ParticleSystem;
 
 /**
  * Copies of the state at regular times, k / rate for k = 0, 1, 2 ...: the times of a film's frames, whatever the steps
- * are. Between two steps the motion is the same cubic that pictures show.
+ * are. Between two steps it uses the same cubic as the pictures.
  */
 public final class FrameStates implements Observer {
     /** A clock this part of a frame's time early is rounding. */
@@ -17,7 +17,7 @@ public final class FrameStates implements Observer {
     private final double rate;
     private final List<double[]> states = new ArrayList<>();
 
-    /** @param rate copies for a second of simulated time (1/s) */
+    /** @param rate the number of copies per second of simulated time (1/s) */
     public FrameStates(double rate) {
         this.rate = rate;
     }

@@ -3,9 +3,9 @@ package particles.experiments.runs;
 import java.util.Arrays;
 
 /**
- * A quantity over time, thinned to a few thousand points without losing an extreme: neighbouring samples share a
- * bucket, of which the smallest and the largest are kept with their times. When the buckets run out, each takes twice
- * as many samples. What is kept depends on the samples alone.
+ * Thins a quantity over time to a few thousand points without losing an extreme. Neighbouring samples share a bucket,
+ * of which the smallest and the largest are kept with their times. When the buckets run out, each takes twice as many
+ * samples. The points kept depend on the samples alone.
  */
 public final class MinMaxThinning {
     private final long[] lowIndex;
@@ -22,7 +22,7 @@ public final class MinMaxThinning {
     private double lastTime;
     private double last;
 
-    /** @param capacity how many buckets there are, an even number; at most 2 capacity + 2 points come out */
+    /** @param capacity the number of buckets, even; at most 2 capacity + 2 points are kept */
     public MinMaxThinning(int capacity) {
         lowIndex = new long[capacity];
         lowTime = new double[capacity];

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** Powers fitted to measurements: a straight line in logarithms, by least squares. */
 public final class PowerLaw {
-    /** Two points lie on a line whatever they are. */
+    /** The fewest points for a fit; two points always lie on a line. */
     public static final int FEWEST = 3;
 
     private PowerLaw() {

@@ -1,11 +1,11 @@
 package particles.experiments.runs;
 
-/** Hears how far an experiment has come. */
+/** Receives the progress of an experiment. */
 public interface ProgressListener {
 
     /**
-     * @param part how much is done, 0 to 1
-     * @param what what is being done, such as {@code rk4 on the pendulum}
+     * @param part the part that is done, 0 to 1
+     * @param what the present task, such as {@code rk4 on the pendulum}
      */
     void reached(double part, String what);
 }

@@ -12,39 +12,39 @@ import particles.scene.format.Overrides;
 import particles.scene.format.SceneDescription;
 import particles.scene.format.Tolerances;
 
-/** Runs of a scene with different solvers. A run that fails is a result too: it says when and why. */
+/** Runs a scene with different solvers. A run that fails is a result too, with the time and the reason. */
 public final class SceneRun {
     private SceneRun() {
     }
 
     /**
-     * How a scene is solved.
+     * The setting of a run: a solver with its step or tolerance.
      *
-     * @param solver    with which solver
+     * @param solver    the solver
      * @param deltaT    the time step (s)
-     * @param tolerance relative and absolute, where it is adaptive and not its own
+     * @param tolerance the relative and absolute tolerance of an adaptive solver; empty for its own
      */
     public record Setting(SolverChoice solver, double deltaT, Optional<Double> tolerance) {
     }
 
     /**
-     * How a run went.
+     * The outcome of a run.
      *
-     * @param endTime     how far it came (s)
-     * @param steps       steps made
-     * @param evaluations of the derivative
-     * @param seconds     of wall-clock time, observers included
-     * @param busy        seconds for which the calling thread kept a processor busy, whatever else the machine does
-     * @param failure     why it ended early, if it did
+     * @param endTime     the simulated time that it reached (s)
+     * @param steps       the number of steps
+     * @param evaluations the number of evaluations of the derivative
+     * @param seconds     the wall-clock time (s), observers included
+     * @param busy        the CPU time of the calling thread (s)
+     * @param failure     the reason if it ended early
      */
     public record Outcome(double endTime, long steps, long evaluations, double seconds, double busy,
                           Optional<String> failure) {
     }
 
     /**
-     * @param scene     what is to run
-     * @param setting   how
-     * @param duration  how long (s)
+     * @param scene     the scene to run
+     * @param setting   the solver and its step
+     * @param duration  the duration of the run (s)
      * @return the scene, ready to run
      */
     public static Scene build(SceneDescription scene, Setting setting, double duration) {
@@ -57,10 +57,10 @@ public final class SceneRun {
     /**
      * Runs to the end or to a failure.
      *
-     * @param scene           from {@link #build}
-     * @param mostEvaluations beyond which it is given up
-     * @param observers       who looks on
-     * @return how it went
+     * @param scene           the scene, from {@link #build}
+     * @param mostEvaluations the number of evaluations at which it is given up
+     * @param observers       the observers of the run
+     * @return the outcome of the run
      */
     public static Outcome run(Scene scene, long mostEvaluations, List<? extends Observer> observers) {
         observers.forEach(scene.simulation()::addObserver);
@@ -77,7 +77,7 @@ public final class SceneRun {
                 (System.nanoTime() - begin) * 1e-9, CpuClock.seconds() - busy, failure);
     }
 
-    /** Ends a run that would go on for hours. */
+    /** Ends a run that makes too many evaluations. */
     private record Budget(long most) implements Observer {
         @Override
         public void moved(Motion motion) {

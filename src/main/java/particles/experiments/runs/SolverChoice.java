@@ -11,10 +11,10 @@ import java.util.Optional;
 import particles.scene.format.Tolerances;
 
 /**
- * A solver that an experiment compares.
+ * A solver in an experiment: a name, and its catalogue entry if it has one.
  *
  * @param name its name in the catalogue, or the class of one's own
- * @param info what the catalogue says of it; nothing for a class of one's own
+ * @param info its catalogue entry; empty for a class of one's own
  */
 public record SolverChoice(String name, Optional<SolverInfo> info) {
 
@@ -31,7 +31,7 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
     }
 
     /**
-     * @param names separated by commas; {@code all} is the whole catalogue
+     * @param names solver names separated by commas; {@code all} is the whole catalogue
      * @return the choices, each once
      * @throws NoSuchElementException   if there is no solver of one of these names
      * @throws IllegalArgumentException if one cannot be made, or there is none
@@ -53,7 +53,7 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
         return info.isPresent() && info.get().adaptive();
     }
 
-    /** @return whether it solves equations in each step, so that an evaluation is not all that it does */
+    /** @return whether it solves equations in each step, so that evaluations are not all its work */
     public boolean implicit() {
         return info.isPresent() && info.get().family().equals("implicit");
     }
@@ -63,13 +63,13 @@ public record SolverChoice(String name, Optional<SolverInfo> info) {
         return info.map(known -> (double) known.order()).orElse(Double.NaN);
     }
 
-    /** @return what charts call it: the name, of a class without its package */
+    /** @return its name in charts; for a class without the package */
     public String label() {
         return info.isPresent() ? name : name.substring(name.lastIndexOf('.') + 1);
     }
 
     /**
-     * @param tolerance relative and absolute, for an adaptive one; others do not look at it
+     * @param tolerance the relative and absolute tolerance of an adaptive solver; others ignore it
      * @return a solver
      */
     public DESolver create(double tolerance) {

@@ -11,14 +11,14 @@ import org.ejml.dense.row.factory.DecompositionFactory_DDRM;
 import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
 
 /**
- * The eigenvalues of a system with damping, drag or reactions: Arnoldi's iteration on the whole Jacobian. The outermost
- * eigenvalues come first, and a small system's come all.
+ * The eigenvalues of a system with damping, drag or reactions: Arnoldi's iteration on the whole Jacobian. It finds the
+ * outermost eigenvalues first, and all of a small system.
  *
  * <p>Source: W. E. Arnoldi, Quart. Appl. Math. 9 (1951), 17.
  */
 final class Arnoldi {
     private static final double BREAKDOWN = 1e-13;
-    /** How far from the eigenvalue the matrix is inverted for its vector, so that it can be. */
+    /** The relative shift from the eigenvalue in inverse iteration, so that the matrix is not singular. */
     private static final double SHIFT = 1e-10;
 
     private final Linearisation linear;
@@ -153,7 +153,10 @@ final class Arnoldi {
         return realMode(re, q, p);
     }
 
-    /** A real eigenvalue is half of a spring: the Rayleigh quotients of its shape say which. */
+    /**
+     * The mode of a real eigenvalue, one of two of a damped spring; the Rayleigh quotients of its shape give the
+     * spring.
+     */
     private Mode realMode(double re, double[] q, double[] p) {
         double[] shape = Linearisation.norm(q) * linear.frequency() > Linearisation.norm(p) * Spectrum.ZERO ? q : p;
         double[] image = new double[shape.length];

@@ -15,7 +15,7 @@ import org.ejml.interfaces.decomposition.EigenDecomposition_F64;
  * <p>Source: C. Lanczos, J. Res. Nat. Bur. Standards 45 (1950), 255.
  */
 final class Lanczos {
-    /** An extreme eigenvalue is then known to the square of this. */
+    /** The relative residual at which the iteration stops; the error of an extreme eigenvalue is its square. */
     private static final double RESIDUAL = 1e-7;
     private static final int LOOK_EVERY = 10;
     private static final double BREAKDOWN = 1e-13;
@@ -99,7 +99,7 @@ final class Lanczos {
         return top;
     }
 
-    /** How far S y is from theta y: the part of the next direction in it. */
+    /** The residual |S y - theta y|, from the component of the next direction. */
     private double residual(int k) {
         int m = basis.size();
         return Math.abs(betas.get(m - 1) * ritz.getEigenVector(k).get(m - 1, 0));

@@ -24,7 +24,7 @@ final class Linearisation {
     private final double[] product;
     private final double frequency;
 
-    /** @param system whose present state it is; neither state nor time is changed */
+    /** @param system the system in its present state; neither state nor time is changed */
     Linearisation(ParticleSystem system) {
         this.system = system;
         Particles particles = system.getParticles();
@@ -46,7 +46,7 @@ final class Linearisation {
         frequency = typicalFrequency();
     }
 
-    /** @return how many coordinates there are, three for each particle that can move */
+    /** @return the number of coordinates, three for each particle that can move */
     int coordinates() {
         return places.length;
     }
@@ -61,7 +61,7 @@ final class Linearisation {
         return system.getReactions().stream().noneMatch(Reaction::isActive);
     }
 
-    /** @return w (1/s), of the size of the largest angular frequency; 1 where nothing pulls back */
+    /** @return w (1/s), about the largest angular frequency; 1 if there is no restoring force */
     double frequency() {
         return frequency;
     }

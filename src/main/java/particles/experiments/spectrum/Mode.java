@@ -1,8 +1,8 @@
 package particles.experiments.spectrum;
 
 /**
- * One way in which a system moves by itself, s(t) = shape e<sup>lambda t</sup>, with its lambda and the damped spring
- * x'' = -stiffness x - damping x' that moves like it. Of a conjugate pair, the one above the real axis.
+ * A mode of a linearised system, s(t) = shape e<sup>lambda t</sup>: its eigenvalue lambda, and the damped spring x'' =
+ * -stiffness x - damping x' that moves like it. Of a conjugate pair only the mode with positive Im lambda is kept.
  *
  * @param re        Re lambda (1/s), negative for decay
  * @param im        Im lambda (1/s), 0 or more: the angular frequency

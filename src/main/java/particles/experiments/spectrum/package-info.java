@@ -1,6 +1,6 @@
 /**
- * How fast a system's small motions about its present state are: the eigenvalues of its linearised equations, which
- * decide how long an explicit step may be. Undamped systems by Lanczos' iteration on the symmetric da/dx, all others by
- * Arnoldi's on the whole Jacobian; neither ever writes the matrix down.
+ * The spectrum of a system: the eigenvalues of its linearised equations about its present state, which limit the step
+ * of explicit solvers. Undamped systems use Lanczos' iteration on the symmetric da/dx, all others Arnoldi's on the
+ * whole Jacobian. Both only multiply by the matrix and never store it.
  */
 package particles.experiments.spectrum;

@@ -9,17 +9,16 @@ import deSolvers.problems.StepMatrix;
 import java.util.function.Supplier;
 
 /**
- * By how much one step of a solver's real code multiplies the solution of the test equation y' = lambda y. What is
- * measured:
+ * Measures the amplification of a solver's real code: the factor |R| by which one step multiplies the solution of the
+ * test equation s' = lambda s. It measures
  * <ul>
- * <li>of a method that steps by deltaT, its step, as the larger eigenvalue's modulus of the step's 2 x 2 matrix;</li>
- * <li>of a multistep method, what is left of the growth over many steps;</li>
- * <li>of an adaptive method of the catalogue, one sub-step as long as deltaT, which a tolerance that allows everything
- * makes
- *     it take. {@code bulirsch-stoer} then uses as many lines of its table as its usual tolerance demands at
+ * <li>for a method that steps by deltaT, one step: the larger modulus of the two eigenvalues of its 2 x 2 matrix;</li>
+ * <li>for a multistep method, the growth over many steps, after the first ones;</li>
+ * <li>for an adaptive method of the catalogue, one sub-step as long as deltaT; the tolerance is so loose that it is not
+ *     divided. {@code bulirsch-stoer} then uses as many lines of its table as its usual tolerance demands at
  *     first;</li>
- * <li>of a method that steps positions and velocities apart, a damped spring whose two eigenvalues are lambda and its
- *     conjugate: on the negative real axis the critically damped one.</li>
+ * <li>for a method that steps positions and velocities separately, a damped spring whose two eigenvalues are lambda and
+ *     its conjugate; on the negative real axis it is critically damped.</li>
  * </ul>
  * A step that the solver refuses counts as infinite growth.
  */
@@ -40,7 +39,7 @@ public final class Amplification {
     private long evaluations;
 
     /**
-     * @param maker     makes solvers that remember nothing
+     * @param maker     creates solvers without memory
      * @param ofSprings whether the method needs positions and velocities, and is tried on springs
      * @param manySteps whether it uses earlier steps
      */
@@ -68,12 +67,12 @@ public final class Amplification {
         return ofSprings;
     }
 
-    /** @return whether it is what is left of the growth over many steps, and not that of one */
+    /** @return whether it measures the growth over many steps, and not that of one */
     public boolean isOfManySteps() {
         return manySteps;
     }
 
-    /** @return how often the derivative was asked for until now */
+    /** @return the number of evaluations of the derivative so far */
     public long getEvaluations() {
         return evaluations;
     }
@@ -88,11 +87,11 @@ public final class Amplification {
     }
 
     /**
-     * For second-order systems whose two eigenvalues are no conjugates.
+     * Measures a step on a damped spring, also if its two eigenvalues are not conjugates.
      *
      * @param stiffness deltaT&sup2; omega&sup2;
      * @param damping   deltaT c
-     * @return the larger eigenvalue's modulus of a step on x'' = -omega&sup2; x - c x'
+     * @return the larger modulus of the two eigenvalues of a step on x'' = -omega&sup2; x - c x'
      */
     public double ofSpring(double stiffness, double damping) {
         return of(LinearPair.spring(stiffness, damping));

@@ -17,9 +17,9 @@ import particles.scene.Scene;
 import particles.scene.format.SceneDescription;
 
 /**
- * Two runs of a scene that begin next to each other: if their distance grows from step to step, so does every error.
- * The distance is that of a spring with the mode's frequency, (the sum of m (dv&sup2; + |lambda|&sup2;
- * dx&sup2;))<sup>1/2</sup>, which the motion itself keeps or damps.
+ * Measures the growth of a perturbation by two runs of a scene that begin next to each other: if their distance grows
+ * from step to step, so does every error. The distance is that of a spring with the mode's frequency, (the sum of m
+ * (dv&sup2; + |lambda|&sup2; dx&sup2;))<sup>1/2</sup>, which the motion itself keeps or damps.
  */
 final class PerturbationGrowth {
     /** Steps of a run; its growth is that from the second quarter to the last. */
@@ -27,13 +27,13 @@ final class PerturbationGrowth {
     private static final int EVERY = 16;
     /** The first distance as a part of the scene's size, far above rounding and far below anything nonlinear. */
     private static final double NEAR = 1e-7;
-    /** And all other modes as a part of that, so that whichever grows is seen. */
+    /** The share of all other modes in the first distance, so that any that grows shows. */
     private static final double OTHERS = 1e-3;
     /**
-     * A distance this many times that of the motion itself has left it. Just below the limit of verlet a distance
-     * swings up to 1/(2 d)<sup>1/2</sup> times, where d is what is missing to the limit: 20 times at a thousandth. Just
-     * above it, 512 steps multiply by 20 what grows by 0.6 % a step, which rk4 does at 0.08 % beyond its limit,
-     * and euler with damping at 3 %.
+     * A run has left the motion when the distance is this many times that of the motion itself. Just below the limit of
+     * verlet a distance swings by up to 1/(2 d)<sup>1/2</sup>, where d is the relative distance to the limit: by 20 at
+     * a thousandth. Just above the limit, a growth of 0.6 % a step makes a factor of 20 in 512 steps; rk4 grows so at
+     * 0.08 % beyond its limit, and euler with damping at 3 %.
      */
     private static final double GROWN = 20;
     private static final double NO_LONGER_SMALL = 1e4;
@@ -49,13 +49,13 @@ final class PerturbationGrowth {
      * A pair of runs.
      *
      * @param deltaT    their step (s)
-     * @param steps     after how many steps
-     * @param distances which distance
-     * @param failure   why a run ended early, if one did
+     * @param steps     the numbers of steps after which the distance was measured
+     * @param distances the distances
+     * @param failure   the reason if a run ended early
      */
     record Twins(double deltaT, List<Integer> steps, double[] distances, Optional<String> failure) {
 
-        /** @return how long both ran (s) */
+        /** @return the duration of both runs (s) */
         double duration() {
             return distances.length == 0 ? 0 : steps.get(distances.length - 1) * deltaT;
         }
@@ -109,8 +109,8 @@ final class PerturbationGrowth {
 
     /**
      * @param setting solver and step
-     * @param mode    along which the runs differ at the beginning
-     * @param steps   how many
+     * @param mode    the mode along which the runs differ at the beginning
+     * @param steps   the number of steps
      * @return the pair
      */
     Twins run(Setting setting, Mode mode, int steps) {
@@ -119,9 +119,9 @@ final class PerturbationGrowth {
 
     /**
      * @param setting solver and step
-     * @param mode    along which the runs differ at the beginning
-     * @param steps   how many
-     * @param parts   of this many parts each, with the setting's step for a part
+     * @param mode    the mode along which the runs differ at the beginning
+     * @param steps   the number of steps
+     * @param parts   the number of parts of each step; the setting's step is that of a part
      * @return the pair, with a distance for each step
      */
     Twins run(Setting setting, Mode mode, int steps, int parts) {

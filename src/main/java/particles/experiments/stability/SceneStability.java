@@ -28,18 +28,24 @@ public final class SceneStability {
     private static final double BRACKET = 1.25;
     private static final int MOST_BRACKETS = 60;
     private static final double ACCURACY = 2e-3;
-    /** Where nothing predicts a limit, a few steps of so many times 2/|lambda| are tried. */
+    /** Without a predicted limit, a few steps of this many times 2/|lambda| are tried. */
     private static final double FAR = 900;
     private static final int FAR_STEPS = 4;
     private static final double FAR_FACTOR = 30;
     private static final long MOST_EVALUATIONS = 100_000;
-    /** An adaptive solver divides what is too long: a few times the scene's own deltaT is enough to see that. */
+    /**
+     * An adaptive solver divides steps that are too long: this many times the scene's own deltaT are enough to see
+     * that.
+     */
     private static final double ADAPTIVE_TIMES = 10;
-    /** Radians in the scene's duration: what turns less is round-off, or drag that grows with the speed, at rest. */
+    /**
+     * The smallest |lambda| times the duration that counts: less is round-off, or drag that grows with the speed, at
+     * rest.
+     */
     private static final double SLOWEST = 1e-3;
-    /** A measured limit this many times off is not set by the modes of the start. */
+    /** If the measured limit differs from the predicted one by this factor, it is not set by the modes of the start. */
     private static final double FAR_OFF = 1.5;
-    /** Part of the rk4 limit at which twins show what the motion itself does to a distance. */
+    /** The part of the rk4 limit at which twins show the effect of the motion itself on a distance. */
     private static final double FINE = 0.5;
     private static final double RK4 = 2.8284;
     /** |lambda| deltaT at which a step of rk4 changes an amplitude by 1e-10, far less than a growth that matters. */
@@ -54,14 +60,14 @@ public final class SceneStability {
     /**
      * The result for one solver.
      *
-     * @param solver    which
+     * @param solver    the solver
      * @param predicted the longest safe step by theory (s): 0 if every step grows, infinite if none does, of an
      *                  adaptive solver its longest sub-step; NaN for a solver that is not in the catalogue
      * @param measured  the longest safe step on runs (s): 0 if the scene's deltaT and shorter ones grow,
      *                  infinite if no step grew
-     * @param predictedGrowth what a step of the scene's deltaT adds by theory, as a part of the distance
-     * @param measuredGrowth  what it added
-     * @param note      why longer steps are not safe, or how far was tried
+     * @param predictedGrowth the theoretical growth of the distance in a step of the scene's deltaT, as a fraction
+     * @param measuredGrowth  the measured growth, as a fraction
+     * @param note      the reason why longer steps are not safe, or the longest step tried
      */
     public record Limit(SolverChoice solver, double predicted, double measured, double predictedGrowth,
             double measuredGrowth,
@@ -77,9 +83,9 @@ public final class SceneStability {
 
     /**
      * @param scene    a scene
-     * @param spectrum of its start, with at least one mode that does not grow by itself
-     * @param solvers  whose limits are asked for
-     * @param progress hears how far it is
+     * @param spectrum the spectrum of its start, with at least one mode that does not grow by itself
+     * @param solvers  the solvers whose limits to find
+     * @param progress receives the progress
      * @return a limit for each solver
      */
     public static List<Limit> measure(SceneDescription scene, Spectrum spectrum, List<SolverChoice> solvers,
@@ -170,7 +176,8 @@ public final class SceneStability {
     }
 
     /**
-     * Twins that show what the motion itself, the folds of a cloth or a double pendulum's chaos, does to a distance.
+     * Twins that show the effect of the motion itself on a distance, such as the folds of a cloth or a double
+     * pendulum's chaos.
      */
     private synchronized Twins fine(Mode mode, double duration) {
         Twins known = fine.get(mode);
@@ -183,7 +190,7 @@ public final class SceneStability {
         return known;
     }
 
-    /** Twins in steps of rk4 that divide the scene's, at the same times as a solver's. */
+    /** Accurate twins in steps of rk4 that divide the scene's step, at the same times as a solver's. */
     private Twins motion(Mode mode) {
         int parts = (int) Math.ceil(scene.deltaT() * spectrum.modes().get(0).size() / EXACT);
         return twins.run(setting(SolverChoice.of("rk4"), scene.deltaT() / parts), mode,
@@ -191,8 +198,8 @@ public final class SceneStability {
     }
 
     /**
-     * Steps far beyond what any explicit method takes; nothing but a run that fails ends them,
-     * as long steps may well be wrong.
+     * Tries steps far beyond the limit of any explicit method. Only a failing run ends them, since such long steps may
+     * be inaccurate.
      */
     private Limit farOut(SolverChoice solver, double predicted, double predictedGrowth, Mode fastest) {
         double unit = 2 / fastest.size();

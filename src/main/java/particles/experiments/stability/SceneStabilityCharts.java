@@ -11,7 +11,10 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
-/** Charts of a scene's stability: its eigenvalues in the solvers' regions, and how growth sets in. */
+/**
+ * Charts of a scene's stability: its eigenvalues in the solvers' stability regions, and the growth per step over
+ * deltaT.
+ */
 public final class SceneStabilityCharts {
     private static final int POINTS = 400;
     private static final double CELLS = 90;
@@ -22,11 +25,11 @@ public final class SceneStabilityCharts {
     }
 
     /**
-     * @param title    of the scene
-     * @param spectrum of its start
-     * @param deltaT   its step (s)
+     * @param title    the title of the scene
+     * @param spectrum the spectrum of its start
+     * @param deltaT   the scene's step (s)
      * @param solvers  catalogue names whose outlines are drawn
-     * @return deltaT times each eigenvalue among the outlines
+     * @return the chart of deltaT times each eigenvalue, with the outlines of the regions
      */
     public static ChartData plane(String title, Spectrum spectrum, double deltaT, List<String> solvers) {
         List<Double> re = new ArrayList<>();
@@ -46,10 +49,11 @@ public final class SceneStabilityCharts {
     }
 
     /**
-     * @param title    of the scene
-     * @param spectrum of its start
-     * @param limits   of the solvers; those without a finite limit are left to the table
-     * @return by how much a step multiplies the fastest growing mode over deltaT, and where runs began to grow
+     * @param title    the title of the scene
+     * @param spectrum the spectrum of its start
+     * @param limits   the limits of the solvers; those without a finite limit are only in the table
+     * @return the chart of the growth of the fastest growing mode over deltaT, with the deltaT at which runs began to
+     *         grow
      */
     public static ChartData growth(String title, Spectrum spectrum, List<Limit> limits) {
         List<Series> series = new ArrayList<>();

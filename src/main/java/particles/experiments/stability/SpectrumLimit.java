@@ -7,16 +7,16 @@ import particles.experiments.spectrum.Mode;
 import particles.experiments.spectrum.Spectrum;
 
 /**
- * The longest step at which no mode of a spectrum grows that does not grow by itself: of all modes the smallest limit,
- * each measured on the solver's real code in its mode's direction of the complex plane. Modes count as springs of their
- * own, which is exact for Runge-Kutta and implicit methods, and for the symplectic ones where the
- * damping matrix shares the stiffness's modes.
+ * Predicts the longest stable step of a solver from a spectrum: the longest step at which no mode grows that would not
+ * grow by itself. It is the smallest limit of all modes, each measured on the solver's real code in the direction of
+ * its lambda in the complex plane. Each mode is treated as a separate spring. That is exact for Runge-Kutta and
+ * implicit methods, and for symplectic ones if the damping matrix has the modes of the stiffness matrix.
  */
 final class SpectrumLimit {
-    /** Growth is judged beyond this: what rounding and Newton's tolerance leave of 1. */
+    /** A smaller growth is round-off or Newton's tolerance. */
     private static final double DECAY = 1e-12;
     /**
-     * The shortest step at which a decay is looked for: 1e-4 of |lambda| is the least damping that is told from none.
+     * The shortest step at which a decay is looked for: 1e-4 of |lambda| is the least damping that can be detected.
      */
     private static final double SHORTEST = 1e-5;
     /** Modes whose directions in the plane agree to this share a limit. */
@@ -28,9 +28,9 @@ final class SpectrumLimit {
     private final Map<List<Long>, Double> known = new HashMap<>();
 
     /**
-     * @param amplification of the solver
-     * @param secondOrder   whether it takes positions and velocities apart
-     * @param spectrum      of the system
+     * @param amplification the amplification of the solver
+     * @param secondOrder   whether it steps positions and velocities separately
+     * @param spectrum      the spectrum of the system
      */
     SpectrumLimit(Amplification amplification, boolean secondOrder, Spectrum spectrum) {
         this.amplification = amplification;
@@ -56,7 +56,7 @@ final class SpectrumLimit {
         return deciding;
     }
 
-    /** @return the mode that a step of this length multiplies by most */
+    /** @return the mode that grows most in a step of this length */
     Mode growingMost(double deltaT) {
         Mode most = modes.get(0);
         for (Mode mode : modes) {
@@ -65,7 +65,7 @@ final class SpectrumLimit {
         return most;
     }
 
-    /** @return by how much a step of this length multiplies a mode */
+    /** @return the factor by which a step of this length multiplies a mode */
     double factor(Mode mode, double deltaT) {
         // else its partner grows by itself
         boolean overdamped = secondOrder && mode.im() == 0 && mode.stiffness() > 0;

@@ -4,24 +4,24 @@ import particles.law.Particles;
 import particles.view.SpringView;
 
 /**
- * How fast a system of springs can vibrate, from stiffnesses, dampings and masses alone: what the stability of a step
- * depends on, whatever the system does at the moment.
+ * Upper bounds for the vibration and decay rates of a system of springs, from stiffnesses, dampings and masses alone.
+ * They hold in every state, and limit the stable step.
  *
  * <p>Stretched or not, a spring is never stiffer in any direction than k, so that the stiffness matrix is bounded by
  * the weighted Laplacian of the springs' graph; Gershgorin's circles bound the eigenvalues of M<sup>-1</sup>L. The same
  * holds for the dampings. (S. Gershgorin 1931; the matrices are in D. Baraff, A. Witkin, "Large steps in cloth
  * simulation", 1998.)
  *
- * @param stiffest    the spring with the largest omega of its own, or -1 if there is none with an end that can move
- * @param ownOmega    that omega: of the spring alone with the particles at its ends (rad/s)
- * @param omega       no oscillation of the whole system has a larger omega (rad/s)
- * @param dampingRate no velocity decays faster through the springs' damping (1/s)
+ * @param stiffest    the spring with the largest own omega, or -1 if no spring has an end that can move
+ * @param ownOmega    its omega, alone with the particles at its ends (rad/s)
+ * @param omega       an upper bound for the omega of any vibration of the whole system (rad/s)
+ * @param dampingRate an upper bound for the decay rate of any velocity by the springs' damping (1/s)
  */
 public record SpringRates(int stiffest, double ownOmega, double omega, double dampingRate) {
 
     /**
      * @param springs   the springs
-     * @param particles what they connect
+     * @param particles the particles that they connect
      * @return their rates
      */
     public static SpringRates of(SpringView springs, Particles particles) {
@@ -55,9 +55,9 @@ public record SpringRates(int stiffest, double ownOmega, double omega, double da
     }
 
     /**
-     * @param drag a decay that acts besides the springs' own damping, such as air drag's c/m (1/s)
-     * @return a bound for the size of every eigenvalue lambda of the linear system, the roots of
-     *         lambda&sup2; + c lambda + omega&sup2; = 0 (1/s)
+     * @param drag a further decay rate besides the springs' own damping, such as air drag's c/m (1/s)
+     * @return an upper bound for the size of every eigenvalue lambda of the linear system, the roots of lambda&sup2; +
+     *         c lambda + omega&sup2; = 0 (1/s)
      */
     public double fastest(double drag) {
         double c = dampingRate + drag;

@@ -4,26 +4,27 @@ import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * How long a step may be in one direction of the complex plane.
+ * The stability limit in one direction of the complex plane.
  *
- * @param value  the largest h |lambda| from which 0 on nothing grows; 0 if it always grows, infinite if it never does
- * @param growth what a step at h |lambda| = {@value #SMALL} adds to the amplitude, as a part of it
+ * @param value  the largest h |lambda| up to which nothing grows; 0 if it always grows, infinite if it never does
+ * @param growth the growth of the amplitude in a step at h |lambda| = {@value #SMALL}, as a fraction
  */
 public record StabilityLimit(double value, double growth) {
-    /** Where growth is measured that no shorter step ends. */
+    /** The h |lambda| at which growth is measured if every step grows. */
     static final double SMALL = 0.1;
-    /** Growth there is known to a few roundings; bulirsch-stoer's is 9e-14, and still it grows. */
+    /** The least growth that counts, a few round-offs; that of bulirsch-stoer is 9e-14. */
     private static final double LEAST_GROWTH = 1e-14;
-    /** Smaller growth shows that there is no limit, but its digits are round-off. */
+    /** A smaller growth shows that every step grows, but its digits are round-off. */
     private static final double ROUND_OFF = 1e-12;
     private static final double LARGEST = 1e6;
     private static final double FACTOR = 1.02;
     private static final double ACCURACY = 1e-9;
 
     /**
-     * Goes outwards until something grows, and halves the last stretch until the place is known to 1e-9 of it.
+     * Finds the limit: increases h |lambda| until something grows, and bisects the last interval to a relative accuracy
+     * of 1e-9.
      *
-     * @param amplification of h |lambda|
+     * @param amplification the amplification as a function of h |lambda|
      * @return the limit; beyond a million is unbounded
      */
     public static StabilityLimit measure(DoubleUnaryOperator amplification) {
@@ -55,15 +56,15 @@ public record StabilityLimit(double value, double growth) {
         return amplification.applyAsDouble(h) <= 1 + Amplification.ROUNDING;
     }
 
-    /** @return what a table says */
+    /** @return the text in a table */
     String text() {
         return text(value, growth);
     }
 
     /**
      * @param value  a limit
-     * @param growth a step at {@value #SMALL}, where the limit is 0
-     * @return what a table says; a dash where there is no number
+     * @param growth the growth in a step at {@value #SMALL}, if the limit is 0
+     * @return the text in a table; a dash if there is no number
      */
     static String text(double value, double growth) {
         if (Double.isNaN(value)) {

@@ -7,7 +7,7 @@ import java.util.List;
 import particles.experiments.runs.ProgressListener;
 import particles.view.DataTable;
 
-/** The stability limits of all solvers, measured on their code, beside those of the theory. */
+/** The stability limits of all solvers: those measured on their code, and those of the theory. */
 public final class StabilityLimits {
     /** Growth of adams (PECE) at 0.1 i, from its characteristic polynomial. */
     private static final double ADAMS_GROWTH = 1.6e-7;
@@ -18,7 +18,7 @@ public final class StabilityLimits {
     }
 
     /**
-     * @param progress is told how much is done
+     * @param progress receives the progress
      * @return the table, a row for each solver of the catalogue
      */
     public static DataTable measure(ProgressListener progress) {

@@ -8,11 +8,10 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
- * Where in a part of the plane a step does not grow, on a grid: the outline of these places, and stripes that fill
- * them.
+ * The stability region in a part of the complex plane, on a grid: its outline, and stripes that fill it.
  */
 public final class StabilityMap {
-    /** A place on the outline is known to this many halvings of the grid's squares. */
+    /** The number of bisections of a grid square by which a point on the outline is found. */
     private static final int HALVINGS = 8;
 
     private final DoubleBinaryOperator modulus;
@@ -21,10 +20,10 @@ public final class StabilityMap {
     private final boolean[][] grows;
 
     /**
-     * @param modulus  the growth of a step at a place in the plane
+     * @param modulus  |R| at a point of the plane
      * @param window   the part of the plane, from y = 0 up
-     * @param mirrored whether below y = 0 all is as above, as R of the conjugate is the conjugate of R;
-     *                 else nothing is there
+     * @param mirrored whether to mirror the region below y = 0, as R of the conjugate is the conjugate of R; otherwise
+     *                 it ends there
      */
     public StabilityMap(DoubleBinaryOperator modulus, Window window, boolean mirrored) {
         this.modulus = modulus;
@@ -44,7 +43,7 @@ public final class StabilityMap {
         return modulus.applyAsDouble(x(column), Math.abs(y(row))) > 1 + Amplification.ROUNDING;
     }
 
-    /** Half a cell off both axes, so that |R| = 1 on an axis is a line between points and not on them. */
+    /** The x of a column, half a cell off both axes, so that |R| = 1 on an axis is a line between grid points. */
     private double x(double column) {
         return window.left() + (column + 0.5) * window.cell();
     }
@@ -54,7 +53,7 @@ public final class StabilityMap {
     }
 
     /**
-     * @param name what the legend says
+     * @param name the name in the legend
      * @return the outline |R| = 1, broken where it is in pieces
      */
     public Series outline(String name) {
@@ -72,9 +71,9 @@ public final class StabilityMap {
     }
 
     /**
-     * @param name  what the legend says
-     * @param every how many rows of the grid are from one stripe to the next
-     * @return level stripes over all places where a step does not grow
+     * @param name  the name in the legend
+     * @param every the number of grid rows from one stripe to the next
+     * @return horizontal stripes over the region where a step does not grow
      */
     public Series stripes(String name, int every) {
         List<double[]> line = new ArrayList<>();
@@ -94,7 +93,7 @@ public final class StabilityMap {
         return series(name, Mark.BAND, line);
     }
 
-    /** Where growth begins between a point of the grid where there is none and a neighbour where there is. */
+    /** Finds the point on the outline between a stable grid point and an unstable neighbour. */
     private double[] border(int c, int r, int growingC, int growingR) {
         double still = 0;
         double growing = 1;

@@ -3,8 +3,9 @@ package particles.experiments.stability;
 import java.util.Optional;
 
 /**
- * One step of a method on the slides' oscillator x'' = -x: as z = x - i v obeys z' = i z, the step multiplies z by
- * R(ih). N steps multiply the amplitude by |R|<sup>N</sup>, and the phase runs ahead of the exact one by N (arg R - h).
+ * The stability polynomial R(ih) of a method, for a step on the slides' oscillator x'' = -x: as z = x - i v obeys z' =
+ * i z, the step multiplies z by R(ih). N steps multiply the amplitude by |R|<sup>N</sup>, and the phase runs ahead of
+ * the exact one by N (arg R - h).
  *
  * @param re the real part of R(ih)
  * @param im the imaginary part
@@ -14,7 +15,7 @@ public record StabilityPolynomial(double re, double im) {
     /**
      * @param solver a solver's name
      * @param h      the time step
-     * @return R(ih), if it is one of those written here
+     * @return R(ih), if its polynomial is known here
      */
     public static Optional<StabilityPolynomial> of(String solver, double h) {
         return switch (solver) {

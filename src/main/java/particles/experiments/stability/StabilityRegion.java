@@ -11,27 +11,27 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
 /**
- * Where in the plane of z = deltaT lambda a step does not grow: the outline |R(z)| = 1, found on the solvers' real
- * code.
+ * Charts of stability regions, the part of the plane of z = deltaT lambda in which a step does not grow. The outline
+ * |R(z)| = 1 is found on the solvers' real code.
  */
 public final class StabilityRegion {
     private StabilityRegion() {
     }
 
     /**
-     * A part of the plane, symmetric to the real axis, and how finely it is looked at.
+     * A part of the plane, symmetric to the real axis, and the width of its grid.
      *
      * @param left  the smallest real part
      * @param right the largest
-     * @param top   the largest imaginary part, and with a minus the smallest
+     * @param top   the largest imaginary part, and minus the smallest
      * @param cell  the side of a square of the grid
      */
     public record Window(double left, double right, double top, double cell) {
     }
 
     /**
-     * @param title   of the chart
-     * @param solvers whose outlines it shows
+     * @param title   the title of the chart
+     * @param solvers the solvers
      * @param window  the part of the plane
      * @return a line for each solver, broken where the outline is in pieces, and the imaginary axis
      */
@@ -45,7 +45,7 @@ public final class StabilityRegion {
     }
 
     /**
-     * @param solver whose region it shows
+     * @param solver the solver
      * @param window the part of the plane
      * @return the region, filled, with its limits in the title
      */
@@ -67,7 +67,7 @@ public final class StabilityRegion {
         return new BigDecimal(limit).round(new MathContext(4)).stripTrailingZeros().toPlainString();
     }
 
-    /** How far a step may go, in a sentence. */
+    /** The limits of a step, in a sentence. */
     private static String limits(SolverInfo info) {
         double damping = info.secondOrder() ? info.dampedLimit() : info.realLimit();
         double springs = info.imaginaryLimit();

@@ -8,13 +8,13 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 
 /**
- * Finds out by trying how the growth of a solver's steps can be measured: on the test equation or, if it needs
- * positions and velocities or treats them differently, on springs.
+ * Finds by trial how the growth of a solver's steps can be measured: on the test equation or, if it needs positions and
+ * velocities or treats them differently, on springs.
  *
  * @param amplification the measurement, if there can be one
- * @param noise         how far steps are from multiplying by a matrix that depends on deltaT lambda alone: rounding, or
- *                      what an iteration leaves
- * @param objection     why there can be none; else empty
+ * @param noise         the deviation of steps from a multiplication by a matrix that depends on deltaT lambda alone:
+ *                      round-off, or the residual of an iteration
+ * @param objection     the reason if there can be none; otherwise empty
  */
 public record StepTrial(Optional<Amplification> amplification, double noise, String objection) {
     /** Real and imaginary part of deltaT lambda, short enough for any iteration to converge. */
@@ -22,10 +22,10 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
     /** Two revolutions, nearly. */
     private static final double[] FAR = {-0.4, 12};
     private static final double CLOSE = 0.05;
-    /** No power of 2, so that a method which compares sizes shows. */
+    /** Not a power of 2, so that a method that compares sizes is detected. */
     private static final double SIZE = 7;
     private static final int STEPS = 12;
-    /** More than any iteration may leave, and less than an adaptive choice of sub-steps. */
+    /** The largest deviation: more than the residual of any iteration, less than that of adaptive sub-steps. */
     private static final double MOST_NOISE = 1e-7;
     private static final String ENDS = "a step on a linear system ends in ";
     private static final String NEEDED = "SecondOrderStateSource";
@@ -33,7 +33,7 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
     /**
      * @param maker     makes solvers
      * @param remembers whether the method uses earlier steps
-     * @return how it can be measured
+     * @return the way of measuring it
      */
     public static StepTrial of(Supplier<DESolver> maker, boolean remembers) {
         int steps = remembers ? STEPS : 1;
@@ -98,7 +98,7 @@ public record StepTrial(Optional<Amplification> amplification, double noise, Str
                 "");
     }
 
-    /** Whether one step follows two revolutions, as no single step of a method can. */
+    /** Whether one step follows two revolutions, which no single step of a method can. */
     private static boolean isExact(Supplier<DESolver> maker, boolean springs) {
         StepMatrix step;
         try {

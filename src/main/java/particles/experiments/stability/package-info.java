@@ -1,4 +1,4 @@
 /**
- * How long a step may be: stability regions measured on the solvers' own code, and the largest safe deltaT of a scene.
+ * Stability experiments: stability regions measured on the solvers' own code, and the largest safe deltaT of a scene.
  */
 package particles.experiments.stability;

@@ -39,11 +39,11 @@ import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
 /**
- * What each effect and rule costs: the time for a step of a cloth with springs alone, and with one thing more at a
- * time; before them the same cloth as the fastest hand-written code known to us for springs alone, which is a bound.
- * What a scene does not name costs nothing, so the first two should hardly differ.
+ * Measures the cost of each effect and rule: the time for a step of a cloth with springs alone, and with one effect or
+ * rule more at a time. Before them comes the same cloth as the fastest hand-written code known to us for springs alone,
+ * which is a lower bound. Effects that a scene does not name cost nothing, so the first two should hardly differ.
  *
- * <p>All variants take turns, round by round, and the fastest round of each counts: whatever else the machine does only
+ * <p>All variants take turns, round by round, and the fastest round of each counts: other work on the machine only
  * makes a round slower.
  */
 public final class EffectCost {
@@ -58,9 +58,9 @@ public final class EffectCost {
     /**
      * The cost of one variant.
      *
-     * @param name     what it has
-     * @param seconds  for a step of rk4 (s)
-     * @param overBase that over the time with springs alone
+     * @param name     the effect or rule that it has besides springs
+     * @param seconds  the time for a step of rk4 (s)
+     * @param overBase this time divided by the time with springs alone
      */
     public record Cost(String name, double seconds, double overBase) {
     }
@@ -75,11 +75,11 @@ public final class EffectCost {
     /**
      * Measures.
      *
-     * @param columns  the cloth has as many columns and rows of particles, 2 or more
-     * @param steps    in a round, 1 or more
-     * @param rounds   1 or more
+     * @param columns  the number of columns, and of rows, of particles in the cloth, 2 or more
+     * @param steps    the number of steps in a round, 1 or more
+     * @param rounds   the number of rounds, 1 or more
      * @param nanoTime a clock (ns)
-     * @param progress hears how far it is
+     * @param progress receives the progress
      * @return the hand-written springs, the springs alone, and each addition
      */
     public static List<Cost> measure(int columns, int steps, int rounds, LongSupplier nanoTime,
@@ -197,7 +197,7 @@ public final class EffectCost {
     }
 
     /**
-     * @param costs as measured
+     * @param costs the measured costs
      * @return a row for each
      */
     public static DataTable table(List<Cost> costs) {
@@ -210,7 +210,7 @@ public final class EffectCost {
     }
 
     /**
-     * @param costs as measured
+     * @param costs the measured costs
      * @return a bar for each, in a row with its name and value, the cheapest above; 1 is springs alone
      */
     public static ChartData chart(List<Cost> costs) {
@@ -232,7 +232,7 @@ public final class EffectCost {
                 "what the scene names", true, false, rows, List.of(new Series("time for a step", Mark.BAND, x, y)));
     }
 
-    /** @return by how many times springs alone take longer than the hand-written code */
+    /** @return the time of springs alone, divided by that of the hand-written code, in words */
     public static String overBound(List<Cost> costs) {
         return String.format(Locale.ROOT, "%.2f", costs.get(1).seconds() / costs.get(0).seconds());
     }

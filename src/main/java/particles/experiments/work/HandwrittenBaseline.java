@@ -10,12 +10,12 @@ import particles.view.SpringView;
 
 /**
  * A mass-spring system written out by hand, without effects, reactions, or any choice at all: the fastest code known to
- * us for springs alone, to hold {@link ParticleSystem} against. Same layout, same law, the same numbers but for
- * rounding.
+ * us for springs alone, as a baseline for {@link ParticleSystem}. It has the same layout, the same law and the same
+ * results up to round-off.
  *
  * <p>Each spring belongs to the one of its particles with the lower index. Particles are taken in order: the numbers of
- * the first end stay in registers for all its springs, and once they are done no other spring can pull at it, so that
- * its derivative is completed in the same pass.
+ * the first end stay in registers for all its springs, and after these no other spring acts on it, so that its
+ * derivative is completed in the same pass.
  */
 final class HandwrittenBaseline implements ArrayStateSource {
     private static final int STRIDE = Particles.STRIDE;

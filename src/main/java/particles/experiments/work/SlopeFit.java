@@ -12,32 +12,32 @@ import particles.experiments.work.WorkProblem.Stiff;
  * The slope of a solver's errors, fitted only where they follow a power law: over the last three or more runs in a row,
  * from coarse to fine, whose errors are small, above rounding, and on a straight line.
  *
- * @param slope  the exponent; NaN where no three such runs are found
+ * @param slope  the exponent; NaN if there are no three such runs
  * @param first  the first run of the fit, by its place in the list
  * @param last   the last one; before the first, where there is no fit
- * @param whyNot why there is no slope; empty where there is one
+ * @param whyNot the reason if there is no slope; empty otherwise
  */
 public record SlopeFit(double slope, int first, int last, String whyNot) {
-    /** A larger error is not yet a small one. */
+    /** Errors above this are too large to follow the power law. */
     static final double SMALL = 0.1;
-    /** How much the slopes from run to run may differ from each other on a line that counts as straight. */
+    /** The largest difference of slopes from run to run on a line that counts as straight. */
     static final double STRAIGHT = 0.1;
-    /** So many of the finest errors may be left out, since rounding reaches them first. */
+    /** The largest number of the finest errors that may be left out, since round-off reaches them first. */
     private static final int LEFT_OUT = 2;
-    /** The same for a tolerance, to which a solver keeps only roughly. */
+    /** The same for tolerances, which a solver follows only roughly. */
     private static final double ROUGHLY_STRAIGHT = 1.5;
     /** An adaptive solver for which a tighter tolerance costs less than this factor does not follow it. */
     private static final double MORE_WORK = 1.05;
     /**
-     * A slope farther than this from that of theory is not the method's, but that of an error that falls for another
-     * reason, such as where sub-steps become short enough to be stable: 3.4 there. Solvers that keep their tolerance
-     * differ by up to 0.97, dormand-prince in Kepler's problem.
+     * A slope that differs from theory by more than this is not that of the method: the error falls for another reason,
+     * for example because sub-steps become short enough to be stable (a difference of 3.4). Solvers that keep their
+     * tolerance differ by up to 0.97 (dormand-prince in Kepler's problem).
      */
     private static final double OFF_THEORY = 1.25;
 
     /**
      * @param points  runs with ever shorter steps
-     * @param problem what was solved
+     * @param problem the problem
      * @param inStiff whether the fit is of the stiff range alone
      * @param theory  the slope that is expected; NaN where there is no one
      * @return the fit of the error as a power of deltaT
@@ -51,7 +51,7 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
 
     /**
      * @param points  runs with ever tighter tolerance
-     * @param problem what was solved
+     * @param problem the problem
      * @param theory  the slope that is expected; NaN where there is no one
      * @return the fit of the error as a power of the evaluations, with the sign changed
      */
@@ -59,13 +59,13 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
         return last(points, usable(points, problem.floor()), problem, ROUGHLY_STRAIGHT, true).near(theory);
     }
 
-    /** The fit, unless its slope is not that of the method. */
+    /** This fit, or none if its slope is not that of the method. */
     private SlopeFit near(double theory) {
         return Math.abs(slope - theory) > OFF_THEORY ? none(String.format(Locale.ROOT,
                 "a straight piece of slope %.2f, which is not the method's", slope)) : this;
     }
 
-    /** The last straight piece, which is the longest that ends where it ends. */
+    /** The last straight piece of the line, as long as possible. */
     private static SlopeFit last(List<Point> points, List<Integer> usable, WorkProblem problem, double straight,
             boolean byWork) {
         for (int end = usable.size() - 1; end >= Math.max(PowerLaw.FEWEST, usable.size() - LEFT_OUT) - 1; end--) {
@@ -90,7 +90,7 @@ public record SlopeFit(double slope, int first, int last, String whyNot) {
                 : "not on a straight line");
     }
 
-    /** NaN where more work was not more, which is on no line. */
+    /** The slope between two runs; NaN if the finer one did not take more work. */
     private static double slope(Point coarse, Point fine, boolean byWork) {
         double finer = byWork ? (double) fine.evaluations() / coarse.evaluations() : coarse.deltaT() / fine.deltaT();
         return byWork && finer < MORE_WORK ? Double.NaN : Math.log(coarse.error() / fine.error()) / Math.log(finer);

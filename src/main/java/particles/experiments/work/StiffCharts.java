@@ -14,19 +14,19 @@ import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 import particles.view.DataTable;
 
-/** The stiff gallery as charts and as a table. */
+/** Charts and table of the stiff gallery. */
 public final class StiffCharts {
     private static final String STIFFNESS = "stiffness k (N/m)";
-    /** Less than this is drawn as this: it is gone. */
+    /** Smaller values are drawn as this one: the vibration is gone. */
     private static final double GONE = 1e-16;
 
     private StiffCharts() {
     }
 
     /**
-     * @param sweeps one a solver
-     * @return over the stiffness: evaluations for 1 %; if there are any, solvers that are never stable, and where there
-     *         is no run to 1 %; evaluations to be stable; what is left of the vibration, for those that are stable
+     * @param sweeps the sweep of each solver
+     * @return charts over the stiffness: evaluations for an error of 1 %; solvers that are never stable or never reach
+     *         1 %, if there are any; evaluations needed to be stable; the rest of the vibration for stable runs
      */
     public static List<ChartData> charts(List<Sweep> sweeps) {
         List<Series> precise = new ArrayList<>();
@@ -95,8 +95,8 @@ public final class StiffCharts {
     }
 
     /**
-     * @param sweeps one a solver
-     * @return how the cost of being stable grows with the stiffness, in a sentence
+     * @param sweeps the sweep of each solver
+     * @return a sentence about the growth of the cost of stability with the stiffness
      */
     public static String finding(List<Sweep> sweeps) {
         List<String> parts = new ArrayList<>();
@@ -109,15 +109,15 @@ public final class StiffCharts {
                 : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " never has it" : " never have it");
     }
 
-    /** The largest exponent of these, as a power of k. */
+    /** The largest exponent of these sweeps, as a power of k. */
     private static Optional<String> most(List<Sweep> sweeps, Predicate<Sweep> which) {
         return sweeps.stream().filter(which).map(Sweep::stableExponent).filter(exponent -> !exponent.isNaN())
                 .max(Comparator.naturalOrder()).map(exponent -> String.format(Locale.ROOT, "k^%.2f", exponent));
     }
 
     /**
-     * @param sweeps one a solver
-     * @return exponents, and what the stiffest spring costs
+     * @param sweeps the sweep of each solver
+     * @return the exponents, and the cost for the stiffest spring
      */
     public static DataTable table(List<Sweep> sweeps) {
         List<List<Object>> rows = new ArrayList<>();

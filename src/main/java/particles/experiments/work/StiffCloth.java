@@ -33,7 +33,7 @@ public final class StiffCloth {
     private static final double MASS = 0.01;
     private static final double SPACING = 0.05;
     /**
-     * Offsets of each particle's springs: to its neighbours, across the squares, and to the next but one against
+     * Offsets of each particle's springs: to its neighbours, across the squares, and to second neighbours against
      * bending.
      */
     private static final int[][] JOINTS = {{0, 1}, {1, 0}, {1, 1}, {1, -1}, {0, 2}, {2, 0}};
@@ -43,17 +43,17 @@ public final class StiffCloth {
     /** The number of solvers whose first and further steps are timed; medians are used. */
     private static final int SOLVERS = 3;
     private static final int FURTHER = 3;
-    /** Times of two runs may differ by this factor; a smaller difference makes nobody cheaper. */
+    /** Times that differ by less than this factor count as equal. */
     private static final double SPREAD = 1.2;
-    /** Newton's method is timed up to so many RK4 steps; at 100 it does not converge. */
+    /** Newton's method is timed up to this number of RK4 steps; at 100 it does not converge. */
     private static final long NEWTON = 10;
 
     /**
      * The cost of a frame in CPU time.
      *
-     * @param stiffness  of every spring (N/m)
-     * @param rk4Steps   that RK4 needs to be stable
-     * @param rk4        time of these (s)
+     * @param stiffness  the stiffness of every spring (N/m)
+     * @param rk4Steps   the number of steps that RK4 needs to be stable
+     * @param rk4        the time of these steps (s)
      * @param first      median time of first steps of backward Euler with one linear solve, which include the symbolic
      *                   factorisation (s)
      * @param linearised median time of further such steps (s)
@@ -169,8 +169,8 @@ public final class StiffCloth {
     }
 
     /**
-     * @param sweep    how many steps RK4 needs with each cloth, the softest first
-     * @param progress hears how far it is
+     * @param sweep    the number of steps that RK4 needs for each cloth, the softest first
+     * @param progress receives the progress
      * @return the costs of each
      */
     public static List<Row> measure(List<Long> sweep, ProgressListener progress) {
@@ -187,7 +187,8 @@ public final class StiffCloth {
 
     /**
      * @param rows the costs, the softest cloth first
-     * @return up to where RK4 is cheaper, and by how much the implicit step is with the stiffest cloth
+     * @return a sentence: the stiffness up to which RK4 is cheaper, and the advantage of the implicit step with the
+     *         stiffest cloth
      */
     public static String finding(List<Row> rows) {
         Row stiffest = rows.get(rows.size() - 1);
@@ -201,7 +202,7 @@ public final class StiffCloth {
 
     /**
      * @param rows the costs, the softest cloth first
-     * @return the time of a frame over the steps that RK4 needs
+     * @return the time of a frame against the number of steps that RK4 needs
      */
     public static ChartData chart(List<Row> rows) {
         double[] steps = rows.stream().mapToDouble(Row::rk4Steps).toArray();

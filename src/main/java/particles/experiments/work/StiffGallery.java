@@ -9,24 +9,28 @@ import particles.experiments.runs.PowerLaw;
 import particles.experiments.runs.SolverChoice;
 
 /**
- * What stiffness costs: two masses whose slow swing does not depend on the spring between them, while that spring gets
- * stiffer and stiffer. How many evaluations does a solver need to stay stable, how many to find the swing to 1 %?
+ * Measures the cost of stiffness: two masses swing slowly, whatever the stiffness of the spring between them, while
+ * this spring gets stiffer and stiffer. For each stiffness it finds the evaluations that a solver needs to stay stable,
+ * and to find the swing to 1 %.
  */
 public final class StiffGallery {
     private static final double DURATION = 10;
     private static final double PRECISION = 0.01;
-    /** The seed may grow by this in energy before the run counts as unstable: far above what a stable run borrows. */
+    /**
+     * A run counts as unstable if the energy of the seed grows by this factor, far more than its oscillation in a
+     * stable run.
+     */
     private static final double UNSTABLE = 1e4;
     /**
-     * Few steps are too few to grow so much in: a short run goes on until it has made so many. What grows by 0.5 % a
-     * step is found out; rk4 does so when its step is 0.03 % too long.
+     * In few steps nothing grows so much, so a short run goes on until it has made this number of steps. That detects a
+     * growth of 0.5 % a step, which rk4 has when its step is 0.03 % too long.
      */
     private static final int STEPS_TO_GROW = 2000;
     private static final int MOST_STEPS = 1 << 20;
     private static final double NEAR = 1.01;
     /**
-     * A long run of short steps shows who grows at any step: the slowest of them, adams, by 5e-3; means of waves differ
-     * by 5e-5.
+     * A long run of short steps shows the solvers that grow at any step: the slowest, adams, grows by 5e-3, while means
+     * of waves differ by 5e-5.
      */
     private static final double SHORT_STEP = 0.1;
     private static final int LONG_RUN = 20_000;
@@ -34,31 +38,34 @@ public final class StiffGallery {
     private static final double FIT_FROM = 1e3;
 
     /**
-     * One solver at one stiffness; NaN where no number of steps is enough.
+     * The cost of one solver at one stiffness; NaN if no number of steps is enough.
      *
-     * @param stiffness of the spring between the masses (N/m)
-     * @param toBeStable evaluations of the cheapest stable run
-     * @param toOnePercent evaluations of the cheapest run whose swing is right to 1 %
-     * @param vibrationLeft energy of the stiff vibration over that at its start, the largest in the last tenth of that
-     *                      run: close to its limit a symplectic solver borrows and gives back
+     * @param stiffness    the stiffness of the spring between the masses (N/m)
+     * @param toBeStable   the evaluations of the cheapest stable run
+     * @param toOnePercent the evaluations of the cheapest run whose swing is right to 1 %
+     * @param vibrationLeft the energy of the stiff vibration divided by that at the start; the largest value in the
+     *                      last tenth of that run, since it oscillates with a symplectic solver close to its limit
      */
     public record Cost(double stiffness, double toBeStable, double toOnePercent, double vibrationLeft) {
     }
 
     /**
-     * One solver over all stiffnesses.
+     * The costs of one solver over all stiffnesses.
      *
-     * @param solver       which
-     * @param neverStable  whether the undamped vibration grows however short the step
-     * @param costs        from soft to stiff
-     * @param stableExponent of the stiffness in the cost of being stable; NaN where there is none
-     * @param preciseExponent of the stiffness in the cost of 1 %
+     * @param solver       the solver
+     * @param neverStable  whether the undamped vibration grows at any step
+     * @param costs        its costs, from soft to stiff
+     * @param stableExponent the exponent of the stiffness in the cost of stability; NaN if there is none
+     * @param preciseExponent the exponent of the stiffness in the cost of 1 %
      */
     public record Sweep(SolverChoice solver, boolean neverStable, List<Cost> costs, double stableExponent,
             double preciseExponent) {
     }
 
-    /** A run: its centre's error, the vibration that is left, whether that does not grow, its evaluations. */
+    /**
+     * The result of a run: the error of the centre, the rest of the vibration, whether it is stable, and its
+     * evaluations.
+     */
     private record Run(double error, double vibration, boolean stable, long evaluations) {
         boolean precise() {
             return stable && error <= PRECISION;
@@ -69,8 +76,8 @@ public final class StiffGallery {
     }
 
     /**
-     * @param solver  which
-     * @param decades how many decades of stiffness, from 1 N/m
+     * @param solver  the solver
+     * @param decades the number of decades of stiffness, from 1 N/m
      * @return its costs
      */
     public static Sweep sweep(SolverChoice solver, int decades) {
@@ -98,7 +105,7 @@ public final class StiffGallery {
                 precise == 0 ? Double.NaN : best.evaluations(), precise == 0 ? Double.NaN : best.vibration());
     }
 
-    /** The fewest steps, to 1 %; 0 where even the most are not enough. */
+    /** The fewest steps needed; 0 if even the most are not enough. */
     private static int fewest(SolverChoice solver, double k, boolean precise, int toGrow) {
         int few = 1;
         int enough = 2;

@@ -23,8 +23,8 @@ public final class WorkCharts {
     }
 
     /**
-     * @param problem what was solved
-     * @param curves  by whom
+     * @param problem the problem
+     * @param curves  the curves of all solvers
      * @return error against evaluations, with fitted slopes in the legend; below, if there are any, the failures
      */
     public static List<ChartData> byEvaluations(WorkProblem problem, List<Curve> curves) {
@@ -54,8 +54,8 @@ public final class WorkCharts {
     }
 
     /**
-     * @param problem what was solved
-     * @param curves  by whom
+     * @param problem the problem
+     * @param curves  the curves of all solvers
      * @return error against CPU time, with bars from the lower to the upper quartile; below, if there are any, the
      * failures
      */
@@ -121,7 +121,7 @@ public final class WorkCharts {
         return List.of(errors, new ChartData("", errors.xLabel(), "no result", true, false, rows, series));
     }
 
-    /** @return the fitted slope beside that of theory, as the legend says it */
+    /** @return the fitted slope and the theoretical one, as text for the legend */
     static String slope(Curve curve) {
         String theory = Double.isNaN(curve.expected()) ? "" : String.format(Locale.ROOT, " (%.0f)", curve.expected());
         return Double.isNaN(curve.fit().slope()) ? "" : String.format(Locale.ROOT, ", %.2f",
@@ -129,7 +129,7 @@ public final class WorkCharts {
                 + theory;
     }
 
-    /** Where an order is reduced: what the errors would be with the whole order, from the first fitted one on. */
+    /** For a reduced order: the errors that the full order would give, from the first fitted one on. */
     private static Optional<Series> unreduced(Curve curve, List<Point> fitted) {
         if (!(curve.expected() < curve.solver().order()) || fitted.isEmpty()) {
             return Optional.empty();
@@ -152,7 +152,7 @@ public final class WorkCharts {
                         curve.solver().label(), curve.solver().order(), curve.fit().slope(), curve.expected()));
     }
 
-    /** The solver that needs least work for a rough result, and for a fine one. */
+    /** The solvers that need the least work for a rough and for a fine result. */
     private static String cheapest(List<Curve> curves, ToDoubleFunction<Point> work, String verb, String preposition) {
         Optional<String> rough = cheapest(curves, work, ROUGH);
         Optional<String> fine = cheapest(curves, work, FINE);
@@ -191,7 +191,7 @@ public final class WorkCharts {
                 : String.join(", ", solvers.subList(0, last)) + " and " + solvers.get(last)) + " tie for";
     }
 
-    /** @return the fastest by its median first, then every other whose quartiles overlap with those of the fastest */
+    /** @return the solver with the shortest median time, then every other one whose quartiles overlap with it */
     static List<String> fastest(List<Curve> curves, double error) {
         record Way(String solver, Point point) {
         }

@@ -10,28 +10,28 @@ import particles.experiments.runs.CpuClock;
 import particles.experiments.runs.SolverChoice;
 
 /**
- * What precision costs: a problem solved with ever shorter steps, or tighter tolerances, and the error set against the
- * evaluations of the derivative and against time.
+ * Work-precision experiment: solves a problem with ever shorter steps or tighter tolerances, and measures the error
+ * against the evaluations of the derivative and against time.
  */
 public final class WorkPrecision {
-    /** An error of so much is no result. */
+    /** A run with this error or more has no result. */
     static final double USELESS = 10;
     private static final int FEWEST_STEPS = 16;
     private static final int FEWEST_WHOLE_STEPS = 4;
     private static final int TIMED = 5;
-    /** Short runs are repeated more often: until all together took so long (s), but not more often than that. */
+    /** Short runs are repeated more often: until all together took this time (s), up to a limit. */
     private static final double ENOUGH = 1e-3;
     private static final int MOST_TIMED = 51;
-    /** Java makes code fast while it runs: so long, or for one run at least, before a time counts (s). */
+    /** The time of warm-up runs before a time counts (s), at least one run: Java compiles code while it runs. */
     private static final double WARM = 0.05;
     private static final double WARM_TOLERANCE = 1e-4;
     private static final int WARM_PART = 256;
     private static final double LOOSEST = 1e-1;
     private static final double TIGHTEST = 1e-11;
-    /** So loose that an adaptive solver takes each step whole. */
+    /** A tolerance so loose that an adaptive solver does not divide a step. */
     private static final double WHOLE_STEPS = 1;
 
-    /** In which way a run has no result. */
+    /** The ways in which a run can fail. */
     public enum Failure {
         /** Its error grew beyond any use, or beyond all numbers. */
         UNSTABLE,
@@ -43,27 +43,28 @@ public final class WorkPrecision {
      * One run.
      *
      * @param deltaT      the step (s); for tolerances the whole duration
-     * @param tolerance   relative and absolute; NaN for fixed steps
-     * @param evaluations of the derivative
-     * @param error       at the end; NaN where the run failed
-     * @param seconds     for which a processor was busy with it, the median of five or more runs that were warmed up
+     * @param tolerance   the relative and absolute tolerance; NaN for fixed steps
+     * @param evaluations the number of evaluations of the derivative
+     * @param error       the error at the end; NaN if the run failed
+     * @param seconds     the CPU time of the run (s), the median of five or more runs after warm-up
      * @param lower       the lower quartile of them (s)
      * @param upper       the upper quartile (s)
-     * @param failure     in which way it failed, if it did
-     * @param why         the failure in words; empty for a result
+     * @param failure     the way in which it failed, if it did
+     * @param why         the failure in words; empty if there is a result
      */
     public record Point(double deltaT, double tolerance, long evaluations, double error, double seconds, double lower,
                         double upper, Optional<Failure> failure, String why) {
     }
 
     /**
-     * One solver's runs.
+     * The work-precision curve of one solver.
      *
-     * @param solver   which
-     * @param byStep   whether the steps vary, from run to run by a factor of 2; else the tolerance, by 10
-     * @param points   from coarse to fine
-     * @param fit      of the error over the step, or over the evaluations with the sign changed
-     * @param expected what theory says of the slope; NaN where there is no one order
+     * @param solver   the solver
+     * @param byStep   whether the step varies, by a factor of 2 from run to run; otherwise the tolerance varies, by a
+     *                 factor of 10
+     * @param points   the runs, from coarse to fine
+     * @param fit      the exponent of the error as a power of the step, or of the evaluations with the sign changed
+     * @param expected the theoretical slope; NaN if the method has no fixed order
      */
     public record Curve(SolverChoice solver, boolean byStep, List<Point> points, SlopeFit fit, double expected) {
     }
@@ -72,15 +73,15 @@ public final class WorkPrecision {
     }
 
     /**
-     * @param problem to be solved
-     * @param solver  by whom
+     * @param problem the problem to solve
+     * @param solver  the solver
      * @return its runs
      */
     public static Curve measure(WorkProblem problem, SolverChoice solver) {
         return measure(problem, solver, TIMED);
     }
 
-    /** @param timed how many runs are for the clock at least, an odd number; 0 for none, and times of NaN */
+    /** @param timed the smallest number of timed runs, odd; 0 for none, which gives times of NaN */
     static Curve measure(WorkProblem problem, SolverChoice solver, int timed) {
         boolean inStiff = solver.implicit() && problem.stiff().isPresent();
         boolean byStep = !solver.adaptive() || inStiff;
@@ -94,7 +95,7 @@ public final class WorkPrecision {
         return new Curve(solver, byStep, points, fit, expected);
     }
 
-    /** An extrapolation method chooses its order as it goes. */
+    /** The theoretical slope; an extrapolation method has none, since it varies its order. */
     private static double expected(WorkProblem problem, SolverChoice solver) {
         double order = solver.info().filter(info -> info.family().equals("extrapolation")).isPresent() ? Double.NaN
                 : solver.order();
@@ -124,7 +125,7 @@ public final class WorkPrecision {
         return points;
     }
 
-    /** With a run that is neither so coarse that it fails at once nor long. */
+    /** Warms up with a run that is neither so coarse that it fails at once nor long. */
     private static void warmUp(WorkProblem problem, SolverChoice solver, boolean byStep) {
         long budget = solver.implicit() ? problem.budget().implicit() : problem.budget().explicit();
         int steps = byStep ? (int) Math.max(FEWEST_STEPS, budget / WARM_PART) : 1;
@@ -165,8 +166,8 @@ public final class WorkPrecision {
     }
 
     /**
-     * What overflows has an entry that did; an iteration that ends nowhere has none, and sub-steps end by getting
-     * short.
+     * Finds the way of failing: an overflow has an entry of the state, an iteration that does not converge has none,
+     * and sub-steps become too short.
      */
     private static Failure kind(DESolverException thrown, SolverChoice solver) {
         return thrown.getEntry() < 0 || solver.adaptive() ? Failure.NOT_CONVERGED : Failure.UNSTABLE;

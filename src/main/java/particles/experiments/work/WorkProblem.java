@@ -8,45 +8,46 @@ import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
 
 /**
- * A problem on which work is set against precision.
+ * A test problem of the work-precision experiment.
  *
  * @param name          its name in options
- * @param title         what it is
- * @param duration      over which it is solved (s)
- * @param start         makes a source at its initial state
- * @param evaluations   asks such a source how often its derivative was evaluated
+ * @param title         a short description
+ * @param duration      the time over which it is solved (s)
+ * @param start         creates a source in its initial state
+ * @param evaluations   returns the number of evaluations of such a source
  * @param reference     the state at the end
- * @param origin        how that is known
+ * @param origin        the origin of the reference, in words
  * @param onlyPositions whether errors are of positions alone (m); else of the whole state
- * @param floor         errors below this may be those of rounding, or of the reference
- * @param budget        how much is to be spent on it
- * @param stiff         what is to be expected where it is stiff, if it is
+ * @param floor         errors below this may be round-off, or errors of the reference
+ * @param budget        the limits of work
+ * @param stiff         the range of steps in which it is stiff, if it is
  */
 public record WorkProblem(String name, String title, double duration, Supplier<? extends DEStateSource> start,
                           ToLongFunction<DEStateSource> evaluations, double[] reference, String origin,
                           boolean onlyPositions, double floor, Budget budget, Optional<Stiff> stiff) {
 
     /**
-     * How much a solver may do.
+     * The limits of a solver's work.
      *
      * @param explicit          evaluations beyond which an explicit solver makes no further run
      * @param implicit          the same for an implicit one, which does more for each
-     * @param tightestTolerance of adaptive implicit solvers; others go down to 1e-11
+     * @param tightestTolerance the tightest tolerance of adaptive implicit solvers; others go down to 1e-11
      */
     public record Budget(long explicit, long implicit, double tightestTolerance) {
     }
 
     /**
-     * Where a problem is stiff: there implicit solvers are judged, at equal steps also the adaptive ones.
+     * The range of steps in which a problem is stiff. Implicit solvers are compared there, at equal steps also the
+     * adaptive ones.
      *
      * @param deltaT  the shortest step that is still long for the stiff springs (s)
-     * @param reduced what theory says of the order there, for the solvers that lose some
+     * @param reduced the theoretical order in this range, for the solvers with order reduction
      */
     public record Stiff(double deltaT, Map<String, Double> reduced) {
     }
 
     /**
-     * @param source at the end of a run
+     * @param source a source at the end of a run
      * @return the largest error of a position, or the length of the state's error
      */
     public double error(DEStateSource source) {
@@ -65,7 +66,7 @@ public record WorkProblem(String name, String title, double duration, Supplier<?
         return onlyPositions ? largest : Math.sqrt(squares);
     }
 
-    /** @return what errors are, with their unit */
+    /** @return the kind of error, with its unit */
     public String errorLabel() {
         return onlyPositions ? "largest position error at the end (m)" : "error of the state at the end (1)";
     }

@@ -23,8 +23,8 @@ import particles.experiments.work.WorkProblem.Stiff;
 import particles.law.Vector3;
 
 /**
- * The problems of the work-precision diagrams. Their references are exact, or computed far more accurately than is
- * asked.
+ * The problems of the work-precision diagrams. Their references are exact, or far more accurate than the errors
+ * measured.
  */
 public final class WorkProblems {
     /** Their names, the smooth ones first. */
@@ -34,7 +34,9 @@ public final class WorkProblems {
     private static final double SHAKEN_SECONDS = 2;
     private static final double TIGHT = 1e-13;
     private static final String REFERENCE = "bulirsch-stoer";
-    /** Rounding, and what references with tolerance 1e-13 differ from each other by, stays a tenth of this (a test). */
+    /**
+     * Round-off, and the differences of references with tolerance 1e-13, stay below a tenth of this; a test checks it.
+     */
     private static final double FLOOR = 5e-12;
     private static final double TIGHTEST = 1e-11;
 

@@ -16,7 +16,7 @@ public final class WorkTables {
 
     /**
      * @param all the curves of each problem
-     * @return fitted slopes beside theory, and which runs they are of
+     * @return the fitted slopes, the theoretical ones, and the runs that were fitted
      */
     public static DataTable slopes(Map<WorkProblem, List<Curve>> all) {
         List<List<Object>> rows = new ArrayList<>();

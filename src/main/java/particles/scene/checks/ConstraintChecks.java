@@ -35,7 +35,7 @@ final class ConstraintChecks {
     private final List<RodDescription> rods = new ArrayList<>();
     private final List<Chosen<WireKind>> wires = new ArrayList<>();
 
-    /** @param isKnown whether there is a particle with an id; says so if there is none */
+    /** @param isKnown tests whether there is a particle with an id, and reports a problem if not */
     ConstraintChecks(Values scene, Problems problems, ParticleIndex index, BiPredicate<String, Place> isKnown) {
         this.scene = scene;
         this.problems = problems;

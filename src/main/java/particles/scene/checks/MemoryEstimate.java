@@ -69,7 +69,11 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
                 : info.family().equals("extrapolation") ? 600 : 0;
     }
 
-    /** Adds a problem if the scene does not fit. @param allowed the memory that Java may use (bytes) */
+    /**
+     * Adds a problem if the scene does not fit.
+     *
+     * @param allowed the memory that Java may use (bytes)
+     */
     public static void check(SceneDescription scene, double allowed, Problems problems) {
         MemoryEstimate needed = of(scene);
         if (needed.bytes() > allowed) {

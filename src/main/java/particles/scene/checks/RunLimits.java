@@ -8,7 +8,7 @@ import particles.spec.messages.Place;
 import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
-/** Limits of the number of steps and pictures; a longer run can only be a typing error. */
+/** Limits on the numbers of steps and pictures of a run: more can only be a typing error. */
 public final class RunLimits {
     private static final double MOST_STEPS = 1e10;
     private static final double MOST_FRAMES = 1e6;

@@ -30,7 +30,7 @@ import particles.spec.messages.Wording;
 import particles.view.Camera;
 
 /**
- * Checks the conditions between parts of a scene. It checks all parts that are right by themselves, so that all
+ * Checks the conditions between parts of a scene. It checks all parts that have no mistake of their own, so that all
  * problems are reported together.
  */
 public final class SceneChecks {
@@ -45,7 +45,10 @@ public final class SceneChecks {
     private final List<String> broken = new ArrayList<>();
     private ParticleIndex index;
 
-    /** @param scene what the file says; @param problems where problems go */
+    /**
+     * @param scene    the values in the file
+     * @param problems receives the problems
+     */
     public SceneChecks(Values scene, Problems problems) {
         this.scene = scene;
         this.problems = problems;

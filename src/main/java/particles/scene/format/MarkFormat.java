@@ -9,7 +9,7 @@ import particles.spec.TextType;
 import particles.spec.Values;
 import particles.view.ParticleMark;
 
-/** The keys of how a single particle is drawn. */
+/** The keys of a single particle's drawing style. */
 public final class MarkFormat {
     public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
             "The particle that is drawn in this way.");

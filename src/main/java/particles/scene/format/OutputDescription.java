@@ -42,8 +42,8 @@ public record OutputDescription(double frameRate, int width, int height, boolean
         }
 
         /**
-         * @param name as it is written in scenes and options
-         * @return the one of that name
+         * @param name the name in scenes and options
+         * @return the kind of film of that name
          */
         public static Optional<Video> find(String name) {
             return Arrays.stream(values()).filter(video -> video.label().equals(name)).findFirst();
@@ -60,7 +60,7 @@ public record OutputDescription(double frameRate, int width, int height, boolean
      *
      * @param particle the id of the particle
      * @param axis     0 for x, 1 for y, 2 for z, 3 for the angle about another particle
-     * @param about    the id of that one
+     * @param about    the id of that other particle
      * @param place    its place in the file
      */
     public record Phase(String particle, int axis, Optional<String> about, Place place) {

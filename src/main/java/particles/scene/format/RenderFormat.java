@@ -15,7 +15,7 @@ import particles.view.ParticleStyle;
 import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 
-/** The keys of how a scene is drawn. */
+/** The keys of a scene's render options. */
 public final class RenderFormat {
     static final TextType COLOUR = TextType.of("a colour '#rrggbb' in quotes", "^#[0-9a-fA-F]{6}$");
     private static final List<String> SHOWN = Arrays.stream(Visibility.values()).map(RenderFormat::nameOf)
@@ -59,7 +59,7 @@ public final class RenderFormat {
             + " surface's back.");
 
     static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.between(0, 1000, "s"), 0.0,
-            "Draws each particle's velocity as an arrow, as long as its path in this time at its present speed (s);"
+            "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"
                     + " 0 for no arrows.");
     public static final Key<List<Values>> MARKS = Key.withDefault("marks", ListType.of("a mark", MarkFormat.TYPE),
             List.of(), "Particles with a colour, a size or a label of their own.");

@@ -18,13 +18,13 @@ import particles.view.RenderOptions;
 /**
  * The checked contents of a scene file.
  *
- * @param source       the file, as it was named
- * @param title        what the scene shows
- * @param teaches      what one learns from it
+ * @param source       the file, as the user named it
+ * @param title        the title of the scene
+ * @param teaches      the lesson of the scene
  * @param solver       the name of the solver
  * @param tolerances   its tolerances, if the scene gives them
  * @param deltaT       the time step (s)
- * @param duration     how long the run lasts (s)
+ * @param duration     the duration of the run (s)
  * @param particles    the single particles, first in the state
  * @param shapes       the shapes, whose particles follow
  * @param springs      the springs outside shapes
@@ -33,7 +33,7 @@ import particles.view.RenderOptions;
  * @param rules        the rules it names
  * @param exactImpacts whether steps are split at impacts
  * @param camera       the camera, if it gives one
- * @param look         how things are drawn
+ * @param look         the render options
  * @param output       the files to write
  * @param blowUpFactor the factor by which the kinetic energy may exceed the scene's energy scale
  * @param threads      the number of threads that evaluate forces, if given
@@ -56,7 +56,7 @@ public record SceneDescription(String source, String title, String teaches, Stri
      * @param otherSolver     a solver's name
      * @param otherTolerances its tolerances; only for adaptive solvers
      * @param otherDeltaT     the time step (s)
-     * @param otherDuration   how long the run lasts (s)
+     * @param otherDuration   the duration of the run (s)
      * @return the description; the scene builder checks it
      */
     public SceneDescription solvedBy(String otherSolver, Optional<Tolerances> otherTolerances, double otherDeltaT,
@@ -77,7 +77,7 @@ public record SceneDescription(String source, String title, String teaches, Stri
      * The number of particles at a time, if no rule removes any.
      *
      * @param time the time since the start (s)
-     * @return the scene's own particles plus those that its emitters have made and that are still alive
+     * @return the number of the scene's own particles plus those from its emitters that are still alive
      */
     public double particlesAfter(double time) {
         double count = particles.size();

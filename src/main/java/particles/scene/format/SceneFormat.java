@@ -23,7 +23,7 @@ import particles.spec.WholeNumberType;
 import particles.spec.documents.JsonSchema;
 import particles.spec.documents.Reference;
 
-/** The format of scene files. The reader, its messages, the schema and the reference are all made from it. */
+/** The format of scene files. The reader, its messages, the JSON Schema and the reference tables all follow from it. */
 public final class SceneFormat {
     public static final Key<String> TITLE = Key.required("title", TextType.prose(),
             "The scene's title, a few words.");
@@ -96,7 +96,7 @@ public final class SceneFormat {
     }
 
     /**
-     * @param heading what the headings begin with, such as {@code ###}
+     * @param heading the beginning of each heading, such as {@code ###}
      * @return the reference of scene files, as Markdown tables
      */
     public static String reference(String heading) {

@@ -47,7 +47,7 @@ public final class SolverFormat {
         return Optional.of(new Tolerances(values.find(RELATIVE).orElse(1e-6), values.find(ABSOLUTE).orElse(1e-9)));
     }
 
-    /** @return solvers as the scene wants them, one at each call; nothing if they cannot be made */
+    /** @return a supplier that creates the scene's solver at each call; empty if it cannot be created */
     public static Optional<Supplier<DESolver>> maker(SceneDescription scene, Problems problems) {
         Supplier<DESolver> maker = () -> scene.tolerances()
                 .map(tolerances -> SolverCatalog.create(scene.solver(), tolerances.relative(), tolerances.absolute()))

@@ -14,7 +14,7 @@ import particles.law.Vector3;
  * slowest.
  *
  * @param id      the shape's name; its particles have names such as {@code cloth[3,4]}
- * @param counts  how many particles there are along each direction, at least 2
+ * @param counts  the number of particles along each direction, at least 2
  * @param origin  the position of the particle [0,0,0] (m)
  * @param edges   the vectors from the first to the last particle along each direction (m)
  */

@@ -8,8 +8,8 @@ import particles.spec.messages.Place;
 /**
  * One rigid rod of a scene; its length is the initial distance of its ends.
  *
- * @param from  the id of the particle where it begins
- * @param to    the id of the particle where it ends
+ * @param from  the id of the particle at its first end
+ * @param to    the id of the particle at its second end
  * @param place its place in the file
  */
 public record RodDescription(String from, String to, Place place) {

@@ -41,7 +41,7 @@ public abstract class RuleKind extends Kind {
         super(name, sentence, keys);
     }
 
-    /** Builds what a scene names. */
+    /** Builds the rule and adds it to the scene. */
     public abstract void build(Values values, SceneAssembly assembly);
 
     /** @return the rule's solid, in which no particle may begin, if it has one */
@@ -60,10 +60,10 @@ public abstract class RuleKind extends Kind {
     }
 
     /**
-     * The largest number of particles alive at a time that the rule has made.
+     * Returns the largest number of the rule's own particles that are alive at a time.
      *
-     * @param deltaT   how long a step is (s)
-     * @param duration how long the run is (s)
+     * @param deltaT   the time step (s)
+     * @param duration the duration of the run (s)
      */
     public double alive(Values values, double deltaT, double duration) {
         return 0;

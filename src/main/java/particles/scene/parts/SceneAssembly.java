@@ -50,12 +50,12 @@ public final class SceneAssembly implements EffectContext {
         return index.position(id);
     }
 
-    /** Lets the fixed particle with this known id follow a motion. */
+    /** Turns the fixed particle with this known id into a moving anchor. */
     void move(String id, AnchorMotion motion) {
         system.moveAnchor(index.find(id).orElseThrow(), motion);
     }
 
-    /** @param rule to act after contacts, in the order of the scene */
+    /** @param rule a rule that acts after contacts, in the order of the scene */
     void add(Rule rule) {
         rules.add(rule);
     }
@@ -65,7 +65,7 @@ public final class SceneAssembly implements EffectContext {
         mortal = true;
     }
 
-    /** @return the rules besides contacts; deaths of age come last */
+    /** @return the rules besides contacts; the rule for lifetimes comes last */
     public List<Rule> rules() {
         List<Rule> all = new ArrayList<>(rules);
         if (mortal) {
@@ -74,7 +74,7 @@ public final class SceneAssembly implements EffectContext {
         return all;
     }
 
-    /** @param massRate of what is born (kg/s); for the energy scale */
+    /** @param massRate the mass of births per second (kg/s); for the energy scale */
     void noteBirths(double massRate) {
         births += massRate;
     }
@@ -104,7 +104,7 @@ public final class SceneAssembly implements EffectContext {
         solids.add(solid);
     }
 
-    /** @param wire to be drawn */
+    /** @param wire a wire to be drawn */
     void show(CurveView wire) {
         wires.add(wire);
     }

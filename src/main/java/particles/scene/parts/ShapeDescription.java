@@ -16,7 +16,7 @@ import particles.spec.messages.Problems;
 import particles.spec.messages.Wording;
 
 /**
- * A rope, a cloth or a block of jelly.
+ * One shape of a scene: a rope, a cloth or a block of jelly.
  *
  * @param lattice  its particles
  * @param mass     the mass of each (kg)
@@ -97,7 +97,7 @@ public record ShapeDescription(Lattice lattice, double mass, Vector3 velocity, B
         }
     }
 
-    /** @return how many springs it has */
+    /** @return the number of its springs */
     public long springCount() {
         return springs.stream().mapToLong(family -> family.count(lattice)).sum();
     }

@@ -42,7 +42,7 @@ public abstract class ShapeKind extends Kind {
      * @param sides   the names of its two ends along each direction
      * @param more    further names for fixed parts
      * @param springs the sorts of springs that it can have
-     * @param own     keys that say where the particles are
+     * @param own     the keys for the positions of the particles
      */
     ShapeKind(String name, String sentence, List<List<String>> sides, List<String> more, List<Sort> springs,
               boolean hasSurface, Key<?>... own) {
@@ -80,7 +80,7 @@ public abstract class ShapeKind extends Kind {
         return MappingType.of("'" + name + "'", all.toArray(new Key<?>[0])).withExactlyOneOf(MASS, TOTAL_MASS);
     }
 
-    /** @return where the particles are */
+    /** @return the positions of the particles */
     abstract Lattice lattice(Values values);
 
     /** @return the names of the two ends along each direction */

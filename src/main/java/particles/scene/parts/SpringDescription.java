@@ -11,12 +11,12 @@ import particles.spec.messages.Place;
 /**
  * One spring of a scene.
  *
- * @param from       the id of the particle where it begins
- * @param to         the id of the particle where it ends
+ * @param from       the id of the particle at its first end
+ * @param to         the id of the particle at its second end
  * @param stiffness  k (N/m)
  * @param restLength l (m); the initial distance if the scene does not say
  * @param damping    k_d (N s/m)
- * @param place      where the scene says so
+ * @param place      its place in the file
  */
 public record SpringDescription(String from, String to, double stiffness, Optional<Double> restLength, double damping,
         Place place) {

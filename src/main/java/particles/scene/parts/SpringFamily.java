@@ -8,9 +8,9 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 
 /**
- * Springs of one sort in a shape, all with the same constants, each as long at rest as it is at the start.
+ * The springs of one sort in a shape, all with the same constants; their rest lengths are the initial distances.
  *
- * @param sort      which pairs they connect
+ * @param sort      the pairs of neighbours that they connect
  * @param stiffness k (N/m)
  * @param damping   k_d (N s/m)
  */
@@ -20,15 +20,16 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
     static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
             "k_d of each of these springs (N s/m).");
 
-    /** Which neighbours are connected. */
+    /** The pairs of neighbours that are connected. */
     public enum Sort {
-        /** The next one along each direction: holds the shape together. */
+        /** Nearest neighbours along each direction: they hold the shape together. */
         STRUCTURAL("structural", "Springs between nearest neighbours along each direction: they hold the shape"
                 + " together."),
-        /** Diagonally across faces and cells: keeps squares from becoming rhombi. */
+        /** Diagonals of faces and cells: they keep squares from becoming rhombi. */
         SHEAR("shear", "Springs along the diagonals of squares (and cubes): they keep squares from becoming rhombi."),
-        /** The next but one along each direction: resists folding. */
-        BEND("bend", "Springs between second neighbours along each direction, past one particle: they resist folding.");
+        /** Second neighbours along each direction, with one between them: they resist folding. */
+        BEND("bend", "Springs between second neighbours along each direction, skipping one particle: they"
+                + " resist folding.");
 
         private final Key<Values> key;
 
@@ -36,7 +37,7 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
             key = Key.optional(name, MappingType.of("'" + name + "'", STIFFNESS, DAMPING), sentence);
         }
 
-        /** @return the key by which a scene asks for them */
+        /** @return the key of this sort of springs */
         Key<Values> key() {
             return key;
         }
@@ -75,7 +76,7 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         void spring(int from, int to, double stiffness, double damping);
     }
 
-    /** @return how many springs of this sort a lattice has */
+    /** @return the number of springs of this sort in a lattice */
     long count(Lattice lattice) {
         long count = 0;
         for (int[] offset : sort.offsets(lattice.counts().size())) {
@@ -88,7 +89,7 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
         return count;
     }
 
-    /** Tells of every spring, by the lattice's own numbers. */
+    /** Passes every spring to a sink, with the lattice's own particle numbers. */
     public void forEach(Lattice lattice, Sink sink) {
         int[] counts = lattice.counts().stream().mapToInt(Integer::intValue).toArray();
         int[] strides = lattice.strides();

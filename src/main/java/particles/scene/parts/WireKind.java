@@ -12,7 +12,7 @@ import particles.spec.NumberType;
 import particles.spec.Values;
 import particles.spec.VectorType;
 
-/** The wires that a bead can slide along: each is one entry of {@link #ALL}, with its keys and the curve it is. */
+/** A kind of wire along which a bead can slide, with its keys and its curve; {@link #ALL} lists them. */
 public abstract class WireKind extends Kind {
     public static final Key<String> BEAD = Key.required("bead", SpringDescription.ANY_ID, "The particle on the wire.");
 
@@ -38,7 +38,7 @@ public abstract class WireKind extends Kind {
     private static final Key<Vector3> CENTRE = Key.required("centre", VectorType.of("m"), "The centre of the"
             + " ring (m).");
     private static final Key<Vector3> AXIS = Key.withDefault("axis", VectorType.notZero(""), new Vector3(0, 0, 1),
-            "Perpendicular to the ring; its length does not matter.");
+            "A vector perpendicular to the ring; its length does not matter.");
     private static final Key<Double> RADIUS = Key.required("radius", NumberType.positive("m"), "The ring's"
             + " radius (m).");
 

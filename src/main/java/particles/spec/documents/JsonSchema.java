@@ -20,8 +20,8 @@ public final class JsonSchema {
 
     /**
      * @param root        the type of a whole file
-     * @param title       what such a file is
-     * @param description where the schema comes from
+     * @param title       the title of such a file
+     * @param description a description of the schema's origin
      * @return the schema, ending with a line feed; the same text for the same type, always
      */
     public static String of(MappingType root, String title, String description) {

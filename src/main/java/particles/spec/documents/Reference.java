@@ -27,7 +27,7 @@ public final class Reference {
 
     /**
      * @param root    the type of a whole file
-     * @param heading what the headings begin with, such as {@code ###}
+     * @param heading the beginning of each heading, such as {@code ###}
      * @return the tables, ending with a line feed; the same text for the same type, always
      */
     public static String of(MappingType root, String heading) {

@@ -16,8 +16,8 @@ public final class Problems {
     private int count;
 
     /**
-     * @param place   where
-     * @param message what was found, and what is allowed; made one line
+     * @param place   the place of the problem
+     * @param message the value found and the values allowed; made one line
      */
     public void add(Place place, String message) {
         count++;
@@ -31,7 +31,7 @@ public final class Problems {
         return problems.size() >= LIMIT;
     }
 
-    /** @return how many problems there are */
+    /** @return the number of problems */
     public int count() {
         return count;
     }

@@ -17,7 +17,7 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 /** Building blocks of messages: quoted text, unknown names with suggestions, numbers; always one line. */
 public final class Wording {
     private static final int LONGEST_QUOTE = 40;
-    /** A key of more parts than this, such as 'position', tells nothing about what was meant. */
+    /** For a key of more parts than this, such as 'position', a hint at the parts would be useless. */
     private static final int MOST_OWNERS = 5;
     private static final int LONGEST_MESSAGE = 1000;
     /** Characters without width or with a direction, and spaces that look like the ordinary one. */
@@ -37,10 +37,10 @@ public final class Wording {
     }
 
     /**
-     * @param what   what the name names, such as {@code effect}
+     * @param what   the kind of thing that has the name, such as {@code effect}
      * @param found  the unknown name
      * @param known  the names that are allowed
-     * @param owners the parts of a scene in which it is a key; told if no known name is similar
+     * @param owners the parts of a scene in which it is a key; named if no known name is similar
      * @return {@code unknown effect 'gravty'; did you mean 'gravity'? known: ...}
      */
     public static String unknown(String what, String found, Collection<String> known, List<String> owners) {

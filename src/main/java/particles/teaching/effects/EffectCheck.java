@@ -14,8 +14,8 @@ import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
 
 /**
- * Holds an effect to what it claims of itself, by {@link EffectClaims}, and says where a claim fails: at which
- * particle, in which component, and what is probably the mistake.
+ * Checks a student's force law against the properties that it declares, by {@link EffectClaims}. If one does not hold,
+ * it names the particle, the component and the probable mistake.
  */
 public final class EffectCheck {
     private static final double STEP = 1e-5;
@@ -45,7 +45,7 @@ public final class EffectCheck {
      * Checks a law on six particles, one of them fixed, and on nine that are all free.
      *
      * @param law the law
-     * @return the first thing that is wrong; empty if it keeps what it claims
+     * @return the first mistake; empty if all declared properties hold
      */
     public static List<Finding> check(EffectLaw law) {
         return new EffectCheck(EffectSample.system(), law).first()
@@ -119,7 +119,10 @@ public final class EffectCheck {
                 + " and not to 0: F_ji has to be -F_ij");
     }
 
-    /** The force on i changes with the place of j as the force on j does with that of i, if they are opposite. */
+    /**
+     * Looks for a pair without opposite forces: the force on i has to change with the position of j as the force on j
+     * does with that of i.
+     */
     private Optional<String> wrongPair(double[] force) {
         double[][] change = new double[n / 6][];
         for (int j = 0; j < change.length; j++) {
@@ -171,7 +174,7 @@ public final class EffectCheck {
         return "'" + system.getParticles().id(i) + "'";
     }
 
-    /** Force = -grad of the potential energy, of the particles that can move. */
+    /** Checks that the force on particles that can move is -grad of the potential energy. */
     private Optional<Finding> potential() {
         if (!effect.getTraits().contains(Trait.CONSERVATIVE)) {
             return Optional.empty();
@@ -188,7 +191,9 @@ public final class EffectCheck {
         return compare(force, expected);
     }
 
-    /** Compares forces of free particles component by component, and looks for what is common to all differences. */
+    /**
+     * Compares the forces on free particles component by component, and looks for a common pattern of the differences.
+     */
     private Optional<Finding> compare(double[] force, double[] expected) {
         double size = Math.max(Arrays.stream(force).map(Math::abs).max().orElse(0),
                 Arrays.stream(expected).map(Math::abs).max().orElse(0));
@@ -225,7 +230,7 @@ public final class EffectCheck {
         return Optional.empty();
     }
 
-    /** What is left: power, symmetries and derivatives. */
+    /** Checks the other properties: power, symmetries and derivatives. */
     private Optional<Finding> otherClaims() {
         return EffectClaims.broken(system, effect, 2003).stream().findFirst()
                 .map(line -> new Finding(Kind.METHOD, claim(line)));

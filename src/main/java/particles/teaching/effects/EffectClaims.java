@@ -11,9 +11,8 @@ import particles.law.ForceDerivatives;
 import particles.teaching.Formula;
 
 /**
- * Holds an effect to what it claims of itself, on random states of a system: every claim that does not hold is a line.
- * The
- * differences are central, with steps of 1e-5 on numbers of order 1: their own error is about 1e-10.
+ * Tests the properties that an effect declares, on random states of a system. Finite differences are central, with
+ * steps of 1e-5 on numbers of order 1, so their own error is about 1e-10.
  */
 public final class EffectClaims {
     private static final double STEP = 1e-5;
@@ -34,9 +33,9 @@ public final class EffectClaims {
 
     /**
      * @param system the particles; about a unit apart, so that the random states make sense
-     * @param effect what acts on them
-     * @param seed   of the random states
-     * @return a line for every claim that does not hold; the first word is the claim
+     * @param effect the effect that acts on them
+     * @param seed   the seed of the random states
+     * @return a line for every declared property that does not hold; the first word is the property
      */
     public static List<String> broken(ParticleSystem system, Effect effect, long seed) {
         EffectClaims claims = new EffectClaims(system, effect, seed);
@@ -234,7 +233,7 @@ public final class EffectClaims {
         }
     }
 
-    /** @return whether the only particles without a force are the fixed ones, on which forces do nothing */
+    /** @return whether the particles without a force are exactly the fixed ones, which no force moves */
     static boolean leavesFixedOut(ParticleSystem system, double[] force) {
         boolean any = false;
         for (int i = 0; i < force.length / 6; i++) {

@@ -7,8 +7,8 @@ import particles.law.Effect;
 import particles.law.Effect.Trait;
 
 /**
- * Looks for an index that went wrong, once a law is known not to keep what it claims: which entries of the state each
- * force changes with, and which it should.
+ * Looks for a wrong index in a law of which a declared property does not hold: compares the entries of the state on
+ * which each force depends with those on which it should depend.
  */
 final class EffectIndices {
     private static final double MOVE = 1e-3;

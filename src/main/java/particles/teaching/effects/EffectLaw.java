@@ -7,13 +7,13 @@ import particles.law.Particles;
 /**
  * A force law to be checked.
  *
- * @param maker    makes it for some particles
- * @param sentence what its keys say that it is; may be empty
+ * @param maker    creates it for some particles
+ * @param sentence the description in its keys; may be empty
  * @param signed   whether a scene can turn its direction around, by a required key that may be negative
  */
 public record EffectLaw(Function<Particles, Effect> maker, String sentence, boolean signed) {
 
-    /** A law without keys, of which nothing is said. */
+    /** A law without keys or description. */
     public EffectLaw(Function<Particles, Effect> maker) {
         this(maker, "", false);
     }

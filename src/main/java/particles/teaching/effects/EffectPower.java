@@ -7,7 +7,9 @@ import particles.law.Effect;
 import particles.law.Effect.Trait;
 import particles.teaching.Formula;
 
-/** Holds the work of a law that damps against the heat that it tells, and finds out where they differ. */
+/**
+ * Compares the work of a damping law with the dissipated power that it reports, and finds the cause of a difference.
+ */
 final class EffectPower {
     private static final double STEP = 1e-5;
     private static final double SAME = 1e-5;
@@ -24,7 +26,7 @@ final class EffectPower {
         n = state.length;
     }
 
-    /** @return what is wrong with a law that claims DISSIPATIVE and not DRIVING; empty if nothing is */
+    /** @return the mistake of a law that declares DISSIPATIVE and not DRIVING; empty if there is none */
     Optional<String> wrong() {
         if (!effect.getTraits().contains(Trait.DISSIPATIVE) || effect.getTraits().contains(Trait.DRIVING)) {
             return Optional.empty();
@@ -44,7 +46,7 @@ final class EffectPower {
                 + Formula.number(dissipated) + " W into heat" + cause(power, dissipated));
     }
 
-    /** F . v and what is stored in a second. */
+    /** F . v plus the rate of the potential energy. */
     private double power(double[] at) {
         double[] force = force(at);
         double power = 0;

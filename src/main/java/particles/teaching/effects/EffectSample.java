@@ -20,7 +20,7 @@ import particles.law.Vector3;
 import particles.spec.ClassNames;
 import particles.spec.Key;
 
-/** A handful of particles for an effect to act on, and effects by name. */
+/** Sample systems on which effects are checked, and effects by name. */
 public final class EffectSample {
     private static final String SPRINGS = "springs";
     private static final String DAMPED_SPRINGS = "damped-springs";
@@ -57,7 +57,7 @@ public final class EffectSample {
     }
 
     /**
-     * Makes an effect as a scene would, from the defaults of its keys and samples of those that are required.
+     * Creates an effect as a scene would, from the defaults of its keys and samples of required ones.
      *
      * @param name      the effect's name in scenes; wind and turbulence are tried out through drag; or springs,
      *                  damped-springs, or a class of one's own
@@ -87,7 +87,7 @@ public final class EffectSample {
     /**
      * @param name    as for {@link #create}
      * @param classes finds the class
-     * @return the law with what its keys say of it
+     * @return the law with the description in its keys
      */
     public static EffectLaw law(String name, ClassNames classes) {
         if (name.equals(SPRINGS) || name.equals(DAMPED_SPRINGS)) {

@@ -1,6 +1,6 @@
 package particles.teaching.effects;
 
-/** The text of a force law to begin with: it compiles, and its keys can be named in a scene. */
+/** The template of a student's force law: it compiles, and its keys can be used in a scene. */
 public final class EffectSkeleton {
 
     private EffectSkeleton() {

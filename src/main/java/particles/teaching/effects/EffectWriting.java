@@ -11,8 +11,8 @@ import particles.teaching.Finding;
 import particles.teaching.Formula;
 
 /**
- * Looks at how an effect writes its forces, before anybody asks what they are: added, where they belong, and some at
- * all.
+ * Checks how an effect writes its forces, before their values are checked: they have to be added, in the right entries,
+ * and not all 0.
  */
 final class EffectWriting {
     private static final int TRIALS = 50;
@@ -30,7 +30,7 @@ final class EffectWriting {
         n = state.length;
     }
 
-    /** @return what is wrong first; empty if nothing is */
+    /** @return the first mistake; empty if there is none */
     Optional<Finding> finding() {
         return written().or(this::nothing);
     }
@@ -45,7 +45,7 @@ final class EffectWriting {
         return force;
     }
 
-    /** @return what entry k of an array of the state's layout is, in words */
+    /** @return the meaning of entry k of an array of the state's layout, in words */
     static String entry(ParticleSystem system, int k) {
         return "component " + axis(k) + " of the force on particle '" + system.getParticles().id(k / 6) + "'";
     }
@@ -109,7 +109,7 @@ final class EffectWriting {
         return Optional.of(force);
     }
 
-    /** Whether there is a law at all. What acts only near by, far away or now and then is given the chance to. */
+    /** Checks that there is a force at all, also at short and long distances and at several times. */
     private Optional<Finding> nothing() {
         Random random = new Random(1895);
         double[] at = state.clone();

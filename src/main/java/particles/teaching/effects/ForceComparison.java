@@ -7,7 +7,7 @@ import java.util.Optional;
 import particles.ParticleSystem;
 import particles.teaching.Formula;
 
-/** Forces beside those that were expected: what is common to all differences. */
+/** Compares forces with the expected ones, and looks for a common pattern of the differences. */
 final class ForceComparison {
     private static final double SAME = 1e-5;
     private static final String XYZ = "xyz";
@@ -18,10 +18,10 @@ final class ForceComparison {
     private final double size;
 
     /**
-     * @param system   on whose particles they act
-     * @param force    where the velocities stand
-     * @param expected the right ones, likewise
-     * @param size     of the largest of all of them
+     * @param system   the system of the particles on which they act
+     * @param force    the forces, in the entries of the velocities
+     * @param expected the right forces, likewise
+     * @param size     the size of the largest force
      */
     ForceComparison(ParticleSystem system, double[] force, double[] expected, double size) {
         this.system = system;
@@ -32,7 +32,7 @@ final class ForceComparison {
 
     /**
      * @param velocities whether the forces depend on velocities
-     * @param other      what the right forces come from, in words
+     * @param other      the origin of the right forces, in words
      * @return the likely mistake, after a colon; empty if nothing is common to all differences
      */
     String cause(boolean velocities, String other) {
@@ -81,7 +81,7 @@ final class ForceComparison {
                 + " wrong";
     }
 
-    /** Where whole particles have no force, and all others the right one. */
+    /** Finds particles without any force, if all others have the right one. */
     private Optional<String> leftOut() {
         List<String> names = new ArrayList<>();
         for (int i = 0; i < force.length / 6; i++) {

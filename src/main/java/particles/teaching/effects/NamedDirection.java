@@ -10,8 +10,8 @@ import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 
 /**
- * Finds a force that points the other way than the law's name or sentence says. Where the energy has the wrong sign as
- * well, nothing else shows it.
+ * Finds a force whose direction contradicts the law's name or description. If the energy has the wrong sign too, no
+ * other check notices it.
  */
 final class NamedDirection {
     private static final double FAR = 100;
@@ -46,9 +46,9 @@ final class NamedDirection {
     /**
      * @param system the particles
      * @param effect the effect, made for them
-     * @param law    what is said of it
+     * @param law    the law, with its description
      * @param state  a state with positions and velocities of order 1
-     * @return what is wrong; empty if the force points where the words say, or they say nothing
+     * @return the mistake; empty if the force has the direction that the words say, or they say nothing
      */
     static Optional<Finding> finding(ParticleSystem system, Effect effect, EffectLaw law, double[] state) {
         NamedDirection named = new NamedDirection(system, effect, law, state);
@@ -144,7 +144,7 @@ final class NamedDirection {
         return sum;
     }
 
-    /** How the velocity-dependent part of the force acts on fast motion. */
+    /** The power of the velocity-dependent part of the force in fast motion. */
     private double powerOfSpeed() {
         double[] fast = at(1, FAST);
         double[] force = force(fast);

@@ -1,2 +1,2 @@
-/** Checks a force law: how it writes its forces, and whether it keeps what it claims. */
+/** Checks of a student's force law: how it writes its forces, and whether its declared properties hold. */
 package particles.teaching.effects;

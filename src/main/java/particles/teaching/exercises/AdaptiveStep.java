@@ -7,7 +7,7 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** Adaptive steps as on the slide: two steps of deltaT, one of twice that, compare, adjust. */
+/** The exercise on adaptive steps as on the slide: two steps of deltaT, one of twice that, compare, adjust. */
 final class AdaptiveStep extends NumericExercise {
     private static final int ERROR_ORDER = 5;
     private static final int RICHARDSON = 15;

@@ -16,22 +16,22 @@ import particles.spec.YamlText;
 import particles.spec.messages.Problems;
 
 /**
- * A student's answers, a file of lines such as {@code 5: 3.42}: the exercise's number and the answer.
+ * A file of a student's answers, in lines such as {@code 5: 3.42}: the number of the exercise and the answer.
  *
- * @param answers  by the exercise's number
- * @param problems what is wrong with the file, a line each
+ * @param answers  the answers by the number of the exercise
+ * @param problems the mistakes in the file, a line each
  */
 public record AnswersFile(Map<Integer, String> answers, List<String> problems) {
 
-    /** Copies both. */
+    /** Copies both collections. */
     public AnswersFile {
         answers = Map.copyOf(answers);
         problems = List.copyOf(problems);
     }
 
     /**
-     * @param file where the answers are
-     * @return what can be read of them
+     * @param file the file of the answers
+     * @return the answers and problems
      */
     public static AnswersFile read(Path file) {
         Problems problems = new Problems();

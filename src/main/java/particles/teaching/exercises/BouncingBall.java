@@ -17,7 +17,9 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** Collisions: when a ball meets the ground for the n-th time, found by running a scene. */
+/**
+ * The exercise on collisions: the time at which a ball meets the ground for the n-th time, found by running a scene.
+ */
 final class BouncingBall extends NumericExercise {
     private static final double EARTH = 9.81;
 
@@ -85,7 +87,7 @@ final class BouncingBall extends NumericExercise {
         return contacts.times.get(bounce - 1);
     }
 
-    /** Notes when a rule changed something: here, when the ball bounced. */
+    /** Records the times at which a rule changed something: here, the bounces of the ball. */
     private static final class Contacts implements Observer {
         private final List<Double> times = new ArrayList<>();
 

@@ -12,11 +12,11 @@ import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
 /**
- * The lecture's UDOO: the cost of RK4 against midpoint for similar accuracy, for a duration and an accuracy of one's
- * own.
+ * The exercise that the lecture calls UDOO: the cost of RK4 against midpoint for similar accuracy, with the student's
+ * own duration and accuracy.
  */
 final class CostOfRK4 extends NumericExercise {
-    /** The fewest steps are found by trying; the leading terms of the errors alone may miss it by a percent. */
+    /** The fewest steps are found by trial; the leading terms of the errors alone may be wrong by a percent. */
     private static final double HALF_A_PERCENT = 0.005;
     private static final int FEWEST_STEPS = 16;
     private static final double HUNDRED = 100;

@@ -7,7 +7,7 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** Why Euler's path in state space is a spiral: each step multiplies the energy. */
+/** The exercise on Euler's spiral in state space: each step multiplies the energy. */
 final class EulerSpiral extends NumericExercise {
 
     EulerSpiral() {

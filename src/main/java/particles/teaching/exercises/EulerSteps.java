@@ -7,7 +7,7 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** Three steps of the Euler method by hand. */
+/** The exercise on three steps of the Euler method by hand. */
 final class EulerSteps extends NumericExercise {
     private static final int STEPS = 3;
 

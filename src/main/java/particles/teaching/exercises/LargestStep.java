@@ -13,7 +13,7 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** The largest step with which RK4 stays stable on a chain between two walls, found by trying. */
+/** The exercise on the largest step with which RK4 stays stable on a chain between two walls, found by trial. */
 final class LargestStep extends NumericExercise {
     private static final int STEPS = 600;
     private static final int HALVINGS = 20;
@@ -63,7 +63,10 @@ final class LargestStep extends NumericExercise {
                         "Mass and stiffness are the wrong way round: omega is the root of k/m.")));
     }
 
-    /** Between a step that is stable for any chain of such springs and twice that, which is not for any. */
+    /**
+     * Finds the limit by bisection, between a step that is stable for any chain of such springs and twice that, which
+     * is stable for none.
+     */
     private static double limit(int count, double m, double k, double stable) {
         double low = stable;
         double high = 4 * stable;

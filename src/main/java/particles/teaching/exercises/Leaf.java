@@ -5,9 +5,8 @@ import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.ReferenceProblem;
 
 /**
- * A leaf that the wind carries along, and the wind freshens: v' = -(c/m)(v - b t). The state is the one number v; since
- * its
- * derivative depends on time, a clock that is wrong within a step shows.
+ * A leaf carried by a wind that freshens: v' = -(c/m)(v - b t). The state is the one number v. Its derivative depends
+ * on time, so a clock that is wrong within a step shows.
  */
 final class Leaf extends ReferenceProblem {
     private final double rate;
@@ -34,13 +33,13 @@ final class Leaf extends ReferenceProblem {
     }
 
     /**
-     * A Runge-Kutta method that someone got wrong.
+     * Steps with a wrong Runge-Kutta method.
      *
-     * @param steps  how many
+     * @param steps  the number of steps
      * @param deltaT the time step (s)
-     * @param times  at which part of a step each stage evaluates
-     * @param stages how much of each earlier stage is in the state of each stage
-     * @param weight how much of each stage makes the step
+     * @param times  the time of each stage, as a fraction of the step
+     * @param stages the weights of earlier stages in the state of each stage
+     * @param weight the weight of each stage in the step
      * @return v after these steps (m/s)
      */
     double afterMistake(int steps, double deltaT, double[] times, double[][] stages, double[] weight) {

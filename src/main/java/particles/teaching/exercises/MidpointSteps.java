@@ -7,10 +7,10 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** Two steps of the midpoint method, with a derivative that depends on time. */
+/** The exercise on two steps of the midpoint method, with a derivative that depends on time. */
 final class MidpointSteps extends NumericExercise {
     private static final int STEPS = 2;
-    /** Of deltaT c/m, to stay well inside of the stable part, which ends at 2. */
+    /** The largest deltaT c/m, well below the stability limit, 2. */
     private static final double LONGEST = 1.5;
 
     MidpointSteps() {

@@ -7,7 +7,7 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** Damping that is physical and damping that is not: which damper would lose what backward Euler loses. */
+/** The exercise on numerical damping: the physical damper that would take out as much energy as backward Euler does. */
 final class NumericalDamping extends NumericExercise {
     private static final int STEPS = 40;
 

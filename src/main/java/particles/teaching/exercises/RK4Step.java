@@ -7,9 +7,9 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** One long step of RK4, with a derivative that depends on time. */
+/** The exercise on one long step of RK4, with a derivative that depends on time. */
 final class RK4Step extends NumericExercise {
-    /** Of deltaT c/m, to stay well inside of the stable part, which ends at 2.785. */
+    /** The largest deltaT c/m, well below the stability limit, 2.785. */
     private static final double LONGEST = 2;
     private static final double[] TIMES = {0, 0.5, 0.5, 1};
     private static final double[][] STAGES = {{}, {0.5}, {0, 0.5}, {0, 0, 1}};

@@ -26,20 +26,20 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.Exercise;
 import particles.teaching.marking.Mark;
 
-/** Design a scene: a student's scene file is run and held to what was asked for. */
+/** The exercise to design a scene: it runs a student's scene file and checks the conditions of the task. */
 final class SceneDesign implements Exercise {
     private static final int MOST_PARTICLES = 500;
     private static final double ACCURACY = 0.01;
 
     /**
-     * The task.
+     * The conditions of the task.
      *
-     * @param particles   that can move, at least
-     * @param springs     at least
-     * @param bounces     at least: steps or impacts in which the ground changed something
-     * @param duration    at least (s)
-     * @param lost        the part of the energy scale that damping, drag and impacts take, at least
-     * @param evaluations of the derivative, at most
+     * @param particles   the least number of particles that can move
+     * @param springs     the least number of springs
+     * @param bounces     the least number of bounces: steps or impacts in which the ground changed something
+     * @param duration    the least duration (s)
+     * @param lost        the least part of the energy scale that damping, drag and impacts take
+     * @param evaluations the largest number of evaluations of the derivative
      */
     private record Wanted(int particles, int springs, int bounces, double duration, double lost, long evaluations) {
     }
@@ -145,7 +145,7 @@ final class SceneDesign implements Exercise {
         return String.format(Locale.ROOT, "%.3g", x);
     }
 
-    /** The list of what holds and what does not. */
+    /** The list of conditions that hold and that do not. */
     private static final class Report {
         private final List<String> names;
         private final List<String> lines = new ArrayList<>();
@@ -170,7 +170,7 @@ final class SceneDesign implements Exercise {
         }
     }
 
-    /** Counts how often a particle's velocity was turned round by a rule. */
+    /** Counts the times that a rule reversed a particle's velocity. */
     private static final class Bounces implements Observer {
         private int count;
         private double[] before = {};

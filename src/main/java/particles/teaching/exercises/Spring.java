@@ -4,7 +4,7 @@ import deSolvers.DESolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.SecondOrderProblem;
 
-/** A particle on a spring and a damper, m x'' = -k x - c x', and what solvers make of it. */
+/** A particle on a spring and a damper, m x'' = -k x - c x', with its exact motion and that of solvers. */
 final class Spring extends SecondOrderProblem {
     private static final int FINE = 1000;
 
@@ -16,8 +16,8 @@ final class Spring extends SecondOrderProblem {
      * @param mass      m (kg)
      * @param stiffness k (N/m); negative pushes away
      * @param damping   c (N s/m)
-     * @param x         where it starts (m)
-     * @param v         how fast (m/s)
+     * @param x         the initial position (m)
+     * @param v         the initial velocity (m/s)
      */
     Spring(double mass, double stiffness, double damping, double x, double v) {
         super(1, x, v);
@@ -49,7 +49,7 @@ final class Spring extends SecondOrderProblem {
         return (mass * s[1] * s[1] + stiffness * s[0] * s[0]) / 2;
     }
 
-    /** @return this, after so many steps of a solver of the catalogue */
+    /** @return this spring after a number of steps of a solver of the catalogue */
     Spring after(String solver, int steps, double deltaT) {
         DESolver made = SolverCatalog.create(solver);
         for (int n = 0; n < steps; n++) {
@@ -58,7 +58,7 @@ final class Spring extends SecondOrderProblem {
         return this;
     }
 
-    /** @return this, as it moves in truth: after steps of RK4 so short that no digit which anyone types is wrong */
+    /** @return this spring after the true motion: RK4 with steps so short that all digits anybody types are right */
     Spring truly(double time) {
         return after("rk4", FINE, time / FINE);
     }

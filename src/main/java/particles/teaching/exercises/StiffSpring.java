@@ -7,7 +7,7 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** Backward Euler on a spring that is much too stiff for Euler. */
+/** The exercise on backward Euler for a spring that is much too stiff for Euler. */
 final class StiffSpring extends NumericExercise {
 
     StiffSpring() {

@@ -9,7 +9,7 @@ import particles.teaching.marking.Draw;
 import particles.teaching.marking.NumericExercise;
 import particles.teaching.marking.Question;
 
-/** How far symplectic Euler's energy swings, for ever. */
+/** The exercise on symplectic Euler's energy, whose error oscillates within fixed limits. */
 final class SymplecticEnergy extends NumericExercise {
     private static final int STEPS = 20_000;
     private static final double RESONANCE = 0.01;

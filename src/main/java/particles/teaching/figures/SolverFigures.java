@@ -42,7 +42,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     /**
      * Measures.
      *
-     * @param name    what the solver is called in the charts
+     * @param name    the solver's name in the charts
      * @param maker   makes a new solver
      * @param verdict the result of the check
      * @return the numbers and charts

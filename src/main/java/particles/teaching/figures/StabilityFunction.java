@@ -10,9 +10,9 @@ import java.util.function.Supplier;
 import particles.teaching.Formula;
 
 /**
- * The function R(z) by which a step multiplies the solution of y' = lambda y, z = deltaT lambda, as a fraction of two
- * polynomials, found from steps: a Runge-Kutta method with explicit stages has a polynomial, an implicit one a
- * fraction.
+ * The stability function R(z) of a solver, found from its steps as a fraction of two polynomials. A step multiplies the
+ * solution of s' = lambda s by R(z), z = deltaT lambda. An explicit Runge-Kutta method has a polynomial, an implicit
+ * one a fraction.
  *
  * @param above the coefficients above the line, from z^0 on
  * @param below those below the line; 1 alone for a polynomial
@@ -20,7 +20,7 @@ import particles.teaching.Formula;
 record StabilityFunction(double[] above, double[] below) {
     private static final int PLACES = 16;
     private static final double RADIUS = 0.25;
-    /** Coefficients that are looked at: those of higher powers drown in rounding. */
+    /** The number of coefficients used: those of higher powers are lost in round-off. */
     private static final int KNOWN = 9;
     private static final double ROUNDING = 1e-13;
     private static final int[][] DEGREES = {{1, 0}, {0, 1}, {2, 0}, {1, 1}, {3, 0}, {0, 2}, {1, 2}, {2, 1}, {4, 0}, {2,
@@ -29,7 +29,7 @@ record StabilityFunction(double[] above, double[] below) {
 
     /**
      * @param maker makes solvers whose step treats all entries of the state alike
-     * @param noise what an iteration leaves, relative to the state
+     * @param noise the residual of an iteration, relative to the state
      * @return the simplest fraction that is R; empty if there is none of degree 2, and no polynomial of degree 6
      */
     static Optional<StabilityFunction> of(Supplier<DESolver> maker, double noise) {
@@ -96,7 +96,7 @@ record StabilityFunction(double[] above, double[] below) {
         return true;
     }
 
-    /** @return as people write it, such as {@code (1 + z/2) / (1 - z/2)} */
+    /** @return the formula, such as {@code (1 + z/2) / (1 - z/2)} */
     String text() {
         return below.length == 1 ? polynomial(above) : bracketed(above) + " / " + bracketed(below);
     }
@@ -119,7 +119,7 @@ record StabilityFunction(double[] above, double[] below) {
                 + rest;
     }
 
-    /** @return whose function it is, such as {@code that of Euler}; empty if nobody's that we know */
+    /** @return the method that has this function, such as {@code that of Euler}; empty if it is unknown */
     String owner() {
         if (below.length == 1) {
             boolean exponential = true;

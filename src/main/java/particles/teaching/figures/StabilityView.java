@@ -5,10 +5,10 @@ import java.util.function.LongSupplier;
 import particles.experiments.stability.StabilityRegion.Window;
 
 /**
- * Which part of the plane shows a solver's stability region, and how finely it can be looked at.
+ * The part of the plane that shows a solver's stability region, and the resolution of its picture.
  *
  * @param window             the part of the plane
- * @param rowsBetweenStripes how many rows of the grid are from one stripe to the next
+ * @param rowsBetweenStripes the number of grid rows from one stripe to the next
  */
 record StabilityView(Window window, int rowsBetweenStripes) {
     private static final double NEAREST = 0.05;
@@ -24,10 +24,10 @@ record StabilityView(Window window, int rowsBetweenStripes) {
     /**
      * Looks from 0 in all directions for places where stable and unstable meet.
      *
-     * @param growth      of a step at a place in the plane
-     * @param beside      another growth, whose places are to be seen as well
-     * @param evaluations counts what the first takes
-     * @param both        whether the plane is that of deltaT lambda; else both coordinates are positive
+     * @param growth      |R| at a point of the plane
+     * @param beside      |R| of another method, whose outline is shown too
+     * @param evaluations counts the evaluations of the first
+     * @param both        whether the plane is that of deltaT lambda; otherwise both coordinates are positive
      * @return a part of the plane with all of these places
      */
     static StabilityView of(DoubleBinaryOperator growth, DoubleBinaryOperator beside, LongSupplier evaluations,

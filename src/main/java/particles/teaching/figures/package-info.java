@@ -1,4 +1,5 @@
 /**
- * What a student's solver does, in numbers and charts: order, energy, work, stability function and stability region.
+ * Measurements of a student's solver, in numbers and charts: order, energy, work, stability function and stability
+ * region.
  */
 package particles.teaching.figures;

@@ -11,12 +11,12 @@ import java.util.regex.Pattern;
  * A number as a student types it: with a decimal point or comma, as a fraction, with or without its unit.
  *
  * @param value   the number, if it is one
- * @param problem what is wrong otherwise, in one line
+ * @param problem the mistake in one line if it is not
  */
 public record AnswerText(Optional<Double> value, String problem) {
     private static final int LONGEST = 60;
     private static final String NUMBER = "[+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:\\s*[eE][+-]?\\d+)?";
-    /** What stands before a number: x = or an equals sign alone. */
+    /** The text before a number: x = or an equals sign alone. */
     private static final String NAME = "^(?:[A-Za-z]\\w*\\s*)?[=\u2248~]\\s*";
     /** Other ways to write a unit, without spaces and signs of multiplication. */
     private static final Map<String, List<String>> SAME_UNITS = Map.of("Ns/m", List.of("kg/s"), "m/s", List.of("ms^-1",
@@ -25,9 +25,9 @@ public record AnswerText(Optional<Double> value, String problem) {
     private static final String ALLOWED = "a number is wanted, such as 0.1234, 0,1234, 1.234e-3 or 3/8";
 
     /**
-     * @param typed what was typed
-     * @param unit  in which the number is wanted; empty for a pure number
-     * @return the number, or what is wrong
+     * @param typed the text as typed
+     * @param unit  the unit in which the number is wanted; empty for a pure number
+     * @return the number, or the mistake
      */
     public static AnswerText read(String typed, String unit) {
         String text = typed.strip().replaceFirst(NAME, "").replace('\u2212',

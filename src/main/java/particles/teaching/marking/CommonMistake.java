@@ -1,10 +1,10 @@
 package particles.teaching.marking;
 
 /**
- * A typical mistake.
+ * A typical mistake in an exercise.
  *
  * @param value the answer to which it leads
- * @param hint  what it is, said to who made it
+ * @param hint  the explanation for a student who made it
  */
 public record CommonMistake(double value, String hint) {
 }

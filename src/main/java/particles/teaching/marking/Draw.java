@@ -9,8 +9,8 @@ import java.util.Locale;
 import particles.law.SeededRandom;
 
 /**
- * The numbers of one student in one exercise: the same on every machine and at every call, because they come from the
- * SHA-256 of the exercise's number and the student's id. Capitals and spaces around the id do not matter.
+ * A student's numbers in one exercise. They are the same on every machine and at every call, because they are derived
+ * from the SHA-256 of the exercise's number and the student's id. Capitals and spaces around the id do not matter.
  */
 public final class Draw {
     private final String student;
@@ -42,7 +42,9 @@ public final class Draw {
             return low + (int) (random.nextDouble() * (high - low + 1));
         }
 
-        /** @return a number with so many decimals between low and high, which are given in units of the last one */
+        /**
+         * @return a number with this many decimals between low and high, which are given in units of the last decimal
+         */
         public double decimal(int low, int high, int decimals) {
             return new BigDecimal(whole(low, high)).movePointLeft(decimals).doubleValue();
         }

@@ -1,9 +1,9 @@
 package particles.teaching.marking;
 
-/** One task for a student, with numbers of the student's own. */
+/** An exercise: one task with the student's own numbers. */
 public interface Exercise {
 
-    /** @return what it is about, in a few words */
+    /** @return its subject, in a few words */
     String title();
 
     /**
@@ -14,8 +14,8 @@ public interface Exercise {
 
     /**
      * @param draw   the student's numbers
-     * @param answer what the student typed
-     * @return whether it is right, and if not, what is known of the reason
+     * @param answer the answer as the student typed it
+     * @return whether the answer is right, and if not, the likely mistake
      */
     Mark mark(Draw draw, String answer);
 }

@@ -6,7 +6,7 @@ import java.util.List;
  * The mark of an answer.
  *
  * @param right whether it is right
- * @param lines what there is to say: the likely mistake, or what holds and what does not
+ * @param lines the comments: the likely mistake, or the conditions that hold and that do not
  */
 public record Mark(boolean right, List<String> lines) {
 

@@ -20,7 +20,7 @@ public abstract class NumericExercise implements Exercise {
     private final String hint;
 
     /**
-     * @param title   what it is about
+     * @param title   its subject
      * @param lowest  the lowest right answer that anybody gets, which the text promises
      * @param highest the highest one
      * @param hint    for a wrong answer that no typical mistake explains: where to begin, without the formula
@@ -71,7 +71,7 @@ public abstract class NumericExercise implements Exercise {
 
     /**
      * @param question one student's question
-     * @param answer   what the student typed
+     * @param answer   the answer as the student typed it
      * @param hint     for an answer that is not understood
      * @return the mark
      */

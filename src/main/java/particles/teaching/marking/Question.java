@@ -5,16 +5,20 @@ import java.util.List;
 /**
  * A numeric question with one student's numbers.
  *
- * @param text      the task, without what is said of every answer's form
- * @param unit      of the answer; empty for a pure number
- * @param tolerance by which part of the right answer another may be off
+ * @param text      the task, without the instructions that all exercises share
+ * @param unit      the unit of the answer; empty for a pure number
+ * @param tolerance the relative error allowed
  * @param answer    the right answer
- * @param smallest  below this size the answer would be a small difference of large numbers, in which roundings show
- * @param mistakes     typical mistakes
+ * @param smallest  the smallest size of an answer: below, it would be a difference of large numbers, with visible
+ *                  round-off
+ * @param mistakes  the typical mistakes
  */
 public record Question(String text, String unit, double tolerance, double answer, double smallest,
         List<CommonMistake> mistakes) {
-    /** Between any two answers with a meaning lie this many tolerances, so that none is taken for another. */
+    /**
+     * The right answer and those of mistakes differ by at least this many tolerances, so that none is taken for
+     * another.
+     */
     private static final double APART = 5;
 
     /** @return whether the right answer and all typical wrong ones can be told from each other */
@@ -39,7 +43,7 @@ public record Question(String text, String unit, double tolerance, double answer
         return Math.abs(a - b) > APART * tolerance * Math.max(Math.abs(a), Math.abs(b));
     }
 
-    /** @return whether a typed number is meant to be this one */
+    /** @return whether a typed number equals this one within the tolerance */
     public boolean isNear(double typed, double value) {
         return Math.abs(typed - value) <= tolerance * Math.abs(value);
     }

@@ -1,2 +1,2 @@
-/** How an exercise gets its numbers from a student's id, and its mark from the answer that the student typed. */
+/** The marking of exercises: numbers derived from a student's id, and marks for the answers that the student typed. */
 package particles.teaching.marking;

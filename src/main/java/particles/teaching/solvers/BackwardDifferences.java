@@ -24,7 +24,7 @@ final class BackwardDifferences {
     private BackwardDifferences() {
     }
 
-    /** @return what is wrong with the coefficients; empty if nothing is, or it is no such formula */
+    /** @return the mistake in the coefficients; empty if there is none, or it is no such formula */
     static Optional<String> wrong(Supplier<DESolver> maker) {
         List<double[]> states = new ArrayList<>();
         NonlinearOscillators source = new NonlinearOscillators(3);

@@ -4,10 +4,10 @@ import java.util.List;
 import particles.teaching.Finding;
 
 /**
- * What a method turned out to be.
+ * The diagnosis of a solver: its method, and the mistakes found.
  *
- * @param identity in a sentence, such as "This is the midpoint method."
- * @param findings what is wrong with it
+ * @param identity the method in a sentence, such as "This is the midpoint method."
+ * @param findings the mistakes
  */
 record Diagnosis(String identity, List<Finding> findings) {
 }

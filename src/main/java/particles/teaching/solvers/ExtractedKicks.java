@@ -9,19 +9,18 @@ import particles.teaching.sources.Probe;
 import particles.teaching.sources.SecondOrderProbe;
 
 /**
- * The coefficients of one step of a method that knows positions from velocities, for accelerations that do not depend
- * on the
- * velocity: the new position is x + p v h + h^2 sum x_j a_j, the new velocity v + h sum v_j a_j, and a_j is the
- * acceleration at the position x + p_j v h + h^2 sum x_jk a_k and the time t + c_j h.
+ * The coefficients of one step of a method that distinguishes positions from velocities, for accelerations that do not
+ * depend on the velocity: the new position is x + p v h + h^2 sum x_j a_j, the new velocity v + h sum v_j a_j, and a_j
+ * is the acceleration at the position x + p_j v h + h^2 sum x_jk a_k and the time t + c_j h.
  *
  * @param x      the weights of the new position
  * @param v      the weights of the new velocity
- * @param p      how much of the old velocity is in the new position
+ * @param p      the weight of the old velocity in the new position
  * @param at     the weights in the position of each evaluation
- * @param pAt    how much of the old velocity is in it
+ * @param pAt    the weight of the old velocity in it
  * @param c      the clock of each evaluation, since the step began
  * @param end    the clock at the end
- * @param kept   how much of the old position, and of the old velocity, is in the new one
+ * @param kept   the weight of the old position, and of the old velocity, in the new one
  * @param left   whether the state was not set after the last evaluation
  */
 record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] pAt, double[] c, double end,
@@ -37,8 +36,8 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
      *
      * @param solver    a new solver
      * @param h         deltaT, a power of 2 (s)
-     * @param dimension positions in a block
-     * @return what was read off
+     * @param dimension the number of positions in a block
+     * @return the coefficients
      * @throws RuntimeException whatever the solver throws
      */
     static ExtractedKicks of(DESolver solver, double h, int dimension) {
@@ -71,7 +70,7 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
                         !probe.setAfterLast());
     }
 
-    /** @return the same with one evaluation for each place and time, and none that enters nothing */
+    /** @return the same with one evaluation for each state and time, without evaluations that are not used */
     ExtractedKicks merged() {
         int n = v.length;
         List<Integer> kept = new ArrayList<>();
@@ -109,7 +108,7 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
     }
 
     /**
-     * Makes a step with random numbers, and compares it with what these coefficients say.
+     * Makes a step with random numbers, and compares it with the result by these coefficients.
      *
      * @return the largest difference, on numbers of order 1
      */

@@ -7,7 +7,7 @@ import java.util.Random;
 import particles.teaching.sources.Probe;
 
 /**
- * The coefficients of one step of an explicit one-step method, as they stand in the states that it sets: the state at
+ * The coefficients of one step of an explicit one-step method, read from the states that it sets: the state at
  * evaluation i is s + sum a_ij f_j at time t + c_i, the new state s + sum b_j f_j. All contain deltaT.
  *
  * @param h            deltaT (s)
@@ -15,18 +15,18 @@ import particles.teaching.sources.Probe;
  * @param b            the weights of the new state
  * @param c            the clock at each evaluation, since the step began (s)
  * @param end          the clock at the end, since the step began (s)
- * @param kept         how much of the old state is in the new one; 1 is right
- * @param keptAt       how much of it is in the state of each evaluation
+ * @param kept         the weight of the old state in the new one; 1 is right
+ * @param keptAt       the weight of the old state in the state of each evaluation
  * @param stateSet     whether the state was set before each evaluation
  * @param setAfterLast whether it was set after the last one
  * @param everSet      whether it was set at all
- * @param clockMoves   by how much the clock was moved each time (s)
+ * @param clockMoves   the movements of the clock (s)
  * @param wrongLengths the lengths of arrays that were not as long as the state
  */
 record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double end, double kept, double[] keptAt,
                         boolean[] stateSet, boolean setAfterLast, boolean everSet, List<Double> clockMoves,
                         List<Integer> wrongLengths) {
-    /** Three blocks of six and one more, whatever a solver believes of particles. */
+    /** The size of the state: three blocks of six and one more, whatever a solver assumes about particles. */
     private static final int SIZE = 24;
     private static final int KEPT = 20;
     /** The clock at the start (s). */
@@ -38,7 +38,7 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
      * @param solver a new solver
      * @param h      deltaT, a power of 2, so that nothing is rounded (s)
      * @param size   of the derivatives, a power of 2; with small ones an adaptive method accepts its first step
-     * @return what was read off
+     * @return the coefficients
      * @throws RuntimeException whatever the solver throws
      */
     static ExtractedTableau of(DESolver solver, double h, double size) {
@@ -74,10 +74,10 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
     }
 
     /**
-     * Makes a step with numbers that use all digits of a double, and compares it with what these coefficients say.
+     * Makes a step with numbers that use all digits of a double, and compares it with the result by these coefficients.
      *
      * @param solver a new solver
-     * @param size   of the derivatives
+     * @param size   the size of the derivatives
      * @return by entry, the difference relative to the numbers that are added; NaN where the solver left the entry as
      * it was
      */

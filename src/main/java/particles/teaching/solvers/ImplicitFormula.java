@@ -13,9 +13,9 @@ import particles.teaching.Formula;
 import particles.teaching.sources.NonlinearOscillators;
 
 /**
- * Tells which implicit equation the steps of a solver solve, and how well. The equation is new = s + deltaT (now f(s, t
- * + n deltaT)
- * + end f(s + place (new - s), t + e deltaT)), on a law that is neither linear nor the same at all times.
+ * Identifies the implicit equation that the steps of a solver solve, and its residual. The equation is new = s + deltaT
+ * (now f(s, t + n deltaT) + end f(s + place (new - s), t + e deltaT)), on a law that is neither linear nor the same at
+ * all times.
  */
 final class ImplicitFormula {
     /** Solved: newton iterations to 1e-6 leave 1e-11, simple ones to 1e-6 leave up to 1e-6. */
@@ -25,7 +25,7 @@ final class ImplicitFormula {
     private static final double[] STEPS = {1.0 / 4, 1.0 / 8, 1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128};
     private static final double START = 0.5;
 
-    /** An equation, and what is wrong with it; the name is that of the right method. */
+    /** An equation and its mistake; the name is that of the right method. */
     private record Equation(String name, double now, double place, double nowTime, double endTime, String fault) {
         double end() {
             return 1 - now;
@@ -54,8 +54,8 @@ final class ImplicitFormula {
 
     /**
      * @param maker   makes solvers that have no tableau
-     * @param promise what the class's name promises
-     * @return what it is; empty if its steps solve no equation that is known here
+     * @param promise the method that the class's name promises
+     * @return the diagnosis; empty if its steps solve no equation that is known here
      */
     static Optional<Diagnosis> of(Supplier<DESolver> maker, Optional<NamePromise> promise) {
         Equation closest = null;
@@ -100,7 +100,7 @@ final class ImplicitFormula {
                 + Formula.number(worst.residual) + "; iterate until the change is below about 1e-10"));
     }
 
-    /** By how much a step misses the equation; infinite if the solver gives up. */
+    /** The residual of the equation after a step; infinite if the solver gives up. */
     private static double residual(Equation equation, DESolver solver, double h) {
         NonlinearOscillators source = new NonlinearOscillators(2);
         source.startAt(START);

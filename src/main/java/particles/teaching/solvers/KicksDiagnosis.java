@@ -11,7 +11,7 @@ import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 
-/** Names a method that steps positions and velocities apart, and what is wrong with it. */
+/** Identifies a method that steps positions and velocities separately, and its mistakes. */
 final class KicksDiagnosis {
 
     /** A known method and its coefficients as in {@link ExtractedKicks}. */
@@ -55,11 +55,11 @@ final class KicksDiagnosis {
     }
 
     /**
-     * @param found     what was read off
-     * @param promise   what the class's name promises
+     * @param found     the coefficients
+     * @param promise   the method that the class's name promises
      * @param measured  gives the measured order
      * @param keepsArea whether a step on a spring keeps areas
-     * @return what it is
+     * @return the diagnosis
      */
     static Diagnosis of(ExtractedKicks found, Optional<NamePromise> promise, DoubleSupplier measured,
             boolean keepsArea) {
@@ -122,7 +122,7 @@ final class KicksDiagnosis {
                 + " algorithm" : promise.contradicts(known.name));
     }
 
-    /** @return what is said to Euler's formula under the name of the simple algorithm */
+    /** @return the message for Euler's formula under the name of the simple algorithm */
     static Finding oldVelocity() {
         return new Finding(Kind.METHOD, "the position is updated with the old velocity, which is the Euler method; the "
                 + "slides'"

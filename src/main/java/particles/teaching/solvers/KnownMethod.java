@@ -7,12 +7,12 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * A Runge-Kutta method that a solver may turn out to be.
+ * A Runge-Kutta method that the check knows by name.
  *
- * @param name      what it is called
- * @param authority who says how it goes: the slide, or the method itself
- * @param steps     what its steps are called in formulas, deltaT included
- * @param slopes    what is evaluated, in words
+ * @param name      its name
+ * @param authority the source of the formula: the slide, or the method itself
+ * @param steps     the names of its steps in formulas, deltaT included
+ * @param slopes    the evaluated slopes, in words
  * @param tableau   its coefficients
  */
 record KnownMethod(String name, String authority, List<String> steps, List<String> slopes, ButcherTableau tableau) {
@@ -65,7 +65,7 @@ record KnownMethod(String name, String authority, List<String> steps, List<Strin
 
     /**
      * @param promise what a class's name promises
-     * @param stages  how often it evaluates the derivative
+     * @param stages  the number of evaluations of the derivative
      * @return the first method that the name can stand for, if it has as many evaluations or more
      */
     static Optional<KnownMethod> meantBy(Optional<NamePromise> promise, int stages) {
@@ -78,7 +78,7 @@ record KnownMethod(String name, String authority, List<String> steps, List<Strin
         return IntStream.rangeClosed(1, stages).mapToObj(i -> "k" + i).toList();
     }
 
-    /** @return whether a known method evaluates the derivative at these places, whatever it makes of them */
+    /** @return whether a known method evaluates the derivative at these states, whatever its weights */
     static boolean isRowsOfAny(double[][] a) {
         return a.length > 1 && ALL.stream().anyMatch(method -> method.stages() == a.length
                 && IntStream.range(0, a.length).allMatch(i -> MethodDifferences.same(a[i], method.row(i))));

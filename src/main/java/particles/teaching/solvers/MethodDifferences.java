@@ -27,11 +27,11 @@ final class MethodDifferences {
     }
 
     /**
-     * @param method  what it is compared with
+     * @param method  the method with which it is compared
      * @param a       the rows, in units of deltaT
      * @param b       the weights, in units of deltaT; empty if they tell nothing
      * @param c       the clocks, in units of deltaT; empty if they tell nothing
-     * @param step    the step that all was read off
+     * @param step    the step from which all was read
      * @return the differences
      */
     static MethodDifferences of(KnownMethod method, double[][] a, double[] b, double[] c, ExtractedTableau step) {
@@ -46,12 +46,12 @@ final class MethodDifferences {
         return found.isEmpty();
     }
 
-    /** @return what it was compared with */
+    /** @return the method with which it was compared */
     KnownMethod method() {
         return method;
     }
 
-    /** @return how many stages differ, in number, place or time; wrong weights count once */
+    /** @return the number of stages that differ in number, state or time; wrong weights count once */
     int count() {
         return count;
     }

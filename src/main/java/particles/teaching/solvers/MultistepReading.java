@@ -14,8 +14,8 @@ import particles.teaching.Formula;
 import particles.teaching.sources.Probe;
 
 /**
- * The weights of a multistep method, read off its seventh step as {@link ExtractedTableau} does: the new state is
- * s + deltaT sum w_j f_j, with f_j an evaluation of this step or of an earlier one, at the time t + c_j deltaT.
+ * The weights of a multistep method, read from its seventh step as in {@link ExtractedTableau}: the new state is s +
+ * deltaT sum w_j f_j, with f_j an evaluation of this step or of an earlier one, at the time t + c_j deltaT.
  *
  * @param weights w_j, by evaluation; those of 0 left out
  * @param times   c_j
@@ -26,7 +26,7 @@ record MultistepReading(double[] weights, double[] times) {
     private static final double SAME = 1e-9;
     private static final int HIGHEST = 6;
 
-    /** @return what was read off; empty if the new state is not the old one and a sum of evaluations */
+    /** @return the weights; empty if the new state is not the old one plus a sum of evaluations */
     static Optional<MultistepReading> of(Supplier<DESolver> maker) {
         int most = STEPS * Probe.MOST_EVALUATIONS;
         Probe probe = new Probe(new double[most + 2], 0, (evaluation, dSdt) -> dSdt[evaluation] = 1, most);
@@ -80,8 +80,8 @@ record MultistepReading(double[] weights, double[] times) {
     }
 
     /**
-     * @return what is wrong with the weights, for a method of so many evaluations; empty if they are as good as they
-     * can be
+     * @return the mistake in the weights, for a method of this number of evaluations; empty if their order is the
+     *         highest possible
      */
     Optional<Finding> wrongWeights() {
         if (order() >= weights.length) {

@@ -7,7 +7,7 @@ import java.util.Optional;
 /**
  * The method that the name of a solver's class promises.
  *
- * @param says    what the name stands for
+ * @param says    the meaning of the name
  * @param order   the lowest order of all methods that it can stand for
  * @param methods the methods that it can stand for; empty for all of that order
  * @param whole   whether the name says nothing else: RichardsonEuler need not be Euler
@@ -29,7 +29,7 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
 
     private static final List<String> IMPLICIT = List.of(BACKWARD_EULER, IMPLICIT_MIDPOINT, TRAPEZOID);
 
-    /** Words in a name that say nothing of the method. */
+    /** Words in a name that say nothing about the method. */
     private static final String NOISE =
             "my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|good|new|scheme"
             + "|explicit|forward|classical|classic|standard|slides?|particles?|\\d";
@@ -83,7 +83,7 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
 
     /**
      * @param className a simple class name, such as {@code MyHeunSolver}
-     * @return what it promises, if there is a method in it
+     * @return the promised method, if the name contains one
      */
     static Optional<NamePromise> of(String className) {
         String lower = className.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
@@ -113,7 +113,7 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
         return methods.contains(method) || itsOrder >= order && (methods.isEmpty() || !whole);
     }
 
-    /** @return what the name stands for, with its order */
+    /** @return the meaning of the name, with the order */
     String saysWithOrder() {
         return says + (says.contains("order") ? "" : ", of order " + order);
     }

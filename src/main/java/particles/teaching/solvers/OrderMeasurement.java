@@ -11,7 +11,7 @@ import particles.teaching.sources.StudentSource;
 import particles.teaching.sources.WindyOscillators;
 
 /**
- * The order of a solver, measured: how fast the error over two seconds falls with deltaT.
+ * The measured order of a solver: the exponent with which the error after two seconds falls with deltaT.
  *
  * @param order  the middle one of the slopes between the shortest time steps; only those count between which a step
  *               costs the
@@ -33,7 +33,7 @@ public record OrderMeasurement(double order, List<double[]> points) {
         return of(maker, () -> new WindyOscillators(1));
     }
 
-    /** @return the lower order of those on a linear and on a nonlinear law */
+    /** @return the lower of the orders on a linear and on a nonlinear law */
     static OrderMeasurement lowest(Supplier<DESolver> maker) {
         OrderMeasurement linear = of(maker);
         OrderMeasurement other = of(maker, () -> new NonlinearOscillators(1));

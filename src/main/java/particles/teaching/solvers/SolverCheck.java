@@ -16,11 +16,9 @@ import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
 
 /**
- * Finds out what method a solver is, and what is wrong with it: one mistake, the first that explains the rest. A step
- * is read
- * off coefficient by coefficient; a method without fixed coefficients is judged by the equation that it solves, by the
- * weights
- * of its later steps, or by its measured order.
+ * Checks a student's solver: identifies its method, and names one mistake, the first that explains the rest. It reads
+ * the coefficients from a step. A method without fixed coefficients is judged by the equation that it solves, by the
+ * weights of its later steps, or by its measured order.
  */
 public final class SolverCheck {
     private static final double H = 1.0 / 4;
@@ -50,7 +48,7 @@ public final class SolverCheck {
      *
      * @param maker     makes a new one
      * @param className the simple name of its class, which may promise a method, as HeunSolver does
-     * @return what it is, at most one mistake, and advice
+     * @return its method, at most one mistake, and advice
      */
     public static SolverVerdict check(Supplier<DESolver> maker, String className) {
         return new SolverCheck(maker, className).verdict();
@@ -167,7 +165,8 @@ public final class SolverCheck {
     }
 
     /**
-     * What only the measured order shows of a method that remembers, once its memory is known to be forgotten in time.
+     * Looks for mistakes of a method with memory that only the measured order shows, once its memory is known to be
+     * reset in time.
      */
     private Optional<Finding> afterContract(boolean multistep) {
         double order = order().order();
@@ -206,7 +205,7 @@ public final class SolverCheck {
         return Math.abs(springs.steps().determinant() - 1) < 1e-10;
     }
 
-    /** Methods that cannot be read off. */
+    /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
         UnreadMethod method = new UnreadMethod(maker);
         return new Diagnosis(identity(false), clock().or(method::entryByEntry).or(this::layout).or(this::poorOrder)

@@ -12,8 +12,8 @@ import particles.teaching.StudentFailure;
 import particles.teaching.sources.WindyOscillators;
 
 /**
- * The contract of every solver, whatever its formula: each step from the source's own state, any source, any number of
- * them.
+ * Checks the rules that hold for every solver, whatever its formula: each step begins at the source's own state, and
+ * one solver may step any number of sources.
  */
 final class SolverContract {
     private static final double H = 1.0 / 16;
@@ -40,7 +40,7 @@ final class SolverContract {
     /**
      * @param maker     makes a new solver
      * @param multistep whether its steps use earlier ones
-     * @return what is wrong with it, and advice
+     * @return its mistakes, and advice
      */
     static List<Finding> check(Supplier<DESolver> maker, boolean multistep) {
         SolverContract contract = new SolverContract(maker, multistep);
@@ -66,7 +66,7 @@ final class SolverContract {
     }
 
     /**
-     * After somebody else set the state, as a bounce does, the next step starts there, whether or not reset() is
+     * Checks that after a bounce or another change of the state the next step starts there, whether or not reset() is
      * called.
      */
     private boolean checkOwnCopy() {

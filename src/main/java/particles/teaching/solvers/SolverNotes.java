@@ -12,7 +12,7 @@ import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.WindyOscillators;
 
-/** What is no mistake and good to know: what a solver refuses, and what it does where the source fails. */
+/** Notes on a solver that are not mistakes: the sources that it refuses, and its behaviour when the source fails. */
 final class SolverNotes {
     private static final double H = 1.0 / 16;
     private static final int MOST = 2000;

@@ -2,7 +2,7 @@ package particles.teaching.solvers;
 
 import java.util.List;
 
-/** The text of a solver to begin with: it compiles, and has the algorithm's outline as comments. */
+/** The template of a student's solver: it compiles, and has the algorithm's outline as comments. */
 public final class SolverSkeleton {
     private static final List<String> MIDPOINT = List.of("deltaS = deltaT * derivative at (s, t)                      "
             + "the Euler step",
@@ -79,7 +79,7 @@ public final class SolverSkeleton {
     }
 
     /**
-     * @param name what somebody wants to call a class
+     * @param name a name for a class
      * @return whether that is a class's name: a capital, then letters and digits;
      *         no word of the language begins with a capital
      */

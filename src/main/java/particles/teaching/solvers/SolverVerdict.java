@@ -4,9 +4,9 @@ import java.util.List;
 import particles.teaching.Finding;
 
 /**
- * What a solver is, and what was found.
+ * The result of checking a solver: its method, mistakes and advice.
  *
- * @param identity  what method it is, in a sentence
+ * @param identity  the method, in a sentence
  * @param findings  mistakes and advice
  * @param multistep whether a step uses earlier ones
  */
@@ -22,7 +22,7 @@ public record SolverVerdict(String identity, List<Finding> findings, boolean mul
         return findings.stream().filter(Finding::isWrong).toList();
     }
 
-    /** @return what could be better */
+    /** @return the advice */
     public List<Finding> advice() {
         return findings.stream().filter(finding -> !finding.isWrong()).toList();
     }

@@ -11,12 +11,11 @@ import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 
 /**
- * Holds coefficients against those of known methods. What is none of them is judged by its order, and only called
- * nearest to
- * a known method where few stages differ.
+ * Compares coefficients with those of known methods. An unknown method is judged by its order, and compared with the
+ * nearest known method only if few stages differ.
  */
 final class TableauComparison {
-    /** Up to here students write methods of full order; those with more evaluations may want stability instead. */
+    /** Up to this number of evaluations a method should have full order; one with more may aim at stability instead. */
     private static final int MANY = 4;
     /** A method is nearest to a known one where no more stages and weights differ. */
     private static final int FEW = 2;
@@ -30,13 +29,13 @@ final class TableauComparison {
     private double[] c;
 
     /**
-     * @param step     the step that all was read off
+     * @param step     the step from which all was read
      * @param a        the rows, in units of deltaT
      * @param b        the weights, in units of deltaT
      * @param c        the clocks, in units of deltaT
-     * @param promise  what the class's name promises
+     * @param promise  the method that the class's name promises
      * @param measured gives the measured order
-     * @param findings what is wrong is added to them
+     * @param findings receives the mistakes
      */
     TableauComparison(ExtractedTableau step, double[][] a, double[] b, double[] c, Optional<NamePromise> promise,
             DoubleSupplier measured, List<Finding> findings) {
@@ -64,9 +63,9 @@ final class TableauComparison {
     }
 
     /**
-     * @param end   whether the new state tells anything
-     * @param clock whether the clock does
-     * @return what it is, in a sentence
+     * @param end   whether the new state can be compared
+     * @param clock whether the clock can be compared
+     * @return the method, in a sentence
      */
     String identity(boolean end, boolean clock) {
         dropUnused(end);

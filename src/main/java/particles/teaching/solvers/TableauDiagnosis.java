@@ -9,7 +9,7 @@ import particles.teaching.Finding.Kind;
 import particles.teaching.Finding;
 import particles.teaching.Formula;
 
-/** Names a method whose coefficients were read off with several time steps, and what is wrong with it. */
+/** Identifies a method from the coefficients of steps with several deltaT, and its mistakes. */
 final class TableauDiagnosis {
     private final ExtractedTableau step;
     private final ExtractedTableau twice;
@@ -39,9 +39,9 @@ final class TableauDiagnosis {
      * @param step     a step of h
      * @param twice    a step of 2 h, with as many evaluations
      * @param back     a step of -h, with as many evaluations, if it makes one
-     * @param promise  what the class's name promises
+     * @param promise  the method that the class's name promises
      * @param measured gives the measured order
-     * @return what it is
+     * @return the diagnosis
      */
     static Diagnosis of(ExtractedTableau step, ExtractedTableau twice, Optional<ExtractedTableau> back,
             Optional<NamePromise> promise, DoubleSupplier measured) {
@@ -177,7 +177,9 @@ final class TableauDiagnosis {
         return fault.isEmpty();
     }
 
-    /** How the sum of a row's coefficients changes when deltaT is doubled and when its sign changes. */
+    /**
+     * The mistake behind the change of a row's sum of coefficients when deltaT is doubled and when its sign changes.
+     */
     private String fault(double once, double doubled, double negative) {
         if (once == 0 || Formula.same(doubled / once, 2)) {
             return once != 0 && negative == once ? "the sign of deltaT is lost, and a step back goes forward" : "";

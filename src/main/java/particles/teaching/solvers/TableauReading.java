@@ -13,8 +13,7 @@ import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 
 /**
- * Reads the coefficients of a solver off its steps, and tries with other numbers whether they are all that there is to
- * it.
+ * Reads the coefficients of a solver from its steps, and tests with other numbers whether they describe it completely.
  */
 final class TableauReading {
     private static final double H = 1.0 / 4;
@@ -39,7 +38,7 @@ final class TableauReading {
     /**
      * @param size of the derivatives with which it is read off: 1, or so small that an adaptive method accepts its
      *             first step
-     * @return what it is; empty if its steps have no fixed coefficients
+     * @return the diagnosis; empty if its steps have no fixed coefficients
      */
     Optional<Diagnosis> diagnosis(double size) {
         findings.clear();

@@ -13,7 +13,7 @@ import particles.teaching.sources.Probe;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.WindyOscillators;
 
-/** Mistakes that show in methods without fixed coefficients: how they ask for derivatives, and how far they go. */
+/** Looks for mistakes of methods without fixed coefficients, in their evaluations and in the time that they reach. */
 final class UnreadMethod {
     private static final double H = 1.0 / 16;
     private static final int SIZE = 12;
@@ -30,7 +30,7 @@ final class UnreadMethod {
         this.maker = maker;
     }
 
-    /** @return what is wrong where the derivative is asked for while the state is being written; empty if it is not */
+    /** @return the mistake if the derivative is evaluated while the state is being written; empty if it is not */
     Optional<Finding> entryByEntry() {
         double[] start = new double[SIZE];
         Random random = new Random(7);
@@ -67,7 +67,7 @@ final class UnreadMethod {
                 + " setState belongs behind the loop"));
     }
 
-    /** @return what is wrong with a method that solves with a matrix, and is not stable; empty if it is */
+    /** @return the mistake of a method that solves with a matrix and is not stable; empty if it is stable */
     Optional<Finding> unstable() {
         try {
             if (evaluations(2) < evaluations(1) + SIZE / 2) {
@@ -90,7 +90,7 @@ final class UnreadMethod {
         return source.evaluations();
     }
 
-    /** @return where the state is after a step, if that is another time than t + deltaT; a sentence */
+    /** @return a sentence about the time at which the state is after a step, if it is not t + deltaT */
     Optional<String> elsewhere() {
         WindyOscillators source = new WindyOscillators(1);
         try {

@@ -5,15 +5,14 @@ import java.util.Arrays;
 
 /**
  * Particles on hardening springs, each coupled to the next, in a field that changes with time: x'' = -4 x - x^3 + (y -
- * x)/2 + f(t),
- * y the same coordinate of the next particle. The field is chosen so that x = q (cos t + 0.5 cos 2t) is the exact
- * solution, with
- * q = 1, 1.1, 1.2 by coordinate. A loose iteration, which solves a linear law in one go, is seen here.
+ * x)/2 + f(t), y the same coordinate of the next particle. The field is chosen so that x = q (cos t + 0.5 cos 2t) is
+ * the exact solution, with q = 1, 1.1, 1.2 by coordinate. A loose iteration, which solves a linear law in one go, shows
+ * here.
  */
 public final class NonlinearOscillators extends StudentSource implements SecondOrderStateSource {
     private static final double COUPLING = 0.5;
 
-    /** @param particles how many; six numbers each */
+    /** @param particles the number of particles; six numbers each */
     public NonlinearOscillators(int particles) {
         super(exact(6 * particles, 0));
     }

@@ -4,15 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A source that writes down all that a solver does with it, and answers evaluations as it is told to. It copies every
- * array
+ * A source that records all calls of a solver, and answers evaluations with given derivatives. It copies every array
  * and keeps no reference, as the contract says.
  */
 public class Probe extends StudentSource {
-    /** More evaluations than this in a step are no tableau that anybody writes by hand. */
+    /** The largest number of evaluations in a step that counts as a tableau. */
     public static final int MOST_EVALUATIONS = 16;
 
-    /** The derivative. */
+    /** Supplies the derivatives. */
     public interface Answer {
         /**
          * @param evaluation the number of this evaluation, from 0
@@ -24,8 +23,8 @@ public class Probe extends StudentSource {
     /**
      * An evaluation of the derivative.
      *
-     * @param state     where it was
-     * @param time      when it was (s)
+     * @param state     the state at which it was
+     * @param time      the time at which it was (s)
      * @param stateSet  whether the state was set since the evaluation before
      */
     public record Evaluation(double[] state, double time, boolean stateSet) {
@@ -50,7 +49,7 @@ public class Probe extends StudentSource {
     /**
      * @param start  the state
      * @param time   the clock (s)
-     * @param answer what evaluations give
+     * @param answer supplies the derivatives
      */
     public Probe(double[] start, double time, Answer answer) {
         this(start, time, answer, MOST_EVALUATIONS);
@@ -59,8 +58,8 @@ public class Probe extends StudentSource {
     /**
      * @param start  the state
      * @param time   the clock (s)
-     * @param answer what evaluations give
-     * @param most   evaluations, after which it throws {@link TooManyEvaluations}
+     * @param answer supplies the derivatives
+     * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
      */
     public Probe(double[] start, double time, Answer answer, int most) {
         super(start);
@@ -74,7 +73,7 @@ public class Probe extends StudentSource {
         return recorded;
     }
 
-    /** @return by how much the clock was moved each time (s) */
+    /** @return all movements of the clock (s) */
     public List<Double> clockMoves() {
         return clockMoves;
     }

@@ -3,8 +3,8 @@ package particles.teaching.sources;
 import deSolvers.SecondOrderStateSource;
 
 /**
- * A probe with positions and velocities in turn: dx/dt is the velocity that stands in the state, the rest is as told.
- * The acceleration does not depend on the velocity: asked again at the same positions and time, it is the same.
+ * A probe with positions and velocities in turn: dx/dt is the velocity in the state, and accelerations are given. The
+ * acceleration does not depend on the velocity: asked again at the same positions and time, it is the same.
  */
 public final class SecondOrderProbe extends Probe implements SecondOrderStateSource {
     private final int dimension;
@@ -12,7 +12,7 @@ public final class SecondOrderProbe extends Probe implements SecondOrderStateSou
 
     /**
      * @param start     the state
-     * @param dimension positions in a block
+     * @param dimension the number of positions in a block
      * @param time      the clock (s)
      * @param answer    gives the accelerations
      */

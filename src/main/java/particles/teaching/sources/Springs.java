@@ -3,7 +3,7 @@ package particles.teaching.sources;
 import deSolvers.SecondOrderStateSource;
 import deSolvers.problems.StepMatrix;
 
-/** One particle on a spring, x'' = -x in each coordinate, the slides' example three times over. */
+/** One particle on a spring, x'' = -x in each of three coordinates: the slides' example. */
 public final class Springs extends StudentSource implements SecondOrderStateSource {
     /**
      * The first coordinate starts at (1, 0), the second at (0, 1): one step shows the whole 2 x 2 matrix of the method.

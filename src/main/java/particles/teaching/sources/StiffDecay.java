@@ -3,13 +3,14 @@ package particles.teaching.sources;
 import java.util.Arrays;
 
 /**
- * y' = -1000 y in each of six entries, from y = 1: an implicit step of 1 s makes it smaller, an explicit one larger.
+ * A stiff decay, y' = -1000 y in each of six entries, from y = 1: an implicit step of 1 s makes it smaller, an explicit
+ * one larger.
  */
 public final class StiffDecay extends StudentSource {
-    /** How fast it decays (1/s). */
+    /** The decay rate (1/s). */
     public static final double RATE = 1000;
 
-    /** At 1 in all entries. */
+    /** Creates a source with 1 in all entries. */
     public StiffDecay() {
         super(1, 1, 1, 1, 1, 1);
     }

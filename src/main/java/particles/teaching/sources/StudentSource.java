@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** A source for a student's solver: it writes down arrays of a wrong length, and uses what fits of them. */
+/** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
 public abstract class StudentSource extends ReferenceProblem {
     private static final int MOST_RECORDED = 4;
 
@@ -31,18 +31,18 @@ public abstract class StudentSource extends ReferenceProblem {
         return Math.min(array.length, getStateSize());
     }
 
-    /** From now on it is recorded how often the state is read, and where the derivative is asked for. */
+    /** Records from now on the reads of the state and the states at which the derivative is evaluated. */
     public final void startRecord() {
         reads = 0;
         evaluatedAt.clear();
     }
 
-    /** @return how often the state was read */
+    /** @return the number of reads of the state */
     public final int readStates() {
         return reads;
     }
 
-    /** @return whether the derivative was asked for at this state */
+    /** @return whether the derivative was evaluated at this state */
     public final boolean hasEvaluated(double[] state) {
         return evaluatedAt.stream().anyMatch(at -> Arrays.equals(at, state));
     }

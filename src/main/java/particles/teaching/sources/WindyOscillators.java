@@ -9,7 +9,7 @@ import java.util.Arrays;
  * t = 0. Exact: x = cos t + 0.5 cos 2t. Because the law depends on time, it shows a clock that is wrong within a step.
  */
 public final class WindyOscillators extends StudentSource implements SecondOrderStateSource {
-    /** What a source may throw, when it is told to. */
+    /** The exception that the source throws on request. */
     public static final class Failure extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
@@ -21,7 +21,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
     private int failAt = -1;
     private boolean spoilt;
 
-    /** @param particles how many; six numbers each */
+    /** @param particles the number of particles; six numbers each */
     public WindyOscillators(int particles) {
         super(start(6 * particles));
     }
@@ -32,7 +32,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return start;
     }
 
-    /** @return another one at the same place and time */
+    /** @return a copy in the same state and time */
     public WindyOscillators copy() {
         WindyOscillators copy = new WindyOscillators(getStateSize() / 6);
         copy.setState(state());
@@ -59,7 +59,7 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         failAt = evaluation;
     }
 
-    /** From now on the derivative is NaN. */
+    /** Makes the derivative NaN from now on. */
     public void spoilDerivative() {
         spoilt = true;
     }
