@@ -120,13 +120,12 @@ final class EventSteps {
             left = end - system.getTime();
             length = Math.min(left, 2 * length);        // where a short piece was needed, so is the next one
         }
-        throw new SimulationException(system.getTime(), -1, MOST_EVENTS + " impacts or changes of contact within one"
-                + " step of " + h + " s, and no end", null);
+        throw noHeadway(system.getTime(), "this step had " + MOST_EVENTS + " impacts or changes of contact", end);
     }
 
     private static SimulationException noHeadway(double time, String why, double end) {
-        return new SimulationException(time, -1, String.format(Locale.ROOT, "contacts make no headway: %s, and %.3g s"
-                + " of the step are left; clamped impacts change contacts only between steps", why, end - time), null);
+        return new SimulationException(time, -1, String.format(Locale.ROOT,
+                SimulationException.NO_HEADWAY + ": %s, and %.3g s of the step are left", why, end - time), null);
     }
 
     private boolean mayTurnWithin(double time) {

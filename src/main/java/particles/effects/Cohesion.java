@@ -208,7 +208,7 @@ public final class Cohesion implements DifferentiableEffect {
         private static final Key<Double> DEPTH = Key.required("depth", NumberType.positive("J"),
                 "The energy needed to separate two particles (J).");
         private static final Key<Double> DAMPING = Key.withDefault("damping", NumberType.notNegative("N s/m"), 0.0,
-                "Damping of the relative speed of two near particles (N s/m).");
+                "Damps the relative motion of two near particles along the line between them (N s/m).");
 
         /** Called once, by {@link EffectCatalog}. */
         public Keys() {

@@ -11,6 +11,7 @@ import particles.law.Particles;
 import particles.SimulationException;
 import particles.effects.LinearDrag;
 import particles.experiments.stability.SpringRates;
+import particles.reactions.RestingContacts;
 import particles.reactions.RigidConstraints;
 import particles.scene.Scene;
 import particles.spec.NumberType;
@@ -27,7 +28,8 @@ public final class BlowUpMessage {
      * convergence.
      */
     private static final double FIXED_POINT = 0.5;
-    private static final String STEADY = "rk4";
+    private static final String STEADY = "verlet";
+    private static final String STEADY_WITH_DAMPING = "rk4";
     private static final String ADAPTIVE = "dormand-prince";
     private static final String STIFF = "backward-euler";
     private static final String ACCURATE = "radau";
@@ -69,7 +71,19 @@ public final class BlowUpMessage {
             return (error.isEarly() ? line : "from t = " + Digits.few(e.getTime()) + " s on the motion by "
                     + scene.description().solver() + " is wrong: ") + e.getMessage() + advice(false);
         }
-        return line + (e instanceof BlowUpException ? energy() + advice(false) : e.getMessage());
+        return line + (e instanceof BlowUpException ? energy() + advice(false) : e.getMessage()
+                + (e.getMessage().startsWith(SimulationException.NO_HEADWAY) ? contacts() : ""));
+    }
+
+    /** The lines for contacts that open and close without end. */
+    private String contacts() {
+        boolean everBouncing = scene.system().getReactions().stream().anyMatch(reaction ->
+                reaction instanceof RestingContacts contacts && contacts.getSurfaces().stream()
+                        .anyMatch(surface -> surface.restSpeed() == 0 && surface.restitution() > 0));
+        return everBouncing ? "\nwith restSpeed 0, bounces become ever smaller and never end"
+                        + trying("restSpeed: 0.01 in the scene's rule")
+                : "\nsprings or friction open and close a contact faster than the motion goes on"
+                        + trying("impact: clamp in the scene, which changes contacts only between steps");
     }
 
     /** @return whether numbers grew without bounds; false if a solver found no solution */
@@ -111,7 +125,7 @@ public final class BlowUpMessage {
         }
         if (limit == 0 && fastest > 0) {
             return "\nundamped springs gain energy with " + name + " at any deltaT"
-                    + trying(withStep(SolverCatalog.info(STEADY)));
+                    + trying(withStep(SolverCatalog.info(damping == 0 ? STEADY : STEADY_WITH_DAMPING)));
         }
         if (limit == Double.POSITIVE_INFINITY) {
             return "\n" + name + " has no stability limit, but " + (unsolved && name.equals(STIFF)

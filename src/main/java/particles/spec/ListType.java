@@ -53,7 +53,7 @@ public final class ListType<T> extends Type<List<T>> {
 
     @Override
     public String describe() {
-        return bareAllowed ? element.describe() + ", or a list of such" : "a list, each entry after a dash: "
+        return bareAllowed ? element.describe() + ", or a list of these" : "a list, each entry after a dash: "
                 + element.describe();
     }
 

@@ -115,7 +115,7 @@ class EverySolverOnEverySceneTest {
             String lines = FrictionMessage.of(scene, name -> "--" + name, e)
                     .orElseGet(() -> new BlowUpMessage(scene, name -> "--" + name).of(e));
             assertTrue(lines.startsWith(solver + " stopped at t = ") || lines.startsWith("from t = "), lines);
-            assertTrue(lines.contains("\ntry --") || lines.contains("no headway"), lines);
+            assertTrue(lines.contains("\ntry "), lines);
             assertTrue(lines.lines().count() <= 3 && !lines.contains("NaN") && !lines.contains("Exception"), lines);
             return lines;
         }

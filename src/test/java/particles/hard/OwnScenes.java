@@ -81,21 +81,30 @@ final class OwnScenes {
               - {from: light, to: heavy}
             """;
 
-    private static final Map<String, String> OTHERS = Map.ofEntries(
-            Map.entry("trammel of Archimedes", TRAMMEL), Map.entry("chain of four rods", CHAIN),
-            Map.entry("rigid body, one rod too many", """
+    /** Five particles are held rigid by nine rods; here are ten. The body spins with 2 rad/s. */
+    static final String RIGID = """
             particles:
-              - {id: a, position: [0, 1, 0]}
-              - {id: b, position: [1, 1, 0]}
-              - {id: c, position: [0, 2, 0]}
-              - {id: d, position: [0, 1, 1]}
+              - {id: a, position: [0, 1, 0], velocity: [0.8, -0.6, 0]}
+              - {id: b, position: [1, 1, 0], velocity: [0.8, 1.4, 0]}
+              - {id: c, position: [0, 2, 0], velocity: [-1.2, -0.6, 0]}
+              - {id: d, position: [0, 1, 1], velocity: [0.8, -0.6, 0]}
+              - {id: e, position: [1, 2, 1], velocity: [-1.2, 1.4, 0]}
             rods:
               - {from: a, to: b}
               - {from: a, to: c}
               - {from: a, to: d}
+              - {from: a, to: e}
               - {from: b, to: c}
               - {from: b, to: d}
+              - {from: b, to: e}
               - {from: c, to: d}
+              - {from: c, to: e}
+              - {from: d, to: e}
+            """;
+
+    private static final Map<String, String> OTHERS = Map.ofEntries(
+            Map.entry("trammel of Archimedes", TRAMMEL), Map.entry("chain of four rods", CHAIN),
+            Map.entry("rigid body, one rod too many", RIGID + """
             impact: exact
             rules:
               - ground: {height: 0.5, restitution: 0.3, friction: {law: coulomb, coefficient: 0.3}}

@@ -100,6 +100,13 @@ class RodsWithImplicitSolversTest {
         assertOrder(HEAD + OwnScenes.UNEVEN, solver, order, 0.25, 2, 0.05);
     }
 
+    /** One of its ten rods is redundant: their equations have no unique solution, but the motion has. */
+    @ParameterizedTest
+    @CsvSource({"backward-euler, 1", "linearised-euler, 1", "implicit-midpoint, 2"})
+    void aRigidBodyWithARodTooManyConvergesWithTheOrder(String solver, double order) {
+        assertOrder(HEAD + OwnScenes.RIGID, solver, order, 0.5);
+    }
+
     /**
      * The foot slides out along the ground until the ladder leaves the wall; both ends stay on their surfaces until
      * then.

@@ -102,8 +102,8 @@ class BlowUpMessageTest {
     @Test
     void aSolverWithLimit0IsReplaced() {
         String line = blowUp(chain("euler", 0, new Overrides()));
-        assertTrue(line.endsWith("\nundamped springs gain energy with euler at any deltaT\ntry --solver=rk4 with"
-                + " --deltaT=0.063, or --solver=backward-euler"), line);
+        assertTrue(line.endsWith("\nundamped springs gain energy with euler at any deltaT\ntry --solver=verlet with"
+                + " --deltaT=0.045, or --solver=backward-euler"), line);
     }
 
     @Test
@@ -112,6 +112,40 @@ class BlowUpMessageTest {
         assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
                 + " iterations.*\\ndeltaT is up to [\\d.]+ times too long for the fastest damping \\(rate \\* deltaT"
                 + " is at most .*\\ntry --deltaT=0\\.00\\d+"), line);
+    }
+
+    /** The times of the bounces converge: without a rest speed, they are more than any number in one step. */
+    @Test
+    void bouncesWithoutEndNameTheRestSpeed() {
+        String text = """
+                title: A ball
+                teaches: When bounces end.
+                solver: rk4
+                deltaT: 0.01
+                duration: 20
+                impact: exact
+                particles:
+                  - {id: a, position: [0, 1, 0]}
+                effects: [gravity]
+                rules:
+                  - ground: {restitution: 0.8, restSpeed: 0}
+                """;
+        Scene scene = SceneBuilder.build(SceneReader.read("ball.yaml", text.getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
+        String lines = blowUp(scene);
+        assertTrue(lines.matches("rk4 stopped at t = 4\\.06 s: contacts make no headway: .*\nwith restSpeed 0, bounces"
+                + " become ever smaller and never end\ntry restSpeed: 0\\.01 in the scene's rule"), lines);
+    }
+
+    /** omega = 2e30 rad/s needs a deltaT below 1e-30 s, which every scene and option refuses. */
+    @Test
+    void noDeltaTIsAdvisedThatTheOptionRefuses() {
+        String text = CHAIN.replace("SOLVER", "verlet").replace("DAMPING", "").replace("400", "1e30")
+                .replaceAll("(id: [abc], )", "$1mass: 1e-30, ");
+        Scene scene = SceneBuilder.build(SceneReader.read("chain.yaml", text.getBytes(StandardCharsets.UTF_8)),
+                new Overrides());
+        String lines = blowUp(scene);
+        assertTrue(lines.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-30 s"), lines);
     }
 
     /** A rope of rods that swings down from the horizontal and cracks like a whip. */

@@ -96,7 +96,7 @@ final class RunJob {
                     progress.seconds());
             RunSummaryWriter.write(folder, summary.record());
             observers.drawCharts(charts);
-            summary.lines().forEach(out::println);
+            summary.lines(early.isPresent()).forEach(out::println);
             out.println("files in " + results + ": " + String.join(", ", files.names()));
             FolderSize.notice(results, style).ifPresent(out::println);
             early.ifPresent(why -> {

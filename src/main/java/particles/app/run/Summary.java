@@ -44,8 +44,11 @@ final class Summary {
         return record;
     }
 
-    /** @return the summary, a few lines */
-    List<String> lines() {
+    /**
+     * @param failed whether the run ends with lines that say more of its error
+     * @return the summary, a few lines
+     */
+    List<String> lines(boolean failed) {
         List<String> lines = new ArrayList<>();
         lines.add(scene.description().title() + ": " + record.solver() + ", deltaT = " + Digits.exact(record.deltaT())
                 + " s");
@@ -62,11 +65,11 @@ final class Summary {
                 + " at the end; largest change " + joules(record.largestEnergyDrift()));
         double error = record.largestRelativeNumericalError();
         boolean damped = DAMPING_SOLVERS.contains(record.solver()) && record.numericalError() < 0;
-        boolean blownUp = endedEarly && error > LARGE_ERROR;     // then the scale is that of the error
+        boolean blownUp = failed && error > LARGE_ERROR;        // then the scale is that of the error
         lines.add("numerical error: at most " + joules(record.largestNumericalError()) + (blownUp ? ""
                 : " (" + Digits.few(error) + " of the energy scale, " + joules(record.energyScale()) + ")")
                 + (damped ? ", by numerical damping" : ""));
-        if (error > LARGE_ERROR && !endedEarly && !damped) {    // a run that blew up says more of itself
+        if (error > LARGE_ERROR && !endedEarly && !failed && !damped) {
             lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
                     + " this motion. Try a smaller deltaT or another solver.");
         }

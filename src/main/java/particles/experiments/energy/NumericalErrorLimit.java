@@ -64,7 +64,8 @@ public final class NumericalErrorLimit implements Observer {
     public void finished(ParticleSystem system) {
         if (isAboveScale(largest)) {
             throw new NumericalErrorException(passed, fastest, "the numerical error of " + Digits.few(largest)
-                    + " J is larger than the energy scale, " + Digits.few(energy.getScale() + putIn()) + " J", false);
+                    + " J is larger than the energy scale" + (putIn() > 0 ? " and the work put in" : "") + ", "
+                    + Digits.few(energy.getScale() + putIn()) + " J", false);
         }
     }
 

@@ -59,7 +59,7 @@ public final class RenderFormat {
             + " surface's back.");
 
     static final Key<Double> VELOCITY_ARROWS = Key.withDefault("velocityArrows", NumberType.between(0, 1000, "s"), 0.0,
-            "Draws each particle's velocity as an arrow, as long as its path in this time at its present speed (s);"
+            "Draws each particle's velocity as an arrow, as long as its path in this time (s) at its present speed;"
                     + " 0 for no arrows.");
     public static final Key<List<Values>> MARKS = Key.withDefault("marks", ListType.of("a mark", MarkFormat.TYPE),
             List.of(), "Particles with a colour, a size or a label of their own.");

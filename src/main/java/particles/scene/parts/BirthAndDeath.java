@@ -87,7 +87,7 @@ final class BirthAndDeath {
     private static final Key<Vector3> POINT = Key.required("point", VectorType.of("m"), "Any point of the plane"
             + " (m).");
     private static final Key<Vector3> NORMAL = Key.withDefault("normal", VectorType.notZero(""), new Vector3(0, 1, 0),
-            "Points to the side where particles survive; its length does not matter.");
+            "A vector to the side where particles survive; its length does not matter.");
 
     static final RuleKind KILL = new RuleKind("kill", "Removes particles that get behind a plane.", POINT, NORMAL) {
         @Override

@@ -16,7 +16,7 @@ import particles.spec.VectorType;
 abstract class MotionKinds extends RuleKind {
     private static final Key<String> PARTICLE = Key.required("particle", TextType.of("the id of a fixed"
             + " particle", "\\S"),
-            "The particle to move, starting from its position. It needs fixed: true.");
+            "The particle to move, starting from its position. It must be fixed.");
     private static final Key<Double> PERIOD = Key.required("period", NumberType.positive("s"),
             "The period of the motion (s).");
 

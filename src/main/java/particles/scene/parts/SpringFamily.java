@@ -27,8 +27,9 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
                 + " together."),
         /** Diagonals of faces and cells: they keep squares from becoming rhombi. */
         SHEAR("shear", "Springs along the diagonals of squares (and cubes): they keep squares from becoming rhombi."),
-        /** Second neighbours along each direction, one particle apart: they resist folding. */
-        BEND("bend", "Springs between second neighbours along each direction, past one particle: they resist folding.");
+        /** Second neighbours along each direction, with one between them: they resist folding. */
+        BEND("bend", "Springs between second neighbours along each direction, skipping one particle: they"
+                + " resist folding.");
 
         private final Key<Values> key;
 

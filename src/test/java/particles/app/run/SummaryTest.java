@@ -32,7 +32,7 @@ class SummaryTest {
         scene.simulation().addObserver(energy);
         scene.simulation().addObserver(books);
         scene.simulation().run();
-        return new Summary("02-one-spring", "ab12", scene, energy, books, 0).lines();
+        return new Summary("02-one-spring", "ab12", scene, energy, books, 0).lines(false);
     }
 
     /** Euler multiplies the energy by 1 + h^2 in each step: 0.5 J (1.01)^100 = 1.352 J; 0.8524 J are its error. */
