@@ -26,7 +26,7 @@ public final class FrictionMessage {
     /**
      * @param scene the scene that was run, as the exception left it
      * @param options formats an option of this name as it is typed
-     * @param e     what ended the run
+     * @param e     the exception that ended the run
      * @return three lines, separated by line feeds; empty if friction is not the cause
      */
     public static Optional<String> of(Scene scene, UnaryOperator<String> options, SimulationException e) {

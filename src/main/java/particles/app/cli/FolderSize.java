@@ -18,8 +18,8 @@ public final class FolderSize {
     }
 
     /**
-     * @param folder of the results
-     * @param style  how options are typed
+     * @param folder the folder of the results
+     * @param style  the way in which options are typed
      * @return a line if they are large
      * @throws OutputException if the folder cannot be read
      */

@@ -29,7 +29,7 @@ public final class EffectCostCommand extends ExperimentCommand {
             description = "The number of rounds, each with 20 steps of every variant (default: ${DEFAULT-VALUE}).")
     private int rounds;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public EffectCostCommand(OptionStyle style) {
         super(style);
     }

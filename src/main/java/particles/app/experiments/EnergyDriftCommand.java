@@ -29,7 +29,7 @@ public final class EnergyDriftCommand extends ExperimentCommand {
             + " ${DEFAULT-VALUE}).")
     private boolean equalWork;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public EnergyDriftCommand(OptionStyle style) {
         super(style);
     }

@@ -47,7 +47,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                     + " phase plot).")
     private String about;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public PhasePlotsCommand(OptionStyle style) {
         super(style);
     }

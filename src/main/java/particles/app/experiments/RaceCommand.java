@@ -53,7 +53,7 @@ public final class RaceCommand extends ExperimentCommand {
             + " (default: 20 for a second of the scene, from 40 to 300).")
     private Integer frames;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public RaceCommand(OptionStyle style) {
         super(style);
     }

@@ -67,7 +67,7 @@ public final class ReportCommand extends ResultsCommand {
     private String names = "all";
 
     /**
-     * @param style       how options are typed, for messages
+     * @param style       the way in which options are typed, for messages
      * @param experiments the experiments of the report, in this order
      */
     public ReportCommand(OptionStyle style, List<ExperimentCommand> experiments) {

@@ -21,7 +21,7 @@ abstract class ResultsCommand extends ProgramCommand {
 
     private final OptionStyle style;
 
-    /** @param style how options are typed, for messages */
+    /** @param style the way in which options are typed, for messages */
     ResultsCommand(OptionStyle style) {
         this.style = style;
     }

@@ -41,7 +41,7 @@ public final class StabilityCommand extends ExperimentCommand {
             description = "The step at which growth is reported, instead of the scene's.")
     private String deltaT = "";
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public StabilityCommand(OptionStyle style) {
         super(style);
     }

@@ -16,7 +16,7 @@ import picocli.CommandLine.Command;
 public final class StiffClothCommand extends ExperimentCommand {
     static final String NAME = "stiffCloth";
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public StiffClothCommand(OptionStyle style) {
         super(style);
     }

@@ -28,7 +28,7 @@ public final class StiffGalleryCommand extends ExperimentCommand {
             description = "Decades of stiffness, from 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
     private int decades = 8;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public StiffGalleryCommand(OptionStyle style) {
         super(style);
     }

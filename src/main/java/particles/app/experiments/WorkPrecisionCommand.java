@@ -46,7 +46,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
     private String solvers = "all";
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public WorkPrecisionCommand(OptionStyle style) {
         super(style);
     }

@@ -40,8 +40,8 @@ public final class CameraFinder {
 
     /**
      * @param scene     a scene that is ready to run; it is not run here
-     * @param described what its file says
-     * @param overrides what goes before it
+     * @param described the contents of its file
+     * @param overrides options that override the file
      * @return the scene's own camera, or one that suits it
      */
     public static Camera find(Scene scene, SceneDescription described, Overrides overrides) {

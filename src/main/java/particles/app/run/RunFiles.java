@@ -24,7 +24,7 @@ final class RunFiles {
      * @param output the scene's output settings
      * @param frames whether to draw pictures
      * @param video  the film to make of them
-     * @param charts what charts are for
+     * @param charts the format of charts
      */
     RunFiles(OutputDescription output, boolean frames, Video video, ChartFormat charts) {
         this.frames = frames;

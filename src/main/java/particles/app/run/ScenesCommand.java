@@ -22,7 +22,7 @@ public final class ScenesCommand extends ProgramCommand {
 
     private final Path folder;
 
-    /** @param folder where the scenes are */
+    /** @param folder the folder of the scenes */
     public ScenesCommand(Path folder) {
         this.folder = folder;
     }

@@ -24,12 +24,12 @@ final class Summary {
     private final RunSummary record;
 
     /**
-     * @param name    of the scene
-     * @param hash    of its file
+     * @param name    the name of the scene
+     * @param hash    the hash of its file
      * @param scene   after its run
-     * @param energy  what was seen of its energy
+     * @param energy  its recorded energies
      * @param books   its ledger
-     * @param seconds how long the run took (s)
+     * @param seconds the wall-clock time of the run (s)
      */
     Summary(String name, String hash, Scene scene, EnergyHistory energy, EnergyLedgerRecorder books, double seconds) {
         this.scene = scene;

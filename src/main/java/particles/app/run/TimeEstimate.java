@@ -36,8 +36,8 @@ final class TimeEstimate {
     }
 
     /**
-     * @param described what the scene's file says
-     * @param overrides what goes before it
+     * @param described the contents of the scene's file
+     * @param overrides options that override the file
      * @param frames    whether pictures are drawn
      * @return a line, if the run takes long
      */
@@ -85,8 +85,8 @@ final class TimeEstimate {
      * Runs a scene for a short while, in a thread of its own, as one step may take very long.
      *
      * @param nanoTime a clock, such as {@link System#nanoTime}
-     * @param patience how long is waited for it (ms)
-     * @return how long the whole run takes (s); if no step was over in time, what it takes if they are just over
+     * @param patience the longest wait (ms)
+     * @return the time of the whole run (s); if no step ended in time, a lower bound
      */
     static double seconds(Scene copy, double steps, LongSupplier nanoTime, long patience) {
         Stopwatch watch = new Stopwatch(steps, nanoTime);

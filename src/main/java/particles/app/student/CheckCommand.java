@@ -46,8 +46,8 @@ abstract class CheckCommand extends ProgramCommand {
     /**
      * The result of a check.
      *
-     * @param subject  what was checked, by its short name
-     * @param identity what it was identified as, in a sentence
+     * @param subject  the short name of the class checked
+     * @param identity the method or law identified, in a sentence
      * @param findings mistakes and notes
      * @param page     the report
      */

@@ -29,8 +29,8 @@ public abstract class NewClassCommand extends ProgramCommand {
     private final OptionStyle style;
 
     /**
-     * @param folder where students' classes are
-     * @param style  how options are typed
+     * @param folder the folder of students' classes
+     * @param style  the way in which options are typed
      */
     NewClassCommand(Path folder, OptionStyle style) {
         this.folder = folder;

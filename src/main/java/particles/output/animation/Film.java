@@ -49,9 +49,9 @@ public final class Film implements FrameSink {
     private int first;
 
     /**
-     * @param folder where the file goes
-     * @param width  of the frames (pixels)
-     * @param height of the frames (pixels)
+     * @param folder the output folder
+     * @param width  the width of the frames (pixels)
+     * @param height the height of the frames (pixels)
      * @param fps    frames a second
      */
     public Film(OutputFolder folder, int width, int height, double fps) {

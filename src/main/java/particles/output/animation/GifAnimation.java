@@ -51,7 +51,7 @@ public final class GifAnimation implements FrameSink {
     private int pendingY;
 
     /**
-     * @param folder   where the file goes
+     * @param folder   the output folder
      * @param renderer draws the frames
      * @param width    the largest width of the animation (pixels); the frames are shrunk by a whole number
      * @param fps      frames a second

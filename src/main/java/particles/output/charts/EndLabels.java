@@ -125,11 +125,11 @@ final class EndLabels {
     }
 
     /**
-     * @param wanted where a name would stand best
+     * @param wanted the best place of the name
      * @param line   the height of a line
-     * @param low    no place is less, so that no name covers the axes
-     * @param high   no place is more
-     * @param isFree whether nothing else stands at a place
+     * @param low    the lowest place, so that no name covers the axes
+     * @param high   the highest place
+     * @param isFree tells whether a place is free
      * @return the nearest free place, quarters of a line away; where all are taken, the wanted one
      */
     static double nearestFree(double wanted, double line, double low, double high, DoublePredicate isFree) {
@@ -166,10 +166,10 @@ final class EndLabels {
      * Finds places that are at least a distance apart and, by least squares, nearest to the wanted ones: isotonic
      * regression, by pooling neighbours, after the distances are subtracted.
      *
-     * @param wanted   where, in rising order
-     * @param distance between neighbours
-     * @param low      no place is less, unless there is no room for all
-     * @param high     no place is more
+     * @param wanted   the wanted places, in rising order
+     * @param distance the distance between neighbours
+     * @param low      the lowest place, unless there is no room for all
+     * @param high     the highest place
      * @return the places
      */
     static double[] spread(double[] wanted, double distance, double low, double high) {

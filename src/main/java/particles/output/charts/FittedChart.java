@@ -39,8 +39,8 @@ final class FittedChart extends JFreeChart {
     private final TextTitle units = new TextTitle("", ChartStyle.TICKS);
 
     /**
-     * @param title of the chart
-     * @param plot  one, or several above each other
+     * @param title the title of the chart
+     * @param plot  one plot, or several above each other
      * @param kind  a map always has equal units, and a path in state space where its axes show about the same range
      */
     FittedChart(String title, XYPlot plot, Panel.Kind kind) {

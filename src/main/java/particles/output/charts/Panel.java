@@ -16,7 +16,7 @@ import particles.view.VectorField;
 /**
  * A panel: one chart, or several above each other over the same x axis.
  *
- * @param charts the uppermost first; the title is the first one's
+ * @param charts the charts, the uppermost first; the title is that of the first
  * @param kind   the way of drawing it
  * @param field  the arrows behind a path in state space, if there are any
  */

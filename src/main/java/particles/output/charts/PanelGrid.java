@@ -43,8 +43,8 @@ public final class PanelGrid {
     private final boolean legendInCell;
 
     /**
-     * @param title    over all panels
-     * @param panels   row by row
+     * @param title    the title over all panels
+     * @param panels   the panels, row by row
      * @param oneScale whether all have the same axes, so that they can be compared
      */
     public PanelGrid(String title, List<Panel> panels, boolean oneScale) {
@@ -92,7 +92,7 @@ public final class PanelGrid {
     }
 
     /**
-     * @param writer where it goes
+     * @param writer writes the picture
      * @param name   the file's name
      */
     public void write(ChartWriter writer, String name) {

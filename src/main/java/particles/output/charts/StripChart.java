@@ -32,11 +32,11 @@ public final class StripChart {
     }
 
     /**
-     * Draws it.
+     * Draws the chart.
      *
-     * @param g     where
-     * @param area  into which rectangle
-     * @param times at which the mark stands (s)
+     * @param g     the graphics to draw on
+     * @param area  the rectangle to fill
+     * @param times the times of the marks (s)
      */
     public void draw(Graphics2D g, Rectangle2D area, double... times) {
         ChartRenderingInfo info = new ChartRenderingInfo();

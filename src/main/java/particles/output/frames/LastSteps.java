@@ -36,8 +36,8 @@ public final class LastSteps implements Observer {
 
     /**
      * @param camera the camera of the run
-     * @param width  of the pictures (pixels)
-     * @param height of the pictures (pixels)
+     * @param width  the width of the pictures (pixels)
+     * @param height the height of the pictures (pixels)
      */
     public LastSteps(Camera camera, int width, int height) {
         view = new CameraProjection(camera, width, height);

@@ -41,8 +41,8 @@ public final class TrailRecorder {
     /**
      * Takes a sample if it is due.
      *
-     * @param state     in the layout of the system's state
-     * @param count     how many particles it has
+     * @param state     a state in the layout of the system's state
+     * @param count     the number of its particles
      * @param structure a number that changes whenever particles may have been born or removed
      */
     public void take(ParticleSystem system, double[] state, int count, double time, int structure) {

@@ -24,7 +24,7 @@ public final class FrameState {
     public int[] to = {};
     public double[] restLength = {};
     public double[] stiffness = {};
-    /** Which of them are rods. */
+    /** Whether each of them is a rod. */
     public boolean[] rigid = {};
     /** Times of birth and death of particles (s), if requested. */
     public double[] birth = {};
@@ -45,7 +45,7 @@ public final class FrameState {
     /**
      * Copies the positions.
      *
-     * @param state in the layout of the system's state
+     * @param state a state in the layout of the system's state
      */
     public void take(double[] state, int count, double time) {
         take(state, count, time, false);

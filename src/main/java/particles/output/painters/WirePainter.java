@@ -27,7 +27,7 @@ public final class WirePainter {
 
     /**
      * @param target the middle of the picture (m)
-     * @param radius of the wires (m)
+     * @param radius the radius of the wires (m)
      */
     public WirePainter(RoundShapes shapes, CameraProjection view, List<CurveView> curves, Vector3 target,
             double radius) {

@@ -30,8 +30,8 @@ final class PanelFilm implements Observer, AutoCloseable {
 
     /**
      * @param stage  the settings of the frames
-     * @param width  of the frames (pixels)
-     * @param height of the frames (pixels)
+     * @param width  the width of the frames (pixels)
+     * @param height the height of the frames (pixels)
      * @param rate   the number of frames per second of simulated time (1/s)
      */
     PanelFilm(FrameSetup stage, int width, int height, double rate) {

@@ -54,7 +54,7 @@ public final class RaceFilm implements AutoCloseable {
 
     /**
      * @param panels   the number of runs besides the reference
-     * @param aspect   width over height of each panel
+     * @param aspect   the width of each panel divided by its height
      * @param rate     the number of frames per second of simulated time (1/s)
      * @param playback the number of frames shown per second (1/s)
      */
@@ -65,8 +65,8 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * @param stage what the reference's run shows, in the scene's own colours
-     * @return who is to watch it
+     * @param stage the frame settings of the reference's run, in the scene's own colours
+     * @return the observer that records the run
      */
     public Observer watchReference(FrameSetup stage) {
         ghost = film(stage, GREY);
@@ -74,9 +74,9 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * @param name  of the solver
-     * @param stage what its run shows, in the scene's own colours
-     * @return who is to watch it
+     * @param name  the name of the solver
+     * @param stage the frame settings of its run, in the scene's own colours
+     * @return the observer that records the run
      */
     public Observer watch(String name, FrameSetup stage) {
         PanelFilm film = film(stage, SolverStyle.orGrey(name).rgb());

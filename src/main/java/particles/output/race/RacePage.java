@@ -72,12 +72,12 @@ final class RacePage {
     }
 
     /**
-     * @param image  to be drawn on
-     * @param head   at the top
-     * @param time   now (s)
-     * @param words  for each panel
+     * @param image  the image to draw on
+     * @param head   the text at the top
+     * @param time   the present time (s)
+     * @param words  the text for each panel
      * @param panels the pictures
-     * @param chart  below them
+     * @param chart  the chart below them
      */
     void draw(BufferedImage image, RaceFilm.Head head, double time,
             List<RaceFilm.Words> words, List<BufferedImage> panels,

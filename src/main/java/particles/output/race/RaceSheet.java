@@ -28,13 +28,13 @@ final class RaceSheet {
     }
 
     /**
-     * @param writer where it goes
+     * @param writer writes the picture
      * @param name   the file's name
-     * @param head   at the top
-     * @param words  for each run
-     * @param panels each run's picture at the end
-     * @param chart  below
-     * @param time   the end (s)
+     * @param head   the text at the top
+     * @param words  the text for each run
+     * @param panels the picture of each run at the end
+     * @param chart  the chart below
+     * @param time   the time at the end (s)
      */
     static void write(ChartWriter writer, String name, RaceFilm.Head head, List<RaceFilm.Words> words,
                       List<BufferedImage> panels, StripChart chart, double time) {

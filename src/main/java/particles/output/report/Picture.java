@@ -36,8 +36,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param panel   the chart
      * @return a picture with one panel
      */
@@ -46,8 +46,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param data    the chart
      * @return a picture with one chart
      */
@@ -56,8 +56,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param data    the charts, the uppermost first
      * @return a picture with charts above each other over the same x axis
      */
@@ -66,8 +66,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param data    a path in state space
      * @param field   the arrows behind it, if there are any
      * @return a phase portrait
@@ -77,9 +77,9 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
-     * @param title   over all panels
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
+     * @param title   the title over all panels
      * @param panels  row by row; those with series of the same names share the legend
      * @return a picture with many charts, each with its own scale
      */
@@ -88,10 +88,10 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
-     * @param title   over all panels
-     * @param panels  row by row
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
+     * @param title   the title over all panels
+     * @param panels  the panels, row by row
      * @return a picture with many charts that have the same axes
      */
     public static Picture compared(String name, String caption, String title, List<Panel> panels) {
@@ -100,7 +100,7 @@ public final class Picture {
 
     /**
      * @param file    the file of a picture that is already in the folder
-     * @param caption what it shows
+     * @param caption the caption
      * @return a picture that is not drawn again, such as an animation
      */
     public static Picture made(String file, String caption) {

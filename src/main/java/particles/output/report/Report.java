@@ -7,9 +7,9 @@ import java.util.Optional;
 /**
  * A report: several experiments on one page.
  *
- * @param title    of the page
- * @param text     paragraphs that say what it is about
- * @param sections one an experiment
+ * @param title    the title of the page
+ * @param text     the introduction, in paragraphs
+ * @param sections the section of each experiment
  * @param end      the page's last line
  */
 public record Report(String title, List<String> text, List<Section> sections, String end) {
@@ -17,7 +17,7 @@ public record Report(String title, List<String> text, List<Section> sections, St
     /**
      * One experiment; it has a page, or failed.
      *
-     * @param name    its task's
+     * @param name    the name of its task
      * @param purpose the purpose of the task, in a sentence
      * @param folder  the folder of its pictures
      * @param seconds its time (s)

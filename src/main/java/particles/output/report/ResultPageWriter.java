@@ -28,9 +28,9 @@ public final class ResultPageWriter {
     /**
      * Writes PICTURE.png and PICTURE.csv for each picture, TABLE.csv for each table, and NAME.md.
      *
-     * @param folder where they go
-     * @param page   what they show
-     * @param format what the pictures are for
+     * @param folder the output folder
+     * @param page   the results
+     * @param format the format of the pictures
      * @return the page as it is written: what was too much for one picture is several
      * @throws OutputException if something cannot be written
      */
