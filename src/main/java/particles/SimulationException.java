@@ -5,7 +5,7 @@ package particles;
  * other.
  */
 public class SimulationException extends RuntimeException {
-    /** How the message begins where contacts open and close so often that a step does not end. */
+    /** The beginning of the message if contacts open and close so often that a step does not end. */
     public static final String NO_HEADWAY = "contacts make no headway";
     private static final long serialVersionUID = 1L;
 

@@ -33,7 +33,7 @@ public final class DidYouMean {
     /**
      * @param found a name that is not known
      * @param known the names that are
-     * @param write how a name is written in the message
+     * @param write formats a name for the message
      * @return {@code "; did you mean X?"}, or {@code ";"} if nothing is near: the message goes on with what is known
      */
     public static String hint(String found, Collection<String> known, UnaryOperator<String> write) {

@@ -35,7 +35,8 @@ import particles.output.files.OutputException;
 import particles.output.report.ResultsIndex;
 
 /**
- * Where the program starts: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value ...}.
+ * The main class of the program: {@code desolver COMMAND --option=value ...}, or {@code gradle COMMAND -Poption=value
+ * ...}.
  */
 public final class Main {
     private static final Path SCENES = Path.of("scenes");
@@ -62,13 +63,13 @@ public final class Main {
         stop.end(code, System::exit);
     }
 
-    /** Where students' classes are; a check in a process of its own is told. */
+    /** The folder of students' classes; a check in a process of its own receives it. */
     private static Path exercises() {
         return Path.of(System.getProperty(StudentLoader.FOLDER, EXERCISES.toString()));
     }
 
     /**
-     * @param style how options are typed
+     * @param style the way in which options are typed
      * @param stop  tells commands when they have to end early
      * @return all commands, in the order in which help lists them; build.gradle has a task for each
      */
@@ -95,7 +96,7 @@ public final class Main {
                 new GradeCommand(exercises(), style));
     }
 
-    /** Those of the report, in its order. */
+    /** The experiments of the report, in its order. */
     private static List<ExperimentCommand> experiments(OptionStyle style) {
         return List.of(new LectureFiguresCommand(style), new EnergyDriftCommand(style), new PhasePlotsCommand(style),
                 new RaceCommand(style), new WorkPrecisionCommand(style), new StiffGalleryCommand(style),

@@ -17,13 +17,16 @@ import particles.scene.Scene;
 import particles.spec.NumberType;
 
 /**
- * What is printed when a run cannot go on: what happened and where; if springs are to blame, by how much deltaT is
- * too long for them; and what to try. Each is a line.
+ * The message for a run that cannot go on, in three lines: the event and its place; if springs are the cause, the
+ * factor by which deltaT is too long for them; and what to try.
  */
 public final class BlowUpMessage {
-    /** Of the stability limit, what is advised: between the two axes a region can be narrower (RK4's by 8 %). */
+    /** The advised fraction of the stability limit: between the two axes a region can be narrower (RK4's by 8 %). */
     private static final double SAFETY = 0.9;
-    /** Where damping is solved for by fixed point, as in verlet, a step times its rate that converges quickly. */
+    /**
+     * For solvers that treat damping by fixed-point iteration, such as verlet: the product of step and rate for fast
+     * convergence.
+     */
     private static final double FIXED_POINT = 0.5;
     private static final String STEADY = "verlet";
     private static final String STEADY_WITH_DAMPING = "rk4";
@@ -40,7 +43,7 @@ public final class BlowUpMessage {
 
     /**
      * @param scene the scene that was run
-     * @param options how an option of this name is typed
+     * @param options formats an option of this name as it is typed
      */
     public BlowUpMessage(Scene scene, UnaryOperator<String> options) {
         this.scene = scene;
@@ -53,7 +56,7 @@ public final class BlowUpMessage {
     }
 
     /**
-     * @param e what ended the run
+     * @param e the exception that ended the run
      * @return up to three lines, separated by line feeds: where, why, and what to try
      */
     public String of(SimulationException e) {
@@ -83,7 +86,7 @@ public final class BlowUpMessage {
                         + trying("impact: clamp in the scene, which changes contacts only between steps");
     }
 
-    /** @return whether numbers grew without bounds, rather than a solver that found no solution */
+    /** @return whether numbers grew without bounds; false if a solver found no solution */
     public static boolean isBlowUp(SimulationException e) {
         return e instanceof BlowUpException || e instanceof NumericalErrorException
                 || e.getCause() instanceof DESolverException cause && cause.getEntry() >= 0;

@@ -11,14 +11,13 @@ import particles.reactions.RestingContacts;
 import particles.scene.Scene;
 
 /**
- * The message for a step that fails because Coulomb friction changes its direction within it. Near a stop the
- * direction changes as fast as the velocity's, however slow that is, so a shorter step may not help, and springs and
- * drag are not the cause. An explicit solver steps across the change, and the rule after the step sees that it was a
- * stop.
+ * The message for a step that fails because Coulomb friction changes its direction within it. Near a stop the direction
+ * changes as fast as that of the velocity, so a shorter step may not help, and springs and drag are not the cause. An
+ * explicit solver steps across the change, and the rule after the step detects the stop.
  */
 public final class FrictionMessage {
     private static final String EXPLICIT = "rk4";
-    /** Of the stability limit: as much as other blow-ups are told. */
+    /** The advised fraction of the stability limit, as for other blow-ups. */
     private static final double SAFETY = 0.9;
 
     private FrictionMessage() {
@@ -26,8 +25,8 @@ public final class FrictionMessage {
 
     /**
      * @param scene the scene that was run, as the exception left it
-     * @param options how an option of this name is typed
-     * @param e     what ended the run
+     * @param options formats an option of this name as it is typed
+     * @param e     the exception that ended the run
      * @return three lines, separated by line feeds; empty if friction is not the cause
      */
     public static Optional<String> of(Scene scene, UnaryOperator<String> options, SimulationException e) {
@@ -55,7 +54,7 @@ public final class FrictionMessage {
                 && contacts.mayStopWithin(scene.system(), scene.simulation().getDeltaT()));
     }
 
-    /** Where springs need it, a step that the explicit solver can make. */
+    /** A step that the explicit solver can make, if springs need one. */
     private static String step(Scene scene, UnaryOperator<String> options) {
         SolverInfo solver = SolverCatalog.info(EXPLICIT);
         double rate = SpringRates.of(scene.springs(), scene.system().getParticles()).fastest(0);

@@ -39,7 +39,7 @@ public final class SceneFiles {
     /**
      * Finds one scene.
      *
-     * @param folder where scenes are
+     * @param folder the folder of the scenes
      * @param wanted a path; or the name of a scene of the folder, such as {@code 09-cloth-in-wind},
      *               {@code cloth-in-wind}, either with the ending too; or its number, {@code 9} or {@code 09}
      * @return the file

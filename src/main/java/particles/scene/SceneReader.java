@@ -21,7 +21,7 @@ public final class SceneReader {
      * Reads a file.
      *
      * @param file a scene file; messages name it as given here
-     * @return what it says
+     * @return the contents of the scene
      * @throws SceneException with everything that is wrong with it
      */
     public static SceneDescription read(Path file) {
@@ -33,7 +33,7 @@ public final class SceneReader {
      *
      * @param file    a scene
      * @param classes finds classes that the file names
-     * @return what it says
+     * @return the contents of the scene
      * @throws SceneException with everything that is wrong with it
      */
     public static SceneDescription read(Path file, ClassNames classes) {
@@ -51,7 +51,7 @@ public final class SceneReader {
      *
      * @param source the file's name in messages
      * @param bytes  its bytes
-     * @return what it says
+     * @return the contents of the scene
      * @throws SceneException with everything that is wrong with it
      */
     public static SceneDescription read(String source, byte[] bytes) {

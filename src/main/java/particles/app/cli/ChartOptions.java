@@ -18,7 +18,7 @@ public final class ChartOptions {
             description = "Writes each chart as an SVG file, too (default: ${DEFAULT-VALUE}).")
     private boolean svg;
 
-    /** @return what the charts are for */
+    /** @return the format of the charts */
     public ChartFormat format() {
         return new ChartFormat(slide, svg);
     }

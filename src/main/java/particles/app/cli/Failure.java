@@ -11,7 +11,7 @@ public final class Failure extends RuntimeException {
 
     /**
      * @param exitCode the exit code
-     * @param lines    what is wrong, each line clear on its own
+     * @param lines    the problems, each line clear on its own
      */
     public Failure(ExitCode exitCode, List<String> lines) {
         super(String.join(System.lineSeparator(), lines));
@@ -21,7 +21,7 @@ public final class Failure extends RuntimeException {
 
     /**
      * @param exitCode the exit code
-     * @param line     what is wrong
+     * @param line     the problem
      */
     public Failure(ExitCode exitCode, String line) {
         this(exitCode, List.of(line));

@@ -26,7 +26,7 @@ public final class Failures {
     /**
      * Prints an exception.
      *
-     * @param thrown what a command threw
+     * @param thrown the exception of a command
      * @return the exit code
      */
     public ExitCode print(Throwable thrown) {

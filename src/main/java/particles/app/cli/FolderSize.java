@@ -8,9 +8,9 @@ import java.util.stream.Stream;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 
-/** How much of the disk a run's results take. */
+/** Measures the disk space of a run's results. */
 public final class FolderSize {
-    /** Less is not worth a line (bytes). */
+    /** A smaller size is not reported (bytes). */
     static final long LARGE = 50_000_000;
     private static final long MEGABYTE = 1_000_000;
 
@@ -18,8 +18,8 @@ public final class FolderSize {
     }
 
     /**
-     * @param folder of the results
-     * @param style  how options are typed
+     * @param folder the folder of the results
+     * @param style  the way in which options are typed
      * @return a line if they are large
      * @throws OutputException if the folder cannot be read
      */

@@ -1,6 +1,8 @@
 package particles.app.cli;
 
-/** How the user types an option: {@code -Pscene=2} with gradle, {@code --scene=2} with the start script. */
+/**
+ * The way in which the user types an option: {@code -Pscene=2} with gradle, {@code --scene=2} with the start script.
+ */
 public enum OptionStyle {
     SHELL("--"),
     GRADLE("-P");

@@ -5,15 +5,15 @@ import java.util.function.LongSupplier;
 import particles.experiments.runs.ProgressListener;
 
 /**
- * Prints the progress of an experiment, and how long it will still take: at most one line every two seconds, none for
- * short ones.
+ * Prints the progress of an experiment and the remaining time: at most one line every two seconds, none for short
+ * experiments.
  */
 public final class PrintedProgress implements ProgressListener {
     private static final double NANO = 1e-9;
     private static final double PAUSE = 2;
-    /** Before this part is done, what is left cannot be told. */
+    /** Before this part is done, the remaining time cannot be estimated. */
     private static final double EARLY = 0.1;
-    /** Shorter waits (s) are not worth a word. */
+    /** Shorter remaining times (s) are not printed. */
     private static final double SHORT = 10;
 
     private final PrintWriter out;
@@ -22,7 +22,7 @@ public final class PrintedProgress implements ProgressListener {
     private long last;
 
     /**
-     * @param out      where lines go
+     * @param out      the output
      * @param nanoTime a clock, such as {@link System#nanoTime}
      */
     public PrintedProgress(PrintWriter out, LongSupplier nanoTime) {

@@ -16,8 +16,8 @@ public final class Program {
 
     /**
      * @param commands the commands; each can be executed only once, since it holds its options
-     * @param style    how options are written in messages
-     * @param out      where results go
+     * @param style    the way in which options are written in messages
+     * @param out      the output for results
      * @param err      the error stream
      */
     public Program(List<ProgramCommand> commands, OptionStyle style, PrintWriter out, PrintWriter err) {
@@ -95,7 +95,7 @@ public final class Program {
         spec.parser().collectErrors(true);
     }
 
-    /** The program without a command. */
+    /** The root command of the command line parser, without a command's name. */
     @Command(name = "desolver", description = "Physically-based animation for teaching.")
     private static final class Root {
         @CommandLine.Option(names = "--help", usageHelp = true, description = "Shows the commands.")

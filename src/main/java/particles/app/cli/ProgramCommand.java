@@ -18,7 +18,7 @@ public abstract class ProgramCommand {
         return List.of();
     }
 
-    /** @return a line for each wrong option: all checks are made, whatever the others find */
+    /** @return a line for each wrong option; all checks are always made */
     public final List<String> mistakes() {
         Set<String> lines = new LinkedHashSet<>();      // checks that need the same scene report it once
         for (Runnable check : checks()) {
@@ -36,7 +36,7 @@ public abstract class ProgramCommand {
     /**
      * Runs the command.
      *
-     * @param out where results are printed
+     * @param out the output for results
      * @throws Exception any failure; {@link Failures} prints it
      */
     public abstract void run(PrintWriter out) throws Exception;

@@ -1,2 +1,2 @@
-/** Shared by all commands: options, exit codes, and failures as lines without stack traces. */
+/** The base of all commands: options, exit codes, and failures as lines without stack traces. */
 package particles.app.cli;

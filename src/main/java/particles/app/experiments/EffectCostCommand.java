@@ -13,7 +13,7 @@ import particles.view.ChartData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle effectCost}: what each effect and rule adds to the time of a step. */
+/** {@code gradle effectCost}: measures the time that each effect and rule adds to a step. */
 @Command(name = EffectCostCommand.NAME,
         description = "Measures what each effect adds to the time of a step.")
 public final class EffectCostCommand extends ExperimentCommand {
@@ -29,7 +29,7 @@ public final class EffectCostCommand extends ExperimentCommand {
             description = "The number of rounds, each with 20 steps of every variant (default: ${DEFAULT-VALUE}).")
     private int rounds;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public EffectCostCommand(OptionStyle style) {
         super(style);
     }

@@ -15,7 +15,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code gradle energyDrift}: which solvers keep the energy of a scene. */
+/** {@code gradle energyDrift}: compares the energy drift of solvers on a scene. */
 @Command(name = EnergyDriftCommand.NAME, description = "Compares how well solvers keep the energy of a scene.")
 public final class EnergyDriftCommand extends ExperimentCommand {
     static final String NAME = "energyDrift";
@@ -29,7 +29,7 @@ public final class EnergyDriftCommand extends ExperimentCommand {
             + " ${DEFAULT-VALUE}).")
     private boolean equalWork;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public EnergyDriftCommand(OptionStyle style) {
         super(style);
     }

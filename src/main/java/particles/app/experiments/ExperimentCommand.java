@@ -19,7 +19,7 @@ public abstract class ExperimentCommand extends ResultsCommand {
     @Mixin
     private final ChartOptions charts = new ChartOptions();
 
-    /** @param style how options are typed, for messages */
+    /** @param style the way in which options are typed, for messages */
     public ExperimentCommand(OptionStyle style) {
         super(style);
     }
@@ -28,7 +28,7 @@ public abstract class ExperimentCommand extends ResultsCommand {
      * Measures.
      *
      * @param folder   the folder for results that are written during the experiment, such as an animation
-     * @param progress is told how much is done
+     * @param progress receives the progress
      * @return the results
      */
     protected abstract ResultPage measure(OutputFolder folder, ProgressListener progress);
@@ -50,7 +50,7 @@ public abstract class ExperimentCommand extends ResultsCommand {
      * Measures, and writes the results.
      *
      * @param path     the folder
-     * @param progress is told how much is done
+     * @param progress receives the progress
      * @return the results
      */
     final ResultPage writeInto(Path path, ProgressListener progress) {

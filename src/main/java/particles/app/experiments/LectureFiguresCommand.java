@@ -40,7 +40,7 @@ public final class LectureFiguresCommand extends ExperimentCommand {
     @Option(names = "--steps", paramLabel = "NUMBER", description = "Its steps (default: " + STEPS + ").")
     private Integer steps;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public LectureFiguresCommand(OptionStyle style) {
         super(style);
     }

@@ -47,7 +47,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                     + " phase plot).")
     private String about;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public PhasePlotsCommand(OptionStyle style) {
         super(style);
     }
@@ -104,7 +104,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
                 : particles;
     }
 
-    /** Those that are born later have no path from the start on. */
+    /** The last free particle at the start; particles that are born later have no complete path. */
     private int lastFree(Particles all) {
         for (int i = all.count() - 1; i >= 0; i--) {
             if (!all.isFixed(i)) {
@@ -114,7 +114,7 @@ public final class PhasePlotsCommand extends ExperimentCommand {
         throw wrong("scene", "at its start this scene has no free particle, so there is no path to draw");
     }
 
-    /** None for the axis along which a particle goes farthest. */
+    /** The axes wanted; none for the axis along which a particle goes farthest. */
     private List<Axis> axes(Scene scene) {
         if (about != null) {
             return List.of(Axis.ANGLE);

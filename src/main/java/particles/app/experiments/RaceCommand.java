@@ -24,7 +24,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code gradle race}: solvers beside each other, with equal work. */
+/** {@code gradle race}: compares solvers side by side, with equal work. */
 @Command(name = RaceCommand.NAME,
         description = "Runs solvers with equal work on a scene, side by side in one animation.")
 public final class RaceCommand extends ExperimentCommand {
@@ -53,7 +53,7 @@ public final class RaceCommand extends ExperimentCommand {
             + " (default: 20 for a second of the scene, from 40 to 300).")
     private Integer frames;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public RaceCommand(OptionStyle style) {
         super(style);
     }

@@ -41,9 +41,9 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     private Optional<Camera> camera = Optional.empty();
 
     /**
-     * @param panels   how many solvers there are
-     * @param rate     frames for a second of simulated time (1/s)
-     * @param playback frames shown in a second (1/s)
+     * @param panels   the number of solvers
+     * @param rate     the number of frames per second of simulated time (1/s)
+     * @param playback the number of frames shown per second (1/s)
      */
     RacePictures(int panels, double rate, double playback) {
         this.panels = panels;
@@ -78,10 +78,10 @@ final class RacePictures implements Race.ObserverFactory, AutoCloseable {
      * Writes the film and the sheet.
      *
      * @param writer   writes the sheet
-     * @param folder   where they go
-     * @param sheet    the sheet's name
-     * @param race     what was watched
-     * @param progress hears which part is done
+     * @param folder   the output folder
+     * @param sheet    the name of the sheet
+     * @param race     the result of the race
+     * @param progress receives the progress
      */
     void write(ChartWriter writer, OutputFolder folder, String sheet, Result race, DoubleConsumer progress) {
         List<RaceFilm.Words> words = new ArrayList<>();

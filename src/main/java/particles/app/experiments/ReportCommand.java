@@ -39,13 +39,13 @@ import picocli.CommandLine.Option;
 public final class ReportCommand extends ResultsCommand {
     static final String NAME = "report";
     static final String FILE = "report.html";
-    /** What a scene is looked at with: all would take long on large ones. */
+    /** The solvers of a report on a scene; all would take long on large scenes. */
     private static final String SOLVERS = "euler,midpoint,rk4,symplectic-euler,verlet";
     private static final String SCENE_OPTION = "--scene";
-    /** What an experiment does with less on a page of many: frames of a film, rounds of a measurement. */
+    /** Options that shorten experiments on a page of many: frames of a film, rounds of a measurement. */
     private static final Map<String, String> SHORTER = Map.of("--frames", "100", "--rounds", "15");
     private static final int MOST_LINES = 8;
-    /** So many experiments take no longer than a minute or so. */
+    /** This number of experiments takes no longer than about a minute. */
     private static final int FEW = 2;
     private static final double NANO = 1e-9;
 
@@ -67,8 +67,8 @@ public final class ReportCommand extends ResultsCommand {
     private String names = "all";
 
     /**
-     * @param style       how options are typed, for messages
-     * @param experiments what the report joins, in this order
+     * @param style       the way in which options are typed, for messages
+     * @param experiments the experiments of the report, in this order
      */
     public ReportCommand(OptionStyle style, List<ExperimentCommand> experiments) {
         super(style);
@@ -148,7 +148,7 @@ public final class ReportCommand extends ResultsCommand {
         return experiments.stream().filter(experiment -> wanted.contains(experiment.name())).toList();
     }
 
-    /** An experiment that fails has a section too; a disk that is full ends all. */
+    /** The section of an experiment, also if it fails; a full disk ends the report. */
     private Section section(ExperimentCommand experiment, ProgressListener progress) {
         CommandLine line = new CommandLine(experiment);
         String purpose = String.join(" ", line.getCommandSpec().usageMessage().description());
@@ -172,7 +172,7 @@ public final class ReportCommand extends ResultsCommand {
         return new Section(experiment.name(), purpose, into, (System.nanoTime() - begin) * NANO, page, failure);
     }
 
-    /** Those who look at a scene get this one. */
+    /** The options of an experiment; experiments on a scene get the report's scene. */
     private String[] options(CommandSpec spec) {
         List<String> options = new ArrayList<>(charts.arguments());
         if (spec.findOption(SCENE_OPTION) != null) {

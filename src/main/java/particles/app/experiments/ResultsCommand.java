@@ -11,7 +11,7 @@ import particles.app.cli.ProgramCommand;
 import particles.experiments.runs.SolverChoice;
 import picocli.CommandLine.Option;
 
-/** A command with a folder of results of its own, build/out/NAME. */
+/** A command with its own folder of results, build/out/NAME. */
 abstract class ResultsCommand extends ProgramCommand {
     private static final Path RESULTS = Path.of("build", "out");
 
@@ -21,7 +21,7 @@ abstract class ResultsCommand extends ProgramCommand {
 
     private final OptionStyle style;
 
-    /** @param style how options are typed, for messages */
+    /** @param style the way in which options are typed, for messages */
     ResultsCommand(OptionStyle style) {
         this.style = style;
     }
@@ -33,7 +33,7 @@ abstract class ResultsCommand extends ProgramCommand {
         return style;
     }
 
-    /** @return where results go */
+    /** @return the folder of its results */
     protected final Path folder() {
         if (out == null) {                              // picocli leaves an option null that was not given
             return RESULTS.resolve(name());
@@ -48,7 +48,7 @@ abstract class ResultsCommand extends ProgramCommand {
         throw wrong("out", "needs a folder name");
     }
 
-    /** @return the failure that says what is wrong with an option */
+    /** @return the failure for a wrong option */
     protected Failure wrong(String option, String why) {
         return new Failure(ExitCode.BAD_INPUT, "option " + style.option(option) + ": " + why);
     }

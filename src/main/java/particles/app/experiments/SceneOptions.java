@@ -32,7 +32,7 @@ final class SceneOptions {
     @Option(names = "--duration", paramLabel = "SECONDS", description = "A duration other than the scene's.")
     private String duration;
 
-    /** @return the scene that was asked for, or else this one, with what overrides it */
+    /** @return the scene in the options, or this one by default, with overrides applied */
     SceneDescription scene(String standard, OptionStyle style) {
         Path file = SceneFiles.find(SCENES, scene == null ? standard : scene);
         return SceneBuilder.build(SceneReader.read(file, new StudentClasses()), overrides(style)).description();
@@ -54,12 +54,12 @@ final class SceneOptions {
         return overrides;
     }
 
-    /** @return whether a duration other than the scene's was asked for */
+    /** @return whether the options have another duration than the scene's */
     boolean haveDuration() {
         return duration != null;
     }
 
-    /** @return the solvers that were asked for, or else these */
+    /** @return the solvers in the options, or these by default */
     List<SolverChoice> solvers(String standard, OptionStyle style) {
         try {
             return SolverChoice.list(solvers == null ? standard : solvers);

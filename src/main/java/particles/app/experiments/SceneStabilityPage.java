@@ -20,7 +20,7 @@ import particles.view.DataTable;
 /** The page of {@code gradle stability -Pscene}: the longest stable step of each solver in this scene. */
 final class SceneStabilityPage {
     private static final int MOST_MODES = 12;
-    /** Whose regions are pictured where none is asked for. */
+    /** The solvers whose regions are drawn by default. */
     private static final List<String> OUTLINES = List.of("euler", "midpoint", "rk4", "symplectic-euler", "verlet");
 
     private SceneStabilityPage() {

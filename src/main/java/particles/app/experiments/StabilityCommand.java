@@ -22,7 +22,7 @@ import particles.view.DataTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle stability}: how long a step may be, measured on every solver's real code, or in one scene. */
+/** {@code gradle stability}: measures the longest stable step, on every solver's real code or in one scene. */
 @Command(name = StabilityCommand.NAME, description = "Measures the longest stable step of each solver.")
 public final class StabilityCommand extends ExperimentCommand {
     static final String NAME = "stability";
@@ -41,7 +41,7 @@ public final class StabilityCommand extends ExperimentCommand {
             description = "The step at which growth is reported, instead of the scene's.")
     private String deltaT = "";
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public StabilityCommand(OptionStyle style) {
         super(style);
     }

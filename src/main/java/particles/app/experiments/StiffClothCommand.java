@@ -10,13 +10,13 @@ import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 
-/** {@code gradle stiffCloth}: what a frame of ever stiffer cloth costs. */
+/** {@code gradle stiffCloth}: measures the cost of a frame of an ever stiffer cloth. */
 @Command(name = StiffClothCommand.NAME,
         description = "Measures the time for a frame of ever stiffer cloth: RK4 against one step of backward Euler.")
 public final class StiffClothCommand extends ExperimentCommand {
     static final String NAME = "stiffCloth";
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public StiffClothCommand(OptionStyle style) {
         super(style);
     }

@@ -14,7 +14,7 @@ import particles.output.report.Picture;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle stiffGallery}: what stiffness costs. */
+/** {@code gradle stiffGallery}: measures the cost of stiffness. */
 @Command(name = StiffGalleryCommand.NAME,
         description = "Measures what each solver costs as a spring gets stiffer.")
 public final class StiffGalleryCommand extends ExperimentCommand {
@@ -28,7 +28,7 @@ public final class StiffGalleryCommand extends ExperimentCommand {
             description = "Decades of stiffness, from 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
     private int decades = 8;
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public StiffGalleryCommand(OptionStyle style) {
         super(style);
     }

@@ -26,7 +26,7 @@ import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** {@code gradle workPrecision}: what precision costs. */
+/** {@code gradle workPrecision}: measures the cost of precision. */
 @Command(name = WorkPrecisionCommand.NAME,
         description = "Plots the error of solvers against their cost, on several problems.")
 public final class WorkPrecisionCommand extends ExperimentCommand {
@@ -46,7 +46,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
             description = "Solvers, separated by commas (default: ${DEFAULT-VALUE}).")
     private String solvers = "all";
 
-    /** @param style how the user types options */
+    /** @param style the way in which options are typed */
     public WorkPrecisionCommand(OptionStyle style) {
         super(style);
     }

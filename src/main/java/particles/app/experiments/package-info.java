@@ -1,4 +1,4 @@
 /**
- * The commands that measure something and write a page of results.
+ * The commands that run an experiment and write a page of results.
  */
 package particles.app.experiments;

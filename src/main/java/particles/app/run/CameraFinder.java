@@ -17,22 +17,22 @@ import particles.scene.format.SceneDescription;
 import particles.view.Camera;
 
 /**
- * A camera for scenes that give none: as near as it can be with everything in the picture. Where things go is found by
- * a rehearsal, a run of its own that nobody else sees.
+ * Finds a camera for scenes without one: as near as possible with everything in the picture. A rehearsal, a separate
+ * run without output, shows where particles go.
  */
 public final class CameraFinder {
     /**
-     * A rehearsal makes no more evaluations than this, times particles: it shows where things go, and a second or two
-     * is enough. Steps of adaptive and implicit solvers may take hundreds of evaluations.
+     * The largest number of evaluations times particles of a rehearsal, about a second or two. Steps of adaptive and
+     * implicit solvers may take hundreds of evaluations.
      */
     private static final double MOST_PARTICLE_EVALUATIONS = 1.2e7;
     /**
-     * A run that gains more than this, times its energy scale, is on its way to blow up, and leaves any picture, unless
-     * forces did that much work: the scale knows nothing of those that students write.
+     * A run whose energy grows by more than this many times the energy scale is blowing up, unless forces did that much
+     * work: the scale does not know students' own forces.
      */
     private static final double MOST_ENERGY = 20;
 
-    /** Where a run blows up, the picture shows so many times the width of what happened before. */
+    /** If a run blows up, the picture shows this many times the width of the motion before. */
     private static final double GROWTH = 1.5;
 
     private CameraFinder() {
@@ -40,8 +40,8 @@ public final class CameraFinder {
 
     /**
      * @param scene     a scene that is ready to run; it is not run here
-     * @param described what its file says
-     * @param overrides what goes before it
+     * @param described the contents of its file
+     * @param overrides options that override the file
      * @return the scene's own camera, or one that suits it
      */
     public static Camera find(Scene scene, SceneDescription described, Overrides overrides) {
@@ -67,7 +67,7 @@ public final class CameraFinder {
         return Box.of(extent);
     }
 
-    /** Where things are, from the lowest to the highest coordinates (m). */
+    /** A box from the lowest to the highest coordinates (m). */
     private record Box(Vector3 low, Vector3 high) {
         static Box of(Extent extent) {
             return new Box(extent.low(), extent.high());
@@ -80,8 +80,8 @@ public final class CameraFinder {
     }
 
     /**
-     * Ends a rehearsal that has lasted long enough or blown up, and notes where things were as long as the motion was
-     * mostly that of physics.
+     * Ends a rehearsal that has lasted long enough or blown up, and records the extent as long as the motion was mostly
+     * physical.
      */
     private static final class Limits implements Observer {
         private final EnergyLedger ledger = new EnergyLedger();
@@ -91,7 +91,7 @@ public final class CameraFinder {
         private Box beforeBlowUp;
         private boolean blewUp;
 
-        /** @param extent told of each step before this */
+        /** @param extent an observer that is called before this one */
         Limits(Scene scene, Extent extent) {
             this.extent = extent;
             mostEnergy = MOST_ENERGY * scene.energyScale();

@@ -8,7 +8,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** The SHA-256 hash of a file, written to results to show which file they were made from. */
+/** The SHA-256 hash of a file, written to results to identify their scene file. */
 final class FileHash {
     private FileHash() {
     }

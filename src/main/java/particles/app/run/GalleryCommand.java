@@ -35,7 +35,7 @@ public final class GalleryCommand extends ProgramCommand {
 
     private final Path folder;
 
-    /** @param folder where the scenes are, and the page goes */
+    /** @param folder the folder of the scenes and of the page */
     public GalleryCommand(Path folder) {
         this.folder = folder;
     }

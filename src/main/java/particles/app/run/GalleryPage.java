@@ -43,7 +43,7 @@ public final class GalleryPage {
     }
 
     /**
-     * @param folder where the scenes are
+     * @param folder the folder of the scenes
      * @return the page, in Markdown
      */
     public static String of(Path folder) {

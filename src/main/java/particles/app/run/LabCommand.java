@@ -41,9 +41,9 @@ public final class LabCommand extends ProgramCommand {
     private final OptionStyle style;
 
     /**
-     * @param folder    where the scenes are
-     * @param exercises where students' classes are
-     * @param style     how options are typed
+     * @param folder    the folder of the scenes
+     * @param exercises the folder of students' classes
+     * @param style     the way in which options are typed
      */
     public LabCommand(Path folder, Path exercises, OptionStyle style) {
         this.folder = folder;

@@ -62,7 +62,7 @@ public final class RunCommand extends ProgramCommand {
 
     /**
      * @param scenes the folder of scenes
-     * @param style  how options are typed, for messages
+     * @param style  the way in which options are typed, for messages
      * @param stop   tells the run when it has to end early
      */
     public RunCommand(Path scenes, OptionStyle style, StopRequest stop) {

@@ -12,7 +12,7 @@ import particles.output.files.TrajectoryWriter;
 import particles.scene.format.OutputDescription;
 import particles.scene.format.OutputDescription.Video;
 
-/** The files that a run will write. */
+/** The list of files that a run will write. */
 final class RunFiles {
     static final String ENERGY = "energy.png";
     static final String PHASE = "phase.png";
@@ -24,7 +24,7 @@ final class RunFiles {
      * @param output the scene's output settings
      * @param frames whether to draw pictures
      * @param video  the film to make of them
-     * @param charts what charts are for
+     * @param charts the format of charts
      */
     RunFiles(OutputDescription output, boolean frames, Video video, ChartFormat charts) {
         this.frames = frames;
@@ -49,7 +49,7 @@ final class RunFiles {
         return frames;
     }
 
-    /** @return the names, those to look at first at the front */
+    /** @return the names, the most interesting first */
     String[] names() {
         return names.toArray(String[]::new);
     }

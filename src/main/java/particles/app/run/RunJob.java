@@ -42,8 +42,8 @@ final class RunJob {
      * @param results   the folder for results
      * @param frames    whether pictures are drawn
      * @param wanted    the film requested by an option, if any
-     * @param charts    what the charts are for
-     * @param style     how options are typed, for messages
+     * @param charts    the format of the charts
+     * @param style     the way in which options are typed, for messages
      * @param stop      tells the run to end early
      */
     RunJob(Path file, Overrides overrides, Path results, boolean frames, Optional<Video> wanted,
@@ -61,7 +61,7 @@ final class RunJob {
     /**
      * Runs the scene.
      *
-     * @param out where progress and the summary are printed
+     * @param out the output for progress and the summary
      * @throws Failure if the run ended early; the results until then are complete
      */
     void run(PrintWriter out) {

@@ -51,7 +51,7 @@ final class RunObservers implements AutoCloseable {
 
     /**
      * @param scene  a scene that is about to run
-     * @param folder where files go
+     * @param folder the output folder
      */
     RunObservers(Scene scene, OutputFolder folder) {
         this.scene = scene;
@@ -134,7 +134,7 @@ final class RunObservers implements AutoCloseable {
     /**
      * Draws the charts of the recorded data.
      *
-     * @param format what the charts are for
+     * @param format the format of the charts
      */
     void drawCharts(ChartFormat format) {
         if (!scene.output().energy() && phase.isEmpty()) {

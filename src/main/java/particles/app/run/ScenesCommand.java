@@ -14,7 +14,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.SceneDescription;
 import picocli.CommandLine.Command;
 
-/** {@code gradle scenes}: lists the scenes and what each teaches. */
+/** {@code gradle scenes}: lists the scenes, each with its lesson. */
 @Command(name = "scenes", description = "Lists the scenes and what each teaches.")
 public final class ScenesCommand extends ProgramCommand {
     private static final int WIDTH = 110;
@@ -22,7 +22,7 @@ public final class ScenesCommand extends ProgramCommand {
 
     private final Path folder;
 
-    /** @param folder where the scenes are */
+    /** @param folder the folder of the scenes */
     public ScenesCommand(Path folder) {
         this.folder = folder;
     }

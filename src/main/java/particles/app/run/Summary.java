@@ -13,23 +13,23 @@ import particles.scene.Scene;
 
 /** The summary of a run, for people and for run.json. */
 final class Summary {
-    /** Of the energy scale: a tenth is seen in the motion. */
+    /** An error above this part of the energy scale gives a warning: a tenth shows in the motion. */
     private static final double LARGE_ERROR = 0.1;
-    /** These damp what their steps do not resolve, and are chosen for that. */
+    /** Solvers that damp motion which their steps do not resolve, and are chosen for that. */
     private static final Set<String> DAMPING_SOLVERS = Set.of("backward-euler", "linearised-euler");
-    /** Of the energy scale: a few units in the last place. */
+    /** Energies below this part of the energy scale are round-off. */
     private static final double ROUND_OFF = 1e-15;
 
     private final Scene scene;
     private final RunSummary record;
 
     /**
-     * @param name    of the scene
-     * @param hash    of its file
+     * @param name    the name of the scene
+     * @param hash    the hash of its file
      * @param scene   after its run
-     * @param energy  what was seen of its energy
+     * @param energy  its recorded energies
      * @param books   its ledger
-     * @param seconds how long the run took (s)
+     * @param seconds the wall-clock time of the run (s)
      */
     Summary(String name, String hash, Scene scene, EnergyHistory energy, EnergyLedgerRecorder books, double seconds) {
         this.scene = scene;
@@ -46,7 +46,7 @@ final class Summary {
 
     /**
      * @param failed whether the run ends with lines that say more of its error
-     * @return a few lines
+     * @return the summary, a few lines
      */
     List<String> lines(boolean failed) {
         List<String> lines = new ArrayList<>();

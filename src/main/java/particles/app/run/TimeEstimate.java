@@ -22,10 +22,10 @@ final class TimeEstimate {
     private static final double LITTLE = 1e5;
     /** A run of this time or more is announced (s). */
     private static final double LONG = 10;
-    /** How long the copy's first steps are measured (s), and the last ones, when Java has warmed up. */
+    /** The time for which the copy's first steps are measured (s), and the last ones, when Java has warmed up. */
     private static final double FIRST_SPAN = 0.1;
     private static final double LAST_SPAN = 0.8;
-    /** No longer than this is waited for the first steps (ms); each may take minutes. */
+    /** The longest wait for the first steps (ms); each may take minutes. */
     private static final long PATIENCE = 2000;
     /** The overhead of a step, expressed as a number of particles. */
     private static final double OVERHEAD = 100;
@@ -36,8 +36,8 @@ final class TimeEstimate {
     }
 
     /**
-     * @param described what the scene's file says
-     * @param overrides what goes before it
+     * @param described the contents of the scene's file
+     * @param overrides options that override the file
      * @param frames    whether pictures are drawn
      * @return a line, if the run takes long
      */
@@ -69,7 +69,7 @@ final class TimeEstimate {
         return String.format(Locale.ROOT, "%.0f particle%s", Math.ceil(particles), particles == 1 ? "" : "s");
     }
 
-    /** In the largest unit that makes it more than one. */
+    /** The time in the largest unit in which it is more than one. */
     static String time(double seconds) {
         if (seconds < 100) {
             return Digits.few(Math.ceil(seconds)) + " s";
@@ -82,11 +82,11 @@ final class TimeEstimate {
     }
 
     /**
-     * Runs a scene for a short while, in a thread of its own, as one step may take longer than anybody waits.
+     * Runs a scene for a short while, in a thread of its own, as one step may take very long.
      *
      * @param nanoTime a clock, such as {@link System#nanoTime}
-     * @param patience how long is waited for it (ms)
-     * @return how long the whole run takes (s); if no step was over in time, what it takes if they are just over
+     * @param patience the longest wait (ms)
+     * @return the time of the whole run (s); if no step ended in time, a lower bound
      */
     static double seconds(Scene copy, double steps, LongSupplier nanoTime, long patience) {
         Stopwatch watch = new Stopwatch(steps, nanoTime);

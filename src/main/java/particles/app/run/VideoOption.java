@@ -4,7 +4,7 @@ import particles.scene.format.OutputDescription.Video;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Reads which film is wanted: the names that a scene has for it. */
+/** Parses the option for the kind of film, with the same names as in scenes. */
 final class VideoOption implements ITypeConverter<Video> {
     @Override
     public Video convert(String value) {

@@ -27,7 +27,7 @@ import particles.teaching.GuardedRun.Outcome;
 import picocli.CommandLine.Option;
 
 /**
- * A command that checks a student's class: the check runs in a process of its own, with a limit to its computing time.
+ * A command that checks a student's class. The check runs in a process of its own, with a limit on its CPU time.
  */
 abstract class CheckCommand extends ProgramCommand {
     private static final double SECONDS = 8;
@@ -46,8 +46,8 @@ abstract class CheckCommand extends ProgramCommand {
     /**
      * The result of a check.
      *
-     * @param subject  what was checked, by its short name
-     * @param identity what it was identified as, in a sentence
+     * @param subject  the short name of the class checked
+     * @param identity the method or law identified, in a sentence
      * @param findings mistakes and notes
      * @param page     the report
      */
@@ -57,15 +57,15 @@ abstract class CheckCommand extends ProgramCommand {
     /** @return the command's name, which is its task's */
     abstract String name();
 
-    /** @return the option that says what is checked, and its value */
+    /** @return the option that names the class to check, and its value */
     abstract String subject();
 
-    /** @return options that are handed on to the check's process; none where no charts are drawn */
+    /** @return options for the check's process; none if no charts are drawn */
     List<String> chartArguments() {
         return List.of();
     }
 
-    /** @return what its charts are for */
+    /** @return the format of its charts */
     ChartFormat format() {
         return ChartFormat.PAGE;
     }
@@ -97,7 +97,7 @@ abstract class CheckCommand extends ProgramCommand {
         }
     }
 
-    /** Reads the number before the class is loaded, so that the class cannot. */
+    /** Reads the number before the class is loaded, so that the class cannot read it. */
     private static String readNumber() throws IOException {
         return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8)).readLine();
     }

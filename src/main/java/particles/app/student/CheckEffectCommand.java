@@ -17,7 +17,7 @@ import picocli.CommandLine.Option;
 
 /**
  * {@code gradle checkEffect -Peffect=exercises.MyGravity}: checks whether a force law has the properties that it
- * claims.
+ * declares.
  */
 @Command(name = CheckEffectCommand.NAME,
         description = "Checks a force law: whether it has the properties that it claims.")

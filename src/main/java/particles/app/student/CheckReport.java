@@ -19,8 +19,8 @@ final class CheckReport {
     }
 
     /**
-     * @param checked what the check found
-     * @param printed what the class printed
+     * @param checked the result of the check
+     * @param printed the text that the class printed
      * @param report  the file of the whole report
      * @return the lines
      */

@@ -32,7 +32,7 @@ public final class ExerciseCommand extends ProgramCommand {
 
     private final OptionStyle style;
 
-    /** @param style how options are typed */
+    /** @param style the way in which options are typed */
     public ExerciseCommand(OptionStyle style) {
         this.style = style;
     }

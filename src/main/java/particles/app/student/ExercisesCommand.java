@@ -13,7 +13,7 @@ import picocli.CommandLine.Command;
 public final class ExercisesCommand extends ProgramCommand {
     private final OptionStyle style;
 
-    /** @param style how options are typed */
+    /** @param style the way in which options are typed */
     public ExercisesCommand(OptionStyle style) {
         this.style = style;
     }

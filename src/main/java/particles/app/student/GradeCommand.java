@@ -56,8 +56,8 @@ public final class GradeCommand extends ProgramCommand {
     private final OptionStyle style;
 
     /**
-     * @param folder where the student's classes are
-     * @param style  how options are typed
+     * @param folder the folder of the student's classes
+     * @param style  the way in which options are typed
      */
     public GradeCommand(Path folder, OptionStyle style) {
         this.folder = folder;

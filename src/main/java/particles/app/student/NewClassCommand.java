@@ -29,8 +29,8 @@ public abstract class NewClassCommand extends ProgramCommand {
     private final OptionStyle style;
 
     /**
-     * @param folder where students' classes are
-     * @param style  how options are typed
+     * @param folder the folder of students' classes
+     * @param style  the way in which options are typed
      */
     NewClassCommand(Path folder, OptionStyle style) {
         this.folder = folder;
@@ -43,7 +43,7 @@ public abstract class NewClassCommand extends ProgramCommand {
     /** @return the command that checks such a class, without the class's name */
     abstract String check();
 
-    /** @return how to use a class with this full name; text that follows a colon */
+    /** @return the way to use a class with this full name, as text that follows a colon */
     abstract String use(String fullName);
 
     @Override
@@ -66,7 +66,7 @@ public abstract class NewClassCommand extends ProgramCommand {
         out.println("to use it: " + use("exercises." + name));
     }
 
-    /** A solver. */
+    /** {@code gradle newSolver}: writes the skeleton of a solver. */
     @Command(name = "newSolver", description = "Writes the skeleton of a solver of your own.")
     public static final class NewSolver extends NewClassCommand {
         @Option(names = "--from", paramLabel = "CLASS", defaultValue = SolverSkeleton.SLIDES_WAY,
@@ -101,7 +101,7 @@ public abstract class NewClassCommand extends ProgramCommand {
         }
     }
 
-    /** A force law. */
+    /** {@code gradle newEffect}: writes the skeleton of a force law. */
     @Command(name = "newEffect", description = "Writes the skeleton of a force law of your own.")
     public static final class NewEffect extends NewClassCommand {
         public NewEffect(Path folder, OptionStyle style) {

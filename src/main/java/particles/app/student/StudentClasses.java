@@ -4,7 +4,7 @@ import java.lang.reflect.InvocationTargetException;
 import particles.spec.ClassNames;
 import particles.spec.Kind;
 
-/** Finds the classes that scenes name; {@link StudentLoader} compiles students' own. */
+/** Finds the classes that scenes name; {@link StudentLoader} compiles those of students. */
 public final class StudentClasses implements ClassNames {
     private static final String KEYS = "$Keys";
 

@@ -38,7 +38,7 @@ public final class StudentLoader extends ClassLoader {
     private final Map<String, ByteArrayOutputStream> compiled = new HashMap<>();
 
     /**
-     * @param folder where the classes of the package exercises are
+     * @param folder the folder of the classes of the package exercises
      * @param parent the loader of all other classes
      */
     public StudentLoader(Path folder, ClassLoader parent) {

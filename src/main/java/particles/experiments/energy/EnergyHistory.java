@@ -162,7 +162,7 @@ public final class EnergyHistory implements Observer {
 
     /**
      * The energies. The total is the first series. Gravity's potential has its zero at the lowest value of the run,
-     * and its name says so.
+     * and the axis says so.
      *
      * @param title the title of the chart, such as the scene and its solver
      * @return the chart
@@ -175,27 +175,31 @@ public final class EnergyHistory implements Observer {
         List<Series> series = new ArrayList<>();
         double zero = zero();
         List<Series> parts = new ArrayList<>();
+        List<String> shifted = new ArrayList<>();
         for (int e = 0; e < effects.size(); e++) {
             MinMaxThinning energy = stored.get(e);
             if (energy.smallest() == 0 && energy.largest() == 0) {
                 continue;
             }
             double lowest = lowest(e);
-            parts.add(line("potential: " + effects.get(e).getName() + (lowest == 0 ? "" : ", from its lowest"), energy,
-                    lowest));
+            if (lowest != 0) {
+                shifted.add(effects.get(e).getName());
+            }
+            parts.add(line("potential: " + effects.get(e).getName(), energy, lowest));
         }
-        String from = zero == 0 ? "" : ", from the lowest";
-        series.add(line("total" + from, total, zero));
+        series.add(line("total", total, zero));
         series.add(line("kinetic", kinetic, 0));
         if (parts.size() > 1) {
-            series.add(line("potential" + from, potential, zero));
+            series.add(line("potential", potential, zero));
         }
         series.addAll(parts);
         boolean log = hasGrown();
         if (log) {
             series.forEach(line -> dropRounding(line.y(), total.largest() - zero));
         }
-        return new ChartData(title, "time (s)", "energy (J)", false, log, List.copyOf(series));
+        String axis = "energy (J)" + (shifted.isEmpty() ? ""
+                : "; " + String.join(" and ", shifted) + " is 0 at its lowest");
+        return new ChartData(title, "time (s)", axis, false, log, List.copyOf(series));
     }
 
     /** @return whether the energy grew by more than a factor of a thousand since the run's first tenth */

@@ -12,7 +12,7 @@ final class RestScale {
     }
 
     /**
-     * @param system at its start
+     * @param system the system at its start
      * @return the length of the sum of all effects' forces on the particles that can move, times the extent of all
      *         particles along it, or times 1 m where they have none beyond round-off (J); 0 without force
      */

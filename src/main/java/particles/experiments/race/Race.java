@@ -61,8 +61,8 @@ public final class Race {
      * @param match    its step or tolerance, and the cost of it
      * @param drift    its energy drift, up to its end
      * @param states   its states at the frames' times, up to its end: (x1, v1, x2, v2, ...)
-     * @param distance from the reference at these times, root mean square over the particles (m); NaN where there are
-     *                 not as many particles, or between the steps of an adaptive solver
+     * @param distance its distance from the reference at these times, root mean square over the particles (m); NaN
+     *                 where there are not as many particles, or between the steps of an adaptive solver
      * @param left     the time at which it left the race (s): it failed, or went far from any place of the reference
      */
     public record Lane(Match match, Drift drift, List<double[]> states, double[] distance, OptionalDouble left) {

@@ -102,7 +102,7 @@ public final class EqualTime {
     }
 
     /**
-     * @param shares with seconds
+     * @param shares the shares, with times
      * @return the fraction by which the longest time exceeds the shortest; the time aimed at counts too
      */
     public static double spread(Shares shares) {

@@ -239,7 +239,7 @@ public final class SceneStability {
     }
 
     /**
-     * @param limits of the solvers
+     * @param limits the limits of the solvers
      * @param deltaT the scene's step, at which growth was measured
      * @return the table: a row for each solver
      */

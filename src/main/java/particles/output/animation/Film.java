@@ -20,19 +20,19 @@ import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSink;
 
 /**
- * The frames as a film, {@code film.mp4}, in the time of the simulation: H.264 in an MP4 file, which browsers and
- * players show. Written frame by frame. The format halves the resolution of colours and so has even sizes only: an odd
- * last column or row is left away.
+ * Writes the frames as a film, {@code film.mp4}, in simulated time: H.264 in an MP4 file, which browsers and players
+ * show. It is written frame by frame. The format halves the resolution of colours and has even sizes only, so an odd
+ * last column or row is dropped.
  */
 public final class Film implements FrameSink {
     /** The file's name. */
     public static final String FILE = "film.mp4";
-    /** The clock's ticks in a frame; 2^32 ticks, that the format can count, are more than 8 million frames then. */
+    /** The clock's ticks in a frame; the format counts up to 2^32 ticks, more than 8 million frames. */
     private static final int TICKS = 512;
     private static final int KEY_FRAMES_SECONDS = 2;
     /**
-     * How far the encoder looks for what moved (pixels). Sixteen, its default, took twice the time for a cloth in wind
-     * of 1280 x 720 and left 32 kB a frame instead of 37.
+     * The distance over which the encoder searches for motion (pixels). Its default, 16, took twice the time for a
+     * cloth in wind of 1280 x 720, with 32 kB a frame instead of 37.
      */
     private static final int SEARCH_RANGE = 4;
 
@@ -49,9 +49,9 @@ public final class Film implements FrameSink {
     private int first;
 
     /**
-     * @param folder where the file goes
-     * @param width  of the frames (pixels)
-     * @param height of the frames (pixels)
+     * @param folder the output folder
+     * @param width  the width of the frames (pixels)
+     * @param height the height of the frames (pixels)
      * @param fps    frames a second
      */
     public Film(OutputFolder folder, int width, int height, double fps) {
@@ -69,7 +69,7 @@ public final class Film implements FrameSink {
         ticksPerSecond = (int) Math.max(1, Math.round(TICKS * fps));
     }
 
-    /** When frame i is due, in ticks: rounded each by itself, so that no error adds up. */
+    /** The time of frame i in ticks; each is rounded by itself, so that errors do not add up. */
     private long due(int index) {
         return Math.round(ticksPerSecond * ((index - first) / fps));
     }

@@ -5,7 +5,9 @@ import java.nio.ByteBuffer;
 import org.jcodec.common.io.SeekableByteChannel;
 import particles.output.files.OutputFile;
 
-/** An output file as the film library wants it: written on at its end, and at last put right near its beginning. */
+/**
+ * An output file as the channel of the film library: it is extended at its end, and its header is completed at last.
+ */
 final class FilmChannel implements SeekableByteChannel {
     private final OutputFile file;
     private long size;
@@ -62,7 +64,7 @@ final class FilmChannel implements SeekableByteChannel {
         return true;
     }
 
-    /** The file is closed by who opened it. */
+    /** Does nothing: the file is closed by its owner. */
     @Override
     public void close() {
         // nothing of its own

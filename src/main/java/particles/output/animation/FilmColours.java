@@ -3,9 +3,9 @@ package particles.output.animation;
 import org.jcodec.common.model.Picture;
 
 /**
- * From red, green and blue to the luma and chroma of films (ITU-R BT.709, 8 bits, luma from 16 to 235, chroma from 16
- * to 240), the chroma as the mean of four pixels. In 16-bit fixed point; bytes of a picture are shifted by 128, as the
- * library wants it.
+ * Converts red, green and blue to the luma and chroma of films (ITU-R BT.709, 8 bits, luma from 16 to 235, chroma from
+ * 16 to 240), the chroma as the mean of four pixels. It works in 16-bit fixed point; bytes of a picture are shifted by
+ * 128, as the library needs them.
  */
 final class FilmColours {
     private static final int BITS = 16;
@@ -37,7 +37,7 @@ final class FilmColours {
     /**
      * @param rgb       0xRRGGBB, row by row from the top
      * @param rowLength pixels from one row to the next
-     * @param picture   takes them, of the same size, without an odd last column or row
+     * @param picture   receives the colours, of the same size, without an odd last column or row
      */
     static void convert(int[] rgb, int rowLength, Picture picture) {
         byte[] luma = picture.getPlaneData(0);

@@ -7,9 +7,12 @@ import org.jcodec.codecs.h264.io.model.SliceType;
 import org.jcodec.codecs.h264.io.model.VUIParameters;
 import org.jcodec.common.model.Size;
 
-/** The library's H.264 encoder, with one quality for all frames, that says in the stream which colours it means. */
+/** The library's H.264 encoder, with one quality for all frames and the colour standard named in the stream. */
 final class FilmEncoder extends H264Encoder {
-    /** Of 0 to 51, and 6 more double the steps of colours: at 20 the sky has a tint in places, at 12 it has none. */
+    /**
+     * The quantiser, from 0 to 51; each 6 double the steps of colours. At 20 the sky has a tint in places, at 12 it has
+     * none.
+     */
     private static final int QUANTISER = 12;
     /** The number of the BT.709 standard in H.264's tables of primaries, transfer curves and matrices (Annex E). */
     private static final int BT709 = 1;
@@ -19,7 +22,7 @@ final class FilmEncoder extends H264Encoder {
         super(new SteadyQuality());
     }
 
-    /** Without this, players guess the colours by the size of the picture. */
+    /** Adds the colour standard; without it, players guess it by the size of the picture. */
     @Override
     public SeqParameterSet initSPS(Size size) {
         SeqParameterSet parameters = super.initSPS(size);
@@ -37,7 +40,7 @@ final class FilmEncoder extends H264Encoder {
         return parameters;
     }
 
-    /** Frames of a still scene are small, those of a wild one large: the quality is the same. */
+    /** Rate control with constant quality: frames of a still scene are small, those of a wild one large. */
     private static final class SteadyQuality implements RateControl {
         @Override
         public int startPicture(Size size, int maxSize, SliceType sliceType) {

@@ -17,15 +17,15 @@ import particles.output.frames.FrameRenderer;
 import particles.output.frames.FrameSink;
 
 /**
- * The frames as one {@code animation.gif} that runs for ever in the time of the simulation. Written frame by frame: of
- * each only the rectangle that changed, in which the pixels that did not are transparent. The palette is that of the
- * first frame and of the colours that may come.
+ * Writes the frames as {@code animation.gif}, which repeats for ever in simulated time. Of each frame only the changed
+ * rectangle is written, with unchanged pixels transparent. The palette comes from the first frame and the colours that
+ * may come later.
  */
 public final class GifAnimation implements FrameSink {
     /** The file's name. */
     public static final String FILE = "animation.gif";
     private static final int TRANSPARENT = 255;
-    /** Viewers show frames of less than two hundredths of a second for ten. */
+    /** The shortest delay (1/100 s): viewers show frames with a shorter one for a tenth of a second. */
     private static final int SHORTEST = 2;
     private static final int LONGEST = 65_535;
 
@@ -51,16 +51,16 @@ public final class GifAnimation implements FrameSink {
     private int pendingY;
 
     /**
-     * @param folder   where the file goes
-     * @param renderer what draws the frames
-     * @param width    at most how wide the animation is (pixels); the frames are shrunk by a whole number
+     * @param folder   the output folder
+     * @param renderer draws the frames
+     * @param width    the largest width of the animation (pixels); the frames are shrunk by a whole number
      * @param fps      frames a second
      */
     public GifAnimation(OutputFolder folder, FrameRenderer renderer, int width, double fps) {
         this(folder, renderer.getWidth(), renderer.getHeight(), renderer.importantColours(), width, fps);
     }
 
-    /** @param importantColours colours that frames may have although the first one has not */
+    /** @param importantColours colours that later frames may have */
     public GifAnimation(OutputFolder folder, int frameWidth, int frameHeight, int[] importantColours, int width,
             double fps) {
         if (width < 1 || !(fps > 0)) {
@@ -79,7 +79,7 @@ public final class GifAnimation implements FrameSink {
         current = new byte[this.width * this.height];
     }
 
-    /** When frame i is due, in hundredths of a second: rounded each by itself, so that no error adds up. */
+    /** The time of frame i in hundredths of a second; each is rounded by itself, so that errors do not add up. */
     private long due(int index) {
         return Math.round(100 * (index - first) / fps);
     }

@@ -33,7 +33,7 @@ final class GifMetadata {
     /**
      * A frame that stays under the next one.
      *
-     * @param delay in hundredths of a second
+     * @param delay the delay in hundredths of a second
      */
     static void describeFrame(IIOMetadata metadata, int x, int y, int transparent, int delay, boolean first)
             throws IIOInvalidTreeException {

@@ -6,15 +6,15 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * A few colours that stand for many: chosen by the median cut (P. Heckbert, "Color image quantization for frame buffer
- * display", 1982), each box being cut where it is longest, and looked up with an ordered dither, which is the same in
- * every frame, so that what stands still does not flicker.
+ * Colour quantisation: a few colours in place of many, chosen by the median cut (P. Heckbert, "Color image quantization
+ * for frame buffer display", 1982). Each box is cut where it is longest. Colours are looked up with an ordered dither,
+ * the same in every frame, so that things at rest do not flicker.
  */
 final class Palette {
-    /** Bits of each of red, green, blue that are told apart. */
+    /** The number of bits used of each of red, green and blue. */
     private static final int BITS = 6;
     private static final int SHIFT = 8 - BITS;
-    /** How far the dither moves a colour, in steps of 1/256. */
+    /** The largest change of a colour by the dither, in steps of 1/256. */
     private static final int DITHER = 9;
     private static final int[] BAYER = {
         0, 8, 2, 10,
@@ -37,7 +37,7 @@ final class Palette {
     /**
      * @param rgb    all pixels, 0xRRGGBB
      * @param others colours that will matter in other pictures
-     * @param size   how many colours there may be
+     * @param size   the largest number of colours
      */
     static Palette of(int[] rgb, int[] others, int size) {
         long[] counts = new long[1 << 3 * BITS];
@@ -100,7 +100,7 @@ final class Palette {
         return new Box(from, to, weight, axis, extent);
     }
 
-    /** In two, with about half of the weight on either side. */
+    /** Cuts a box in two, with about half of the weight on either side. */
     private static void cut(int[] cells, long[] counts, Box box, List<Box> boxes) {
         int axis = box.axis();
         int[] sorted = Arrays.stream(cells, box.from(), box.to()).boxed()
@@ -132,7 +132,7 @@ final class Palette {
         return colours.clone();
     }
 
-    /** @return which colour stands for this one at pixel (x, y) */
+    /** @return the index of the colour for this one at pixel (x, y) */
     int index(int rgb, int x, int y) {
         int shift = (2 * BAYER[(y & 3) << 2 | x & 3] - 15) * DITHER / 32;
         int red = Math.max(0, Math.min(255, (rgb >> 16 & 255) + shift));

@@ -1,4 +1,4 @@
 /**
- * Frames as one animated GIF or one MP4 film.
+ * Writers of frames as one animated GIF or one MP4 film.
  */
 package particles.output.animation;

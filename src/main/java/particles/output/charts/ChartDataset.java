@@ -6,8 +6,8 @@ import particles.view.ChartData;
 import particles.view.ChartData.Series;
 
 /**
- * Chart data as JFreeChart reads it. A point that has no place in the chart, since it is not finite or not positive on
- * a logarithmic axis, is a gap in its line.
+ * Adapter of chart data to JFreeChart. A point that cannot be drawn, since it is not finite or not positive on a
+ * logarithmic axis, is a gap in its line.
  */
 final class ChartDataset extends AbstractXYDataset {
     private static final long serialVersionUID = 1L;
@@ -69,7 +69,7 @@ final class ChartDataset extends AbstractXYDataset {
         return getYValue(series, item);
     }
 
-    /** @return the last point of a series that has a place in the chart; -1 if none has */
+    /** @return the last point of a series that can be drawn; -1 if there is none */
     int last(int series) {
         int item = getItemCount(series) - 1;
         while (item >= 0 && !drawable(series, item)) {

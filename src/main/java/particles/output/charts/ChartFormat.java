@@ -3,7 +3,7 @@ package particles.output.charts;
 /**
  * The format in which charts are drawn.
  *
- * @param slide whether each is a slide of 16:9 with large type and few curves, or else a picture for page and screen
+ * @param slide whether each is a slide of 16:9 with large type and few curves; otherwise a picture for page and screen
  * @param svg   whether each is written as a vector graphic, too
  */
 public record ChartFormat(boolean slide, boolean svg) {
@@ -18,17 +18,17 @@ public record ChartFormat(boolean slide, boolean svg) {
     private static final int SLIDE_SCALE = 3;
     private static final int SCALE = 2;
 
-    /** @return how many solvers one panel shows at most */
+    /** @return the largest number of solvers in one panel */
     public int mostCurves() {
         return slide ? CURVES_ON_A_SLIDE : CURVES;
     }
 
-    /** @return the width of a page in the layout that would else be this wide */
+    /** @return the width of the layout of a page that is this wide without a format */
     int width(int wanted) {
         return slide ? SLIDE_WIDTH : wanted;
     }
 
-    /** @return the height of a page in the layout that would else be this high */
+    /** @return the height of the layout of a page that is this high without a format */
     int height(int wanted) {
         return slide ? SLIDE_HEIGHT : wanted;
     }

@@ -13,8 +13,9 @@ import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.RectangleInsets;
 
 /**
- * The legend below a chart: one item a series, with its line and its points; none for a series whose name stands in the
- * chart, and none for one that is alone, unless it is a solver's or of failures, which the axis does not name.
+ * The legend below a chart: one item for each series, with its line and its points. A series whose name is in the chart
+ * has none, and neither has a single series, unless it is that of a solver or of failures, which the axis does not
+ * name.
  */
 final class ChartLegend {
     private ChartLegend() {
@@ -30,8 +31,8 @@ final class ChartLegend {
     /**
      * @param plots   the charts that it explains
      * @param inChart names that stand in the charts
-     * @param oneLook whether a name looks the same wherever it stands; else that is so of solvers and failures alone
-     * @return the legend; a name that looks the same is in it once
+     * @param oneLook whether a name has the same style in all charts; otherwise only solvers and failures have
+     * @return the legend; a name with the same style appears once
      */
     static LegendTitle of(List<XYPlot> plots, List<String> inChart, boolean oneLook) {
         LegendItemCollection items = new LegendItemCollection();

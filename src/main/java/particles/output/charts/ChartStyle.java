@@ -17,9 +17,9 @@ import java.util.List;
 import particles.output.text.FontCheck;
 
 /**
- * The one look of all charts: on white, for print as well as for the screen; lines differ in colour and in their
- * dashes, points in colour and shape. The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008),
- * which people with any kind of colour vision tell apart; their yellow is left out, since it is too pale on white.
+ * The common style of all charts: on white, for print and screen; lines differ in colour and dashes, points in colour
+ * and shape. The colours are those of M. Okabe and K. Ito, "Color Universal Design" (2008), which are distinct for
+ * people with any kind of colour vision; their yellow is left out, since it is too pale on white.
  */
 public final class ChartStyle {
     public static final Color TEXT = new Color(0x222222);
@@ -28,18 +28,18 @@ public final class ChartStyle {
     static final Color FIELD = new Color(0x9aa7b8);
 
     public static final Font TITLE = FontCheck.font(Font.BOLD, 15);
-    /** Above a panel of several. */
+    /** The font of a panel's title. */
     static final Font PANEL = FontCheck.font(Font.BOLD, 13);
     public static final Font LABEL = FontCheck.font(Font.PLAIN, 13);
     static final Font TICKS = FontCheck.font(Font.PLAIN, 12);
 
-    /** For lines so dense that they fill an area. */
+    /** The stroke of lines so dense that they fill an area. */
     static final Stroke THIN = new BasicStroke(0.7f);
 
-    /** For the spread of a measurement, and around hollow points. */
+    /** The stroke of the spread of a measurement, and around hollow points. */
     static final Stroke BAR = new BasicStroke(1.2f);
 
-    /** For a line that others run along. */
+    /** The stroke of a line that others run along. */
     static final Stroke BAND = new BasicStroke(5, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
 
     /** A sample of a line in the legend, long enough to show its dashes. */
@@ -49,21 +49,21 @@ public final class ChartStyle {
             new Color(0x009e73), new Color(0xcc79a7), new Color(0xe69f00), new Color(0x56b4e9));
     private static final List<float[]> DASHES = List.of(new float[0], new float[] {7, 3}, new float[] {2, 2.5f},
             new float[] {9, 3, 2, 3}, new float[] {14, 4}, new float[] {5, 2, 2, 2, 2, 2});
-    /** How many kinds of dashes there are. */
+    /** The number of kinds of dashes. */
     static final int STROKES = DASHES.size();
     private static final List<Shape> SHAPES = List.of(disc(4.4), square(3.3), polygon(3.7, -1, 3), polygon(3.7, -1, 4),
             polygon(4.3, 1, 3), plus(4.2));
 
-    /** What did not work: a cross that lies, larger than any mark of a result. */
+    /** The mark of a failure: a diagonal cross, larger than any mark of a result. */
     public static final Shape FAILURE = failure(5.5);
 
-    /** What came to no end: a ring. */
+    /** The mark of a run that was given up: a ring. */
     static final Shape GIVEN_UP = ring(4.2, 2.2);
 
     private ChartStyle() {
     }
 
-    /** @return the text in lines that are no wider, if its words are not */
+    /** @return the text in lines of at most this width, if its words are not wider */
     static List<String> wrapped(String text, FontMetrics metrics, double width) {
         List<String> lines = new ArrayList<>();
         for (String word : text.split(" ")) {

@@ -17,40 +17,40 @@ import particles.output.text.FontCheck;
 import particles.view.ChartData;
 import particles.view.VectorField;
 
-/** Writes charts as PNG pictures, and as SVG where that is asked for, all in one style. */
+/** Writes charts as PNG pictures, and as SVG if wanted, all in one style. */
 public final class ChartWriter {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 560;
     private static final int STACKED_HEIGHT = 760;
     private static final int SQUARE_WIDTH = 720;
     private static final int SQUARE_HEIGHT = 700;
-    /** How the name of a picture ends. */
+    /** The ending of a picture's name. */
     public static final String PNG = ".png";
-    /** How the name of a vector graphic ends. */
+    /** The ending of a vector graphic's name. */
     public static final String SVG = ".svg";
 
     private final OutputFolder folder;
     private final ChartFormat format;
 
     /**
-     * @param folder where the pictures go
-     * @param format what they are for
+     * @param folder the output folder
+     * @param format the format of the pictures
      */
     public ChartWriter(OutputFolder folder, ChartFormat format) {
         this.folder = folder;
         this.format = format;
     }
 
-    /** @return what the pictures are for */
+    /** @return the format of the pictures */
     public ChartFormat format() {
         return format;
     }
 
     /**
-     * Charts above each other over the same x axis, or on slides each by itself.
+     * Writes charts above each other over the same x axis, or on slides each by itself.
      *
      * @param name   the file's name, such as {@code energy.png}; further slides are {@code energy-2.png} and so on
-     * @param charts at least one, the uppermost first
+     * @param charts the charts, at least one, the uppermost first
      * @throws OutputException if a file cannot be written, or this machine has no font
      */
     public void write(String name, List<ChartData> charts) {
@@ -75,7 +75,7 @@ public final class ChartWriter {
 
     /**
      * @param name  the file's name, such as {@code work-precision.png}
-     * @param panel what it shows
+     * @param panel the chart
      * @throws OutputException if a file cannot be written, or this machine has no font
      */
     public void write(String name, Panel panel) {
@@ -92,9 +92,9 @@ public final class ChartWriter {
 
     /**
      * @param name    the file's name
-     * @param width   of the page that is drawn on, in pixels of the layout
-     * @param height  of this page
-     * @param drawing draws
+     * @param width   the width of the page, in pixels of the layout
+     * @param height  the height of the page
+     * @param drawing draws the page
      * @throws OutputException if a file cannot be written
      */
     public void write(String name, int width, int height, Consumer<Graphics2D> drawing) {

@@ -22,9 +22,9 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
-/** Chart data as JFreeChart's charts, in the common style. */
+/** Makes JFreeChart charts of chart data, in the common style. */
 final class Charts {
-    /** Values that differ by less than this part of their size differ by rounding, which needs no axis of its own. */
+    /** Values that differ by less than this part of their size differ by round-off, which needs no axis of its own. */
     private static final double ROUNDING = 1e-13;
 
     /** The height of a row, in pixels as the other charts' heights, roughly. */
@@ -103,7 +103,7 @@ final class Charts {
         return plot;
     }
 
-    /** Solvers whose lines have dashes come after those without: through dashes the line below is seen. */
+    /** Puts solvers with dashed lines after those with solid ones, since the line below shows through dashes. */
     private static ChartData solidFirst(ChartData data) {
         List<Series> solvers = new ArrayList<>(data.series().stream().filter(Charts::isSolverLine).toList());
         solvers.sort(Comparator.comparing(series -> SolverStyle.orGrey(series.name()).hasDashes()));
@@ -117,7 +117,7 @@ final class Charts {
                 && SolverStyle.of(series.name()).isPresent();
     }
 
-    /** Null where there is no point at all, as JFreeChart says it. */
+    /** The range of a dataset; null if it has no point, as JFreeChart expects. */
     private static Range range(ChartDataset dataset, boolean x) {
         return x ? DatasetUtils.findDomainBounds(dataset) : DatasetUtils.findRangeBounds(dataset);
     }

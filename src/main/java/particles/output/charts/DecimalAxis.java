@@ -13,7 +13,7 @@ import particles.output.text.DecimalTicks;
  */
 final class DecimalAxis extends NumberAxis {
     private static final long serialVersionUID = 1L;
-    /** Where there are more ticks than this, they will not fit anyhow. */
+    /** More ticks than this never fit. */
     private static final int MOST_TICKS = 100;
     /** The room of a label, in widths of a digit more than it needs itself. */
     private static final int AIR = 2;

@@ -19,11 +19,11 @@ import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.RectangleEdge;
 
 /**
- * The names of a chart's lines, where the lines end: beside the chart for those that reach its right edge, else beside
- * the last point. Nobody has to look up a colour in a legend.
+ * Labels of a chart's lines at their ends, so that nobody has to look up a colour in a legend: beside the chart for
+ * lines that reach its right edge, otherwise beside the last point.
  */
 final class EndLabels {
-    /** A longer name stands in the legend. */
+    /** A longer name is in the legend. */
     private static final int LONGEST = 34;
     /** Lines that end in this part of the chart's width, at the right, have their names beside the chart. */
     private static final double EDGE = 0.12;
@@ -55,7 +55,7 @@ final class EndLabels {
         }
     }
 
-    /** @return the names that stand in the chart, and need no legend */
+    /** @return the names that are in the chart, and need no legend */
     List<String> names() {
         return labelled.stream().map(data::name).toList();
     }
@@ -67,7 +67,7 @@ final class EndLabels {
                 : LEADER + SAMPLE + 2 * GAP + names().stream().mapToInt(metrics::stringWidth).max().orElse(0);
     }
 
-    /** @param area where the chart's points are */
+    /** @param area the rectangle of the chart's points */
     void draw(Graphics2D g, Rectangle2D area) {
         double line = g.getFontMetrics(ChartStyle.LABEL).getHeight() - 1;
         List<Integer> outside = new ArrayList<>();
@@ -90,7 +90,7 @@ final class EndLabels {
         }
     }
 
-    /** With a thin line from the end of the series. */
+    /** Draws a name beside the chart, with a thin line from the end of the series. */
     private void drawOutside(Graphics2D g, int k, Rectangle2D area, double place) {
         double x = area.getMaxX();
         g.setPaint(renderer.lookupSeriesFillPaint(k).equals(Color.WHITE) ? renderer.lookupSeriesPaint(k)
@@ -107,7 +107,7 @@ final class EndLabels {
         g.drawString(data.name(k), (float) (x + LEADER + SAMPLE + GAP), (float) (place + middle(g)));
     }
 
-    /** Beside the end, or above or below it where another name stands. */
+    /** Draws a name beside the end of a line, or above or below it if another name is there. */
     private void drawInside(Graphics2D g, int k, Rectangle2D area, double line, List<Rectangle2D> taken) {
         double width = g.getFontMetrics().stringWidth(data.name(k));
         double x = endX(k, area) + 2 * GAP;
@@ -125,11 +125,11 @@ final class EndLabels {
     }
 
     /**
-     * @param wanted where a name would stand best
+     * @param wanted the best place of the name
      * @param line   the height of a line
-     * @param low    no place is less, so that no name covers the axes
-     * @param high   no place is more
-     * @param isFree whether nothing else stands at a place
+     * @param low    the lowest place, so that no name covers the axes
+     * @param high   the highest place
+     * @param isFree tells whether a place is free
      * @return the nearest free place, quarters of a line away; where all are taken, the wanted one
      */
     static double nearestFree(double wanted, double line, double low, double high, DoublePredicate isFree) {
@@ -144,7 +144,7 @@ final class EndLabels {
         return end;
     }
 
-    /** How far the base line lies below the middle of a line of text. */
+    /** The distance of the base line from the middle of a line of text. */
     private static double middle(Graphics2D g) {
         return (g.getFontMetrics().getAscent() - g.getFontMetrics().getDescent()) / 2.0;
     }
@@ -163,13 +163,13 @@ final class EndLabels {
     }
 
     /**
-     * Places that are a distance apart and, in the sense of least squares, nearest to where they are wanted: isotonic
-     * regression of what is left when the distances are taken out, by pooling neighbours.
+     * Finds places that are at least a distance apart and, by least squares, nearest to the wanted ones: isotonic
+     * regression, by pooling neighbours, after the distances are subtracted.
      *
-     * @param wanted   where, in rising order
-     * @param distance between neighbours
-     * @param low      no place is less, unless there is no room for all
-     * @param high     no place is more
+     * @param wanted   the wanted places, in rising order
+     * @param distance the distance between neighbours
+     * @param low      the lowest place, unless there is no room for all
+     * @param high     the highest place
      * @return the places
      */
     static double[] spread(double[] wanted, double distance, double low, double high) {

@@ -22,7 +22,9 @@ import org.jfree.data.Range;
 /** A chart that fits itself to the page when it is drawn: room for the names of its lines, and round circles. */
 final class FittedChart extends JFreeChart {
     private static final long serialVersionUID = 1L;
-    /** With equal units an axis shows so many times its range at most; beyond that the chart gets narrower or lower. */
+    /**
+     * With equal units an axis shows at most this many times its range; beyond that the chart gets narrower or lower.
+     */
     private static final double WIDENED = 1.12;
     /** Axes whose ranges differ by less than this factor have equal units. */
     private static final double ALIKE = 1.34;
@@ -37,8 +39,8 @@ final class FittedChart extends JFreeChart {
     private final TextTitle units = new TextTitle("", ChartStyle.TICKS);
 
     /**
-     * @param title of the chart
-     * @param plot  one, or several above each other
+     * @param title the title of the chart
+     * @param plot  one plot, or several above each other
      * @param kind  a map always has equal units, and a path in state space where its axes show about the same range
      */
     FittedChart(String title, XYPlot plot, Panel.Kind kind) {
@@ -71,12 +73,12 @@ final class FittedChart extends JFreeChart {
         return equalUnits;
     }
 
-    /** @return the names that stand at the ends of lines */
+    /** @return the names at the ends of lines */
     List<String> labelledNames() {
         return labels.stream().flatMap(part -> part.names().stream()).toList();
     }
 
-    /** Where something else names the lines. */
+    /** Removes the names, if something else names the lines. */
     void removeLabels() {
         labels.clear();
     }
@@ -110,7 +112,7 @@ final class FittedChart extends JFreeChart {
         }
     }
 
-    /** By trial: how much room axes need depends on their labels, and these on the room. */
+    /** Fits equal units by trial: the room of axes depends on their labels, and these on the room. */
     private void fitUnits(Rectangle2D area) {
         XYPlot plot = getXYPlot();
         if (x == null) {                                // when it is drawn first, before this changes them
@@ -154,7 +156,7 @@ final class FittedChart extends JFreeChart {
         return axis.getLabel().replaceFirst(".*\\((.*)\\)$", "$1");
     }
 
-    /** @return where points would be */
+    /** @return the rectangle that the points would have */
     private Rectangle2D trial(Rectangle2D area) {
         Graphics2D page = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         ChartRenderingInfo info = new ChartRenderingInfo();

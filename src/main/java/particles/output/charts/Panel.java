@@ -14,14 +14,14 @@ import particles.view.ChartData.Series;
 import particles.view.VectorField;
 
 /**
- * One chart, or several above each other over the same x axis.
+ * A panel: one chart, or several above each other over the same x axis.
  *
- * @param charts the uppermost first; the title is the first one's
- * @param kind   how it is drawn
+ * @param charts the charts, the uppermost first; the title is that of the first
+ * @param kind   the way of drawing it
  * @param field  the arrows behind a path in state space, if there are any
  */
 public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> field) {
-    /** How a chart is drawn. */
+    /** The ways of drawing a chart. */
     public enum Kind {
         /** With axes that fill their room, and labels at the ends of its lines. */
         CHART,
@@ -32,7 +32,7 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
     }
 
     /**
-     * @param data what it shows
+     * @param data its data
      * @return a chart
      */
     public static Panel chart(ChartData data) {
@@ -56,18 +56,18 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
         return new Panel(List.of(data), Kind.PHASE, field);
     }
 
-    /** @return what stands above it */
+    /** @return the title above it */
     public String title() {
         return charts.get(0).title();
     }
 
-    /** @return how many different solvers its fullest chart shows */
+    /** @return the number of different solvers in its fullest chart */
     public int curves() {
         return charts.stream().mapToInt(chart -> (int) chart.series().stream().filter(Panel::isCurve)
                 .map(Series::name).distinct().count()).max().orElse(0);
     }
 
-    /** Of a solver, its own or one of ours: what has a line, and is not grey beside the others. */
+    /** Whether a series counts as a solver's curve: it has a line, and is not grey beside the others. */
     private static boolean isCurve(Series series) {
         return series.mark() != Mark.FAILURES && series.mark() != Mark.GIVEN_UP
                 && SolverStyle.of(series.name()).isPresent();
@@ -85,7 +85,7 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
         return parts.stream().map(part -> new Panel(part, kind, field)).toList();
     }
 
-    /** @return the panel with its quantity in the title, if that is a family's or missing: it stands by itself */
+    /** @return the panel for use by itself: with its quantity in the title if the title is a family's or missing */
     public Panel named() {
         ChartData first = charts.get(0);
         boolean ofFamily = Arrays.stream(SolverFamily.values()).anyMatch(family -> family.title().equals(title()));
@@ -98,7 +98,7 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
         return new Panel(renamed, kind, field);
     }
 
-    /** @return a panel for each family of its solvers; what is of no solver is in all */
+    /** @return a panel for each family of its solvers; series without a solver are in all */
     public List<Panel> byFamily() {
         Map<SolverFamily, List<ChartData>> families = new EnumMap<>(SolverFamily.class);
         charts.get(0).series().forEach(series -> SolverStyle.of(series.name())
@@ -126,7 +126,7 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
         return SolverStyle.of(name).map(look -> look.family() == family).orElse(true);
     }
 
-    /** Of failures, those at which one of the lines ends; other series are as they are. */
+    /** Keeps of failures those at which one of the lines ends; other series stay as they are. */
     private static Series atEnds(Series series, List<Series> lines) {
         if (series.mark() != Mark.FAILURES) {
             return series;
@@ -141,7 +141,7 @@ public record Panel(List<ChartData> charts, Kind kind, Optional<VectorField> fie
                 Arrays.stream(kept).mapToDouble(k -> series.y()[k]).toArray());
     }
 
-    /** The points that stand in some of the rows, which then are counted anew. */
+    /** Keeps the points in some of the rows, and renumbers the rows. */
     private static Series inRows(Series series, List<String> all, List<String> some) {
         Series kept = points(series, k -> some.contains(all.get((int) series.y()[k])));
         return new Series(series.name(), series.mark(), kept.x(),

@@ -16,7 +16,7 @@ import org.jfree.chart.ui.RectangleInsets;
 import org.jfree.chart.ui.Size2D;
 import org.jfree.data.Range;
 
-/** Small multiples: charts in a grid, under one title; the legend is in a cell that is left over, or below. */
+/** Small multiples: charts in a grid, under one title; the legend is in a free cell, or below. */
 public final class PanelGrid {
     private static final int CELL = 360;
     private static final int CHART_CELL = 500;
@@ -43,9 +43,9 @@ public final class PanelGrid {
     private final boolean legendInCell;
 
     /**
-     * @param title    over all panels
-     * @param panels   row by row
-     * @param oneScale whether all have the same axes, so that one looks for differences between them
+     * @param title    the title over all panels
+     * @param panels   the panels, row by row
+     * @param oneScale whether all have the same axes, so that they can be compared
      */
     public PanelGrid(String title, List<Panel> panels, boolean oneScale) {
         this.title = title;
@@ -75,7 +75,7 @@ public final class PanelGrid {
         legendInCell = rows * columns > charts.size();
     }
 
-    /** @return how many stand beside each other: rows are full where that is possible */
+    /** @return the number of panels in a row; rows are full if possible */
     static int columns(int panels) {
         return panels <= 3 ? panels : panels % 4 == 0 && panels > 4 ? 4 : panels % 3 == 0 || panels > 4 ? 3 : 2;
     }
@@ -92,7 +92,7 @@ public final class PanelGrid {
     }
 
     /**
-     * @param writer where it goes
+     * @param writer writes the picture
      * @param name   the file's name
      */
     public void write(ChartWriter writer, String name) {

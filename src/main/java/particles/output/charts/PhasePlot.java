@@ -18,16 +18,16 @@ import particles.view.ChartData.Series;
 import particles.view.VectorField;
 
 /**
- * A path in state space: the first line of a solver, in its colour, with heads along it that show its direction, its
- * start and end marked, and, where it is known, the vector field behind it. The arrows of the field are as long as the
- * field is strong.
+ * A phase portrait: a path in state space, in the solver's colour, with arrow heads that show its direction, marks at
+ * its start and end, and the vector field behind it if it is known. The arrows of the field are proportional to its
+ * strength.
  */
 final class PhasePlot {
     private static final double FIELD_HEAD = 5.5;
     private static final double PATH_HEAD = 11;
     private static final Stroke PATH = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final AffineTransform LARGE = AffineTransform.getScaleInstance(1.6, 1.6);
-    /** Where along the path's states the heads stand: early ones show the first turn. */
+    /** The positions of arrow heads along the path's states; early ones show the first turn. */
     private static final double[] HEADS = {0.03, 0.3, 0.6};
 
     private PhasePlot() {
@@ -71,12 +71,12 @@ final class PhasePlot {
         return first;
     }
 
-    /** Starts and ends look the same in all plots. */
+    /** The mark of a start or end, the same in all plots. */
     private static Shape mark(String name, int k) {
         return ChartStyle.shape(name.startsWith("start") ? 1 : name.startsWith("end") ? 2 : 2 + k % 2);
     }
 
-    /** All arrows are ds/dt times one time, so chosen that none is longer than its cell of the grid. */
+    /** Adds the arrows of the field, ds/dt times a time chosen so that none is longer than its cell of the grid. */
     private static void addField(XYPlot plot, XYLineAndShapeRenderer renderer, VectorField field) {
         double time = Double.POSITIVE_INFINITY;
         double cellX = spacing(field.x());

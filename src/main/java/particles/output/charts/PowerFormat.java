@@ -7,10 +7,10 @@ import java.text.NumberFormat;
 import java.text.ParsePosition;
 import particles.output.text.DecimalTicks;
 
-/** Powers of ten on a logarithmic axis, written as all numbers are: 100, 0.01, 1e-6. */
+/** Number format of powers of ten on a logarithmic axis: 100, 0.01, 1e-6. */
 final class PowerFormat extends NumberFormat {
     private static final long serialVersionUID = 1L;
-    /** A power of ten comes with rounding errors. */
+    /** Removes the round-off of a power of ten. */
     private static final MathContext DIGITS = new MathContext(6);
 
     @Override

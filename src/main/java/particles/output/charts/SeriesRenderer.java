@@ -11,10 +11,13 @@ import particles.view.ChartData;
 import particles.view.ChartData.Mark;
 import particles.view.ChartData.Series;
 
-/** How the series of a chart are drawn: each by its mark, in the look of its solver, and no two lines alike. */
+/**
+ * Makes the renderer of a chart's series: each is drawn by its mark, in the style of its solver, and no two lines are
+ * alike.
+ */
 final class SeriesRenderer {
     /**
-     * Lines that go up and down by their range more often than this fill an area; they then let others shine through.
+     * Lines that go up and down by their range more often than this fill an area; they are drawn translucent.
      */
     private static final int DENSE = 120;
 
@@ -22,8 +25,8 @@ final class SeriesRenderer {
     }
 
     /**
-     * @param data      what is drawn
-     * @param firstLook the look of the first series that is no solver's
+     * @param data      the data
+     * @param firstLook the number of the style of the first series without a solver
      */
     static XYLineAndShapeRenderer of(ChartData data, int firstLook) {
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer();
@@ -52,7 +55,10 @@ final class SeriesRenderer {
         return renderer;
     }
 
-    /** A solver's look, but no line of another name looks the same: it gets dashes that are free. */
+    /**
+     * The styles of all series. If a line of another name has a solver's style already, the line gets dashes that are
+     * free.
+     */
     private static List<SolverStyle> looks(ChartData data, int firstLook) {
         boolean ofSolvers = data.series().stream().anyMatch(series -> SolverStyle.of(series.name()).isPresent());
         Map<List<Object>, String> lines = new HashMap<>();
@@ -79,7 +85,7 @@ final class SeriesRenderer {
         return looks;
     }
 
-    /** Whether a line goes to and fro so often that it covers what lies below, unless it lets that shine through. */
+    /** Whether a line goes up and down so often that it would cover the lines below, unless it is translucent. */
     static boolean isDense(double[] y) {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;

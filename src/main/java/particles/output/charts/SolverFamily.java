@@ -1,6 +1,6 @@
 package particles.output.charts;
 
-/** Families of solvers: each has a hue in all charts, and a panel of its own where there are many solvers. */
+/** The families of solvers in charts: each has its own hue, and its own panel if there are many solvers. */
 public enum SolverFamily {
     /** Runge-Kutta and multistep methods with a fixed step. */
     EXPLICIT("explicit, fixed step"),
@@ -19,7 +19,7 @@ public enum SolverFamily {
         this.title = title;
     }
 
-    /** @return what stands above its panel */
+    /** @return the title of its panel */
     public String title() {
         return title;
     }

@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * How a solver looks in every chart: the hue says its family; lightness, dashes and shape say which one it is, so that
- * a family is told apart in grey print, too. A series is a solver's if its name begins with the solver's, as "rk4" or
- * "rk4, deltaT = 0.1 s".
+ * The style of a solver in all charts. The hue shows its family; lightness, dashes and shape show the solver, so that
+ * the members of a family differ in grey print too. A series belongs to a solver if its name begins with the solver's,
+ * such as "rk4" or "rk4, deltaT = 0.1 s".
  */
 public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shape shape) {
     private static final Map<String, SolverStyle> LOOKS = Map.ofEntries(
@@ -36,7 +36,7 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
 
     /**
      * @param series a series' name
-     * @return the look of the solver with whose name it begins, if there is one
+     * @return the style of the solver with whose name it begins, if there is one
      */
     public static Optional<SolverStyle> of(String series) {
         int end = 0;
@@ -48,7 +48,7 @@ public record SolverStyle(SolverFamily family, Color colour, Stroke stroke, Shap
 
     /**
      * @param series a name
-     * @return the look of the solver with whose name it begins; grey for a solver of one's own
+     * @return the style of the solver with whose name it begins; grey for a solver of one's own
      */
     public static SolverStyle orGrey(String series) {
         return of(series).orElse(new SolverStyle(SolverFamily.OWN, ChartStyle.AXIS, ChartStyle.stroke(0),

@@ -32,11 +32,11 @@ public final class StripChart {
     }
 
     /**
-     * Draws it.
+     * Draws the chart.
      *
-     * @param g     where
-     * @param area  into which rectangle
-     * @param times at which the mark stands (s)
+     * @param g     the graphics to draw on
+     * @param area  the rectangle to fill
+     * @param times the times of the marks (s)
      */
     public void draw(Graphics2D g, Rectangle2D area, double... times) {
         ChartRenderingInfo info = new ChartRenderingInfo();
@@ -68,7 +68,7 @@ public final class StripChart {
         g.draw(shape);
     }
 
-    /** @return the last point that is not later; -1 before the first and after the end of a line that ends early */
+    /** @return the last point at or before a time; -1 before the first and after the end of a line that ends early */
     public static int at(Series series, double time) {
         double[] t = series.x();
         if (t.length == 0 || time > t[t.length - 1] * (1 + 1e-9)) {

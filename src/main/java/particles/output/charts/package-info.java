@@ -1,4 +1,4 @@
 /**
- * Chart data drawn by JFreeChart, all in one style.
+ * Charts by JFreeChart, all in one style.
  */
 package particles.output.charts;

@@ -11,7 +11,7 @@ public final class Numbers {
     private Numbers() {
     }
 
-    /** @return such as {@code 0.25}, {@code -0.0}, {@code 1.0E-5} */
+    /** @return the digits, such as {@code 0.25}, {@code -0.0}, {@code 1.0E-5} */
     public static String shortest(double value) {
         return NumberOutput.toString(value, true);
     }

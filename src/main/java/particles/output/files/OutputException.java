@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * A result that could not be written: which file, what was tried, why it failed. The message is one line for people.
+ * Thrown when a result cannot be written. The message is one line: the file, the attempted action and the reason.
  */
 public class OutputException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -32,8 +32,8 @@ public class OutputException extends RuntimeException {
 
     /**
      * @param file  the file or folder
-     * @param what  what was to be done with it
-     * @param cause why it failed
+     * @param what  the attempted action
+     * @param cause the exception of the file system
      */
     public OutputException(Path file, String what, IOException cause) {
         this(file, what, reason(file, cause), cause);

@@ -19,7 +19,7 @@ import java.nio.file.StandardOpenOption;
 public final class OutputFile extends OutputStream {
     private static final int BUFFER = 1 << 16;
 
-    /** How a file is opened; tests put a full disk here. */
+    /** Opens a file; tests replace it by a full disk. */
     @FunctionalInterface
     public interface Opener {
         OutputStream open(Path file) throws IOException;
@@ -72,7 +72,7 @@ public final class OutputFile extends OutputStream {
     /**
      * Overwrites bytes written before, for formats whose header contains the length.
      *
-     * @param position of the first of them
+     * @param position the position of the first of them
      * @param bytes    the new bytes, within what was written
      */
     public synchronized void overwrite(long position, byte[] bytes) {

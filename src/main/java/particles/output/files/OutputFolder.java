@@ -10,8 +10,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * The folder of a run's results. A small hidden file lists the names it wrote, so that a new run removes only what an
- * old one made; a file of the same name that no run made is never overwritten. Every file is written whole or not at
+ * The folder of a run's results. A small hidden file lists the names of its files, so that a new run removes only files
+ * of an old one; a file of the same name that no run made is never overwritten. Every file is written whole or not at
  * all. Nothing outside the folder is touched.
  */
 public final class OutputFolder implements AutoCloseable {
@@ -33,7 +33,7 @@ public final class OutputFolder implements AutoCloseable {
     }
 
     /**
-     * Creates the folder, or removes from it what a previous run made.
+     * Creates the folder, or removes the files of a previous run from it.
      *
      * @param path the folder
      * @param names the files that will be written, checked before a long run begins; {@link #FRAMES} for frames; others
@@ -68,7 +68,7 @@ public final class OutputFolder implements AutoCloseable {
 
     /**
      * @param path a folder
-     * @return the names of what a run made there, in the order in which it was made; none if no run did
+     * @return the names of the files that a run made there, in the order of creation; empty if no run did
      * @throws IOException if that cannot be read
      */
     public static List<String> made(Path path) throws IOException {

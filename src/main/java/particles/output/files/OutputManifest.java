@@ -56,7 +56,7 @@ final class OutputManifest {
         list.commit();
     }
 
-    /** @return the names that the list of a folder has; none where there is no list */
+    /** @return the names in the list of a folder; empty if there is no list */
     static List<String> names(Path folder) throws IOException {
         Path list = folder.resolve(NAME);
         return !Files.isRegularFile(list, LinkOption.NOFOLLOW_LINKS) ? List.of()
@@ -85,7 +85,7 @@ final class OutputManifest {
         }
     }
 
-    /** Only plain files are ours; a link or a folder was put there by somebody else. */
+    /** Removes a plain file; links and folders were not made by a run. */
     private static void remove(Path file) throws IOException {
         if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
             Files.delete(file);

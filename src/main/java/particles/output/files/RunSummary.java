@@ -12,13 +12,13 @@ import java.util.Map;
  * @param duration           the simulated time asked for (s)
  * @param endTime            the simulated time reached (s): less than the duration if the run ended early
  * @param version            the program's version
- * @param steps              steps made
- * @param evaluations        evaluations of the derivative
+ * @param steps              the number of steps
+ * @param evaluations        the number of evaluations of the derivative
  * @param secondsTaken       wall-clock time of the run (s)
  * @param startEnergy        total energy at the start (J)
  * @param endEnergy          total energy at the end (J)
- * @param energyScale        what energy errors are divided by (J): the largest kinetic plus spring energy of the run,
- *                           or for a scene at rest its weight times its height
+ * @param energyScale        the energy by which errors are divided (J): the largest kinetic plus spring energy of the
+ *                           run, or for a scene at rest its weight times its height
  * @param largestEnergyDrift the total energy's largest distance from its start during the run (J)
  * @param work               the work of each kind of physics, by name (J); negative if it took energy out
  * @param numericalError     the change of energy that no work explains, at the end (J)
@@ -29,7 +29,7 @@ public record RunSummary(String scene, String sceneHash, String solver, double d
                          double endEnergy, double energyScale, double largestEnergyDrift, Map<String, Double> work,
                          double numericalError, double largestNumericalError) {
 
-    /** @return (end - start) / scale; 0 where nothing changed */
+    /** @return (end - start) / scale; 0 if nothing changed */
     public double relativeDrift() {
         return relative(endEnergy - startEnergy);
     }

@@ -20,7 +20,7 @@ public final class RunSummaryWriter {
 
     /**
      * @param folder the output folder
-     * @param run    what it says
+     * @param run    the summary
      * @throws OutputException if it cannot be written
      */
     public static void write(OutputFolder folder, RunSummary run) {

@@ -35,7 +35,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     private ParticleSystem unwritten;       // whose present state is not in the file yet
 
     /**
-     * @param folder where the file goes
+     * @param folder the output folder
      * @param stride write every stride-th step, 1 or more
      * @throws OutputException if the file cannot be written
      */
@@ -53,7 +53,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
     /**
      * For runs with births and deaths: the stride adapts to the number of particles.
      *
-     * @param folder where the file goes
+     * @param folder the output folder
      * @param stride the stride for this number of particles, 1 or more
      * @throws OutputException if the file cannot be written
      */
@@ -144,7 +144,7 @@ public final class TrajectoryWriter implements Observer, AutoCloseable {
         void run() throws IOException;
     }
 
-    /** The file reports its own errors; a broken file is not committed. */
+    /** Runs an action on the file, which reports its own errors; a broken file is not committed. */
     private void attempt(Action action) {
         try {
             action.run();

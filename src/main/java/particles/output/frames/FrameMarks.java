@@ -21,7 +21,7 @@ import particles.view.ParticleStyle;
 /** Arrows along velocities and the labels of particles, drawn over the picture so that nothing hides them. */
 final class FrameMarks {
     private static final Color ARROW = new Color(0x009e73);
-    /** Farther out, in pixels, nothing is drawn. */
+    /** Nothing is drawn farther out than this (pixels). */
     private static final double FARTHEST = 1e5;
     private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
 
@@ -99,7 +99,10 @@ final class FrameMarks {
         return labels;
     }
 
-    /** To the right of the ball or else to its left, above or below: in the picture and clear of what is there. */
+    /**
+     * Places a label to the right of the ball, or else to its left, above or below: inside the picture and on free
+     * ground.
+     */
     private Label label(String text, Rectangle2D ball, List<Rectangle2D> taken) {
         double width = font().getStringBounds(text, SMOOTH).getWidth();
         double right = ball.getMaxX() + 6 * unit;

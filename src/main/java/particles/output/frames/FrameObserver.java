@@ -11,14 +11,17 @@ import particles.output.painters.FrameState;
 import particles.view.ParticleStyle;
 
 /**
- * Has frames drawn at regular simulated times, frame i at i / fps, whatever the steps are: between two steps the motion
- * is interpolated. The states are copied and drawn by another thread; closing waits for it.
+ * An observer that draws frames at regular simulated times, frame i at i / fps. Between two steps the motion is
+ * interpolated. The states are copied and drawn by another thread; closing waits for it.
  */
 public final class FrameObserver implements Observer, AutoCloseable {
-    /** A clock this part of a frame's time early is rounding. */
+    /** A clock that is early by this part of a frame's time is so by round-off. */
     private static final double ROUNDING = 1e-9;
 
-    /** How long a step is shown in slow motion, and how long the last one (s); by at most so many frames. */
+    /**
+     * The time for which a step is shown in slow motion (s), the time for the last one, and the largest number of
+     * frames.
+     */
     private static final double EACH = 0.4;
     private static final double LAST = 1.6;
     private static final int MOST_FRAMES = 100;
@@ -34,7 +37,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     /**
      * @param renderer draws the frames; from now on used by another thread alone
      * @param fps      frames a second of simulated time, positive
-     * @param sinks    where the frames go; closed after the last one
+     * @param sinks    receive the frames; closed after the last one
      */
     public FrameObserver(FrameRenderer renderer, double fps, List<? extends FrameSink> sinks) {
         if (!(fps > 0) || !(fps <= 1e6)) {
@@ -75,7 +78,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
         }
     }
 
-    /** Springs may have torn, particles may have come or gone: from now on each copy takes them anew, once. */
+    /** Notes that springs may have torn and particles been born or removed: copies take them anew. */
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         structure++;
@@ -87,7 +90,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
         close();
     }
 
-    /** The clock at the end of a run may be a rounding error short of the last frame's time. */
+    /** Draws frames that are due; at the end of a run the clock may be early by round-off. */
     private void drawIfDue(ParticleSystem system) {
         if (index <= system.getTime() * fps + ROUNDING) {
             draw(system, system.getOwnState(), system.getParticles().count());
@@ -115,9 +118,9 @@ public final class FrameObserver implements Observer, AutoCloseable {
     /**
      * Shows the last steps of a run that ended early once more, after its last frame: one at a time, and slowly.
      *
-     * @param system   where the run ended
+     * @param system   the system at the end of the run
      * @param last     its last steps
-     * @param headline what is written into each picture, such as when the run blew up
+     * @param headline the text in each picture, such as the time of the blow-up
      */
     public void replay(ParticleSystem system, LastSteps last, String headline) {
         List<LastSteps.Step> steps = last.steps();
@@ -138,7 +141,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     /**
      * Waits until the frames so far are written, and completes what is made of them.
      *
-     * @throws OutputException if something could not be written and no call said so before
+     * @throws OutputException if something could not be written and no earlier call reported it
      */
     @Override
     public void close() {

@@ -32,8 +32,8 @@ import particles.view.RenderOptions;
 import particles.view.RenderOptions.Visibility;
 
 /**
- * Draws frames of a run, in software and without a screen: surfaces shaded on both sides, springs coloured by their
- * strain, particles as the look says, on planes with a grid and soft shadows under a sky. For one thread at a time.
+ * Software renderer of frames, without a screen: surfaces shaded on both sides, springs coloured by their strain,
+ * particles in their style, on planes with a grid and soft shadows under a sky. For one thread at a time.
  */
 public final class FrameRenderer {
     private final FrameSetup stage;
@@ -58,16 +58,16 @@ public final class FrameRenderer {
     private ParticlePainter particles;
     private Optional<ShadowPainter> shadows;
     private Backdrop backdrop;
-    /** There from the first frame on that has springs to be drawn. */
+    /** Created at the first frame with springs to draw. */
     private Optional<SpringPainter> springs = Optional.empty();
-    /** Once a spring was seen, the scale of strain stays in the picture. */
+    /** Whether a spring was visible; the scale of strain then stays in the picture. */
     private boolean springsSeen;
 
     /**
-     * @param stage    what is shown
-     * @param width    of the pictures (pixels)
-     * @param height   of the pictures (pixels)
-     * @param decimals of the time that is written into them
+     * @param stage    the settings of the frames
+     * @param width    the width of the pictures (pixels)
+     * @param height   the height of the pictures (pixels)
+     * @param decimals the number of decimals of the time in the pictures
      * @throws IllegalArgumentException if the size or the camera cannot be
      */
     public FrameRenderer(FrameSetup stage, int width, int height, int decimals) {
@@ -113,8 +113,7 @@ public final class FrameRenderer {
     }
 
     /**
-     * @return colours that frames may have although the first one has not: of the look and of strain, in light and
-     *         shade
+     * @return colours that later frames may have: those of the render options and of strain, in light and shade
      */
     public int[] importantColours() {
         List<Integer> important = new ArrayList<>();
@@ -141,7 +140,7 @@ public final class FrameRenderer {
         return important.stream().mapToInt(Integer::intValue).toArray();
     }
 
-    /** @return as what particles are drawn */
+    /** @return the drawing style of particles */
     ParticleStyle style() {
         return stage.look().style();
     }
@@ -174,7 +173,7 @@ public final class FrameRenderer {
         return pixels;
     }
 
-    /** @return what lies behind everything, without shadows; for a renderer that has drawn no frame yet */
+    /** @return the background without shadows; for a renderer that has drawn no frame yet */
     public int[] renderBackdrop(FrameState state) {
         prepare(state);
         backdrop.paint(pixels);
@@ -196,8 +195,7 @@ public final class FrameRenderer {
     }
 
     /**
-     * Each pixel is the mean of its samples; those where nothing is, or something behind a plane, show what lies
-     * behind.
+     * Computes each pixel as the mean of its samples; empty samples, and those behind a plane, show the background.
      */
     private void compose() {
         backdrop.paint(pixels);

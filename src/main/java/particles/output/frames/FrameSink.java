@@ -2,7 +2,7 @@ package particles.output.frames;
 
 import particles.output.files.OutputException;
 
-/** Where drawn frames go. Called by one thread, which need not be the simulation's. */
+/** A receiver of drawn frames, such as a film. It is called by one thread, which need not be the simulation's. */
 public interface FrameSink extends AutoCloseable {
 
     /**
@@ -15,7 +15,7 @@ public interface FrameSink extends AutoCloseable {
     void add(int index, int[] rgb);
 
     /**
-     * No frame follows: what came so far is completed.
+     * Completes the output after the last frame.
      *
      * @throws OutputException if it cannot be
      */

@@ -21,12 +21,12 @@ import particles.output.text.DecimalTicks;
 import particles.output.text.FontCheck;
 
 /**
- * The words of a picture: the scene's title, time and solver, and the scale of strain. Without a font there are none.
+ * The text in a picture: the scene's title, time and solver, and the scale of strain. Without a font there is none.
  */
 final class FrameText {
-    /** Of a time that is shown exactly, since steps are shorter than frames. */
+    /** The most decimals of a time that is shown exactly, since steps are shorter than frames. */
     private static final int MOST_DECIMALS = 6;
-    /** How opaque the ground of words is, of 255: what is behind them shows through as a shade. */
+    /** The opacity of the ground behind text, of 255: the picture shows through as a shade. */
     private static final int BACKING = 220;
     private static final FontRenderContext SMOOTH = new FontRenderContext(null, true, true);
 
@@ -70,7 +70,7 @@ final class FrameText {
         }
     }
 
-    /** A blow-up spreads over the whole picture, so the words in each corner get a ground of their own. */
+    /** Draws a ground behind the text in each corner, since a blow-up spreads over the whole picture. */
     private void drawBacking(Graphics2D g, int width, int height, List<Rectangle2D> boxes) {
         Map<Boolean, Map<Boolean, List<Rectangle2D>>> corners = boxes.stream().collect(
                 Collectors.groupingBy(box -> box.getCenterX() < width / 2.0,
@@ -130,7 +130,7 @@ final class FrameText {
         return (between ? exact : time.setScale(decimals, RoundingMode.HALF_EVEN)).toPlainString();
     }
 
-    /** @return where the bar is, from compressed to stretched */
+    /** @return the rectangle of the bar, from compressed to stretched */
     private Rectangle2D scale(int width, int height) {
         int length = Math.round(220 * unit);
         int thickness = Math.round(11 * unit);
@@ -147,7 +147,7 @@ final class FrameText {
         }
     }
 
-    /** The bar's ends in per cent, and what it shows. */
+    /** Adds the labels of the bar: its ends in per cent, and its quantity. */
     private void addScale(List<Line> lines, Rectangle2D bar, float y) {
         String percent = DecimalTicks.label(new BigDecimal(100 * stage.look().strainRange())
                 .round(new MathContext(3)));

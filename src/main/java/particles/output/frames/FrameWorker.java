@@ -6,8 +6,9 @@ import java.util.concurrent.BlockingQueue;
 import particles.output.painters.FrameState;
 
 /**
- * Draws and writes frames on a thread of its own, beside the simulation. A few copies of states go round between the
- * two; when all are waiting to be drawn, the simulation waits. What fails on the thread is thrown to the next caller.
+ * Draws and writes frames on a thread of its own, beside the simulation. A few copies of states are exchanged between
+ * the two; when all are waiting to be drawn, the simulation waits. Failures on the thread are thrown to the next
+ * caller.
  */
 final class FrameWorker implements AutoCloseable {
     private static final int STATES = 3;
@@ -34,7 +35,7 @@ final class FrameWorker implements AutoCloseable {
         thread.start();
     }
 
-    /** @return a state to be filled and handed back by {@link #draw}; the wait for it is what keeps the queue short */
+    /** @return a state to be filled and handed back by {@link #draw}; waiting for it keeps the queue short */
     FrameState next() {
         reportFailure();
         try {
@@ -44,7 +45,7 @@ final class FrameWorker implements AutoCloseable {
         }
     }
 
-    /** @param times for how many frames the picture stands, from frame index on */
+    /** @param times the number of frames that show the picture, from frame index on */
     void draw(int index, FrameState state, int times) {
         waiting.add(() -> {
             if (failure == null) {
@@ -75,7 +76,7 @@ final class FrameWorker implements AutoCloseable {
         return new IllegalStateException("interrupted while frames were being drawn", e);
     }
 
-    /** Once only: an exception must not be thrown again by the close that follows it. */
+    /** Throws a failure, once only: the close that follows must not throw it again. */
     private void reportFailure() {
         Throwable problem = failure;
         if (problem == null || reported) {
@@ -110,7 +111,7 @@ final class FrameWorker implements AutoCloseable {
         }
     }
 
-    /** Whatever it is, out of memory included, it belongs to the thread that can end the run. */
+    /** Runs an action and keeps any failure, out of memory included, for the thread that can end the run. */
     private void attempt(Runnable action) {
         try {
             action.run();

@@ -15,8 +15,8 @@ public final class LastFrame implements FrameSink {
 
     /**
      * @param file   the picture; its folder exists
-     * @param width  of the frames (pixels)
-     * @param height of the frames (pixels)
+     * @param width  the width of the frames (pixels)
+     * @param height the height of the frames (pixels)
      */
     public LastFrame(Path file, int width, int height) {
         this.file = file;

@@ -13,7 +13,7 @@ import particles.view.Camera;
 
 /**
  * Keeps the last steps of a run, so that a blow-up can be shown one step at a time: it often takes fewer steps than
- * there are between two frames. Nothing is kept once all that moves has left the picture.
+ * there are between two frames. Nothing is kept once all moving particles have left the picture.
  */
 public final class LastSteps implements Observer {
     /** More steps than this would take too long to watch, one at a time. */
@@ -22,10 +22,10 @@ public final class LastSteps implements Observer {
     private static final int MOST_NUMBERS = 1_000_000;
 
     /**
-     * Where everything was after a step.
+     * The state after a step.
      *
-     * @param time  when (s)
-     * @param state in the layout of the system's state
+     * @param time  the time (s)
+     * @param state the positions and velocities, in the layout of the system's state
      */
     record Step(double time, double[] state) {
     }
@@ -35,9 +35,9 @@ public final class LastSteps implements Observer {
     private boolean gone;
 
     /**
-     * @param camera from where the run is seen
-     * @param width  of the pictures (pixels)
-     * @param height of the pictures (pixels)
+     * @param camera the camera of the run
+     * @param width  the width of the pictures (pixels)
+     * @param height the height of the pictures (pixels)
      */
     public LastSteps(Camera camera, int width, int height) {
         view = new CameraProjection(camera, width, height);
@@ -53,7 +53,10 @@ public final class LastSteps implements Observer {
         keep(motion.getSystem(), motion.getEndTime(), motion.getEndState());
     }
 
-    /** The state of before the rule is not worth a picture of its own; one of other particles cannot be drawn. */
+    /**
+     * Replaces the last state. The one before the rule needs no picture of its own, and one of other particles cannot
+     * be drawn.
+     */
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         if (!steps.isEmpty() && !gone) {

@@ -12,9 +12,9 @@ public final class PngFrames implements FrameSink {
     private final PngEncoder encoder;
 
     /**
-     * @param folder where they go
-     * @param width  of the frames (pixels)
-     * @param height of the frames (pixels)
+     * @param folder the output folder
+     * @param width  the width of the frames (pixels)
+     * @param height the height of the frames (pixels)
      */
     public PngFrames(OutputFolder folder, int width, int height) {
         this.folder = folder;

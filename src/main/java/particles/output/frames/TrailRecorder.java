@@ -8,11 +8,11 @@ import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.output.painters.TrailSample;
 
-/** Remembers where particles were, at regular times and for as long as trails are to be seen. */
+/** Records the positions of particles at regular times, for as long as trails are visible. */
 public final class TrailRecorder {
     private static final int[] SAME = {};
     private static final TrailSample[] NONE = {};
-    /** Samples from one frame to the next, and the most of a trail: it is a smooth line then. */
+    /** The number of samples from one frame to the next, and the most in a trail, enough for a smooth line. */
     private static final int PER_FRAME = 4;
     private static final int MOST = 240;
 
@@ -24,7 +24,7 @@ public final class TrailRecorder {
     private double next;
 
     /**
-     * @param duration how long trails are (s); 0 if there are none
+     * @param duration the duration of trails (s); 0 if there are none
      * @param fps      frames a second
      */
     public TrailRecorder(double duration, double fps) {
@@ -33,7 +33,7 @@ public final class TrailRecorder {
         next = duration > 0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
     }
 
-    /** @return when the next sample is due (s); never, if there are no trails */
+    /** @return the time of the next sample (s); infinity if there are no trails */
     public double nextTime() {
         return next;
     }
@@ -41,9 +41,9 @@ public final class TrailRecorder {
     /**
      * Takes a sample if it is due.
      *
-     * @param state     in the layout of the system's state
-     * @param count     how many particles it has
-     * @param structure another number whenever particles may have come or gone
+     * @param state     a state in the layout of the system's state
+     * @param count     the number of its particles
+     * @param structure a number that changes whenever particles may have been born or removed
      */
     public void take(ParticleSystem system, double[] state, int count, double time, int structure) {
         if (time < next) {
@@ -84,8 +84,8 @@ public final class TrailRecorder {
     }
 
     /**
-     * @param structure of a state that is about to be drawn
-     * @return for each of its particles the index in the newest sample; empty where all have the same
+     * @param structure the number of a state that is about to be drawn
+     * @return for each of its particles the index in the newest sample; empty if all are the same
      */
     public int[] indicesNow(ParticleSystem system, int count, int structure) {
         if (samples.isEmpty() || this.structure == structure) {

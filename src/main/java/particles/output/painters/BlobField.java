@@ -34,9 +34,9 @@ public final class BlobField {
     /**
      * Starts a new picture.
      *
-     * @param radius of a lonely ball (m)
-     * @param balls  how many there are going to be
-     * @param finest no cell need be smaller (m)
+     * @param radius the radius of a single ball (m)
+     * @param balls  the number of balls
+     * @param finest the smallest useful cell (m)
      */
     public void clear(double radius, int balls, double finest) {
         nodes.clear();
@@ -52,7 +52,7 @@ public final class BlobField {
         return cell;
     }
 
-    /** @return what is between the keys of neighbours along axis 0, 1 or 2 */
+    /** @return the difference of the keys of neighbours along axis 0, 1 or 2 */
     static long step(int axis) {
         return 1L << 42 - 21 * axis;
     }

@@ -33,8 +33,8 @@ public final class BlobPainter {
 
     /**
      * @param places the balls' middles, three coordinates each (m)
-     * @param count  how many there are
-     * @param radius of a lonely one (m)
+     * @param count  the number of balls
+     * @param radius the radius of a single ball (m)
      */
     void paint(double[] places, int count, double radius, int rgb) {
         field.clear(radius, count, FINEST * view.viewHeight / view.height);

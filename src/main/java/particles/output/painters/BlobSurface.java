@@ -14,13 +14,13 @@ public final class BlobSurface {
     private final double[] crossing = new double[4];
     private final double[] offset = new double[3];
     private BlobField field;
-    /** How many vertices there are. */
+    /** The number of vertices. */
     int vertices;
     /** Three coordinates a vertex (m). */
     public double[] places = {};
     /** The unit normals, outwards. */
     float[] normals = {};
-    /** How many entries of {@link #corners} are in use: three a triangle, counter-clockwise seen from outside. */
+    /** The number of entries of {@link #corners} in use: three a triangle, counter-clockwise seen from outside. */
     public int cornerCount;
     public int[] corners = {};
 

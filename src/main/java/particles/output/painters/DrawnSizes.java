@@ -6,12 +6,12 @@ import particles.view.RenderOptions;
  * The drawn sizes of balls and springs, decided at the first frame; by default balls are small enough to be told apart.
  *
  * @param ball      the radius of a ball (m)
- * @param coilBelow springs of less than this stiffness (N/m) are drawn as coils: all where they are few, else those
- *                  that are far softer than the others
+ * @param coilBelow springs of less than this stiffness (N/m) are drawn as coils: all of them if there are few,
+ *                  otherwise those that are far softer than the others
  */
 public record DrawnSizes(double ball, double coilBelow) {
     private static final int MOST_COILS = 40;
-    /** Of the stiffest spring's stiffness. */
+    /** The fraction of the stiffest spring's stiffness below which a spring is far softer. */
     private static final double SOFT = 0.01;
     private static final double PART_OF_PICTURE = 0.028;
     private static final double PART_OF_SPRING = 0.26;

@@ -24,7 +24,7 @@ public final class FrameState {
     public int[] to = {};
     public double[] restLength = {};
     public double[] stiffness = {};
-    /** Which of them are rods. */
+    /** Whether each of them is a rod. */
     public boolean[] rigid = {};
     /** Times of birth and death of particles (s), if requested. */
     public double[] birth = {};
@@ -37,7 +37,7 @@ public final class FrameState {
     public int[] trailIndex = {};
     /** Three entries a particle (m/s); only where arrows are drawn. */
     public double[] velocities = {};
-    /** How each particle is drawn otherwise than all others, or null; empty where all are alike. */
+    /** The own style of each particle, or null; empty if all are alike. */
     ParticleMark[] marks = {};
     /** The lines below the title; the first one is a warning. */
     public List<String> notes = List.of();
@@ -45,7 +45,7 @@ public final class FrameState {
     /**
      * Copies the positions.
      *
-     * @param state in the layout of the system's state
+     * @param state a state in the layout of the system's state
      */
     public void take(double[] state, int count, double time) {
         take(state, count, time, false);
@@ -74,7 +74,7 @@ public final class FrameState {
     }
 
     /**
-     * Copies what changes only when rules change it: springs and rods, and which particles are fixed.
+     * Copies the data that only rules change: springs, rods and fixed particles.
      *
      * @param withLives whether times of birth and death are needed
      */
@@ -139,7 +139,7 @@ public final class FrameState {
         return mark(i).map(ParticleMark::radius).filter(radius -> radius > 0).orElse(others);
     }
 
-    /** @return what is written beside particle i; empty for nothing */
+    /** @return the text beside particle i; empty for none */
     public String label(int i) {
         return mark(i).map(ParticleMark::label).orElse("");
     }

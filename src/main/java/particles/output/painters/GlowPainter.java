@@ -31,7 +31,7 @@ public final class GlowPainter {
         return Colours.mix(colours.get(k), colours.get(Math.min(colours.size() - 1, k + 1)), at - k);
     }
 
-    /** @return a colour behind so many spots of this age, in their middles */
+    /** @return a colour seen through this number of spots of this age, in their middles */
     public static int over(int behind, List<Integer> colours, double age, int spots) {
         int rgb = colour(colours, age);
         int mixed = 0;

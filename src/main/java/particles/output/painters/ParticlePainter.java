@@ -35,7 +35,7 @@ public final class ParticlePainter {
         this.blobs = blobs;
     }
 
-    /** @return how far a particle at rest on a plane extends below its centre (m) */
+    /** @return the distance by which a particle at rest on a plane extends below its centre (m) */
     public double reach(FrameState state) {
         boolean large = false;
         for (int i = 0; i < state.particles && !large; i++) {

@@ -20,11 +20,11 @@ public final class ShadowPainter {
     private boolean[] above = {};
 
     /**
-     * @param shown     what of a frame is drawn
+     * @param shown     the filter of the things drawn
      * @param scenery   surfaces and spheres, always drawn
-     * @param particles which of them are balls
-     * @param blobs     the surface around those that are not, if there is one
-     * @param wires     drawn where there are some
+     * @param particles tells which particles are balls
+     * @param blobs     the surface around the others, if there is one
+     * @param wires     the painter of the wires
      */
     public ShadowPainter(VisibilityFilter shown, DrawnSizes sizes, Scenery scenery, ParticlePainter particles,
             Optional<BlobSurface> blobs,

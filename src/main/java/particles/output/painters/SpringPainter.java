@@ -6,16 +6,19 @@ import particles.output.raster.RoundShapes;
 import particles.view.RenderOptions;
 
 /**
- * Springs, coloured by their strain: as coils where they are few or soft, as straight tubes where they are many. Rods
- * are bars, and so are springs between fixed particles, whose length does not change.
+ * Draws springs, coloured by their strain: as coils if they are few or soft, as straight tubes if they are many. Rods,
+ * and springs between fixed particles, are drawn as bars.
  */
 public final class SpringPainter {
     private static final int ROD = 0x6c7683;
     private static final int SEGMENTS_A_TURN = 18;
-    /** The straight piece at either end of a coil, and where the coil has its full width, as parts of the length. */
+    /**
+     * The straight piece at either end of a coil, and the point at which it has its full width, as fractions of the
+     * length.
+     */
     private static final double STRAIGHT = 0.07;
     private static final double WIDE = 0.11;
-    /** Of the picture's height. */
+    /** The lift of springs, as a fraction of the picture's height. */
     private static final double LIFT = 0.004;
 
     private final RoundShapes shapes;
@@ -72,7 +75,7 @@ public final class SpringPainter {
                 lifted(projected, b), radius, rgb);
     }
 
-    /** A little nearer, so that a surface that the springs span does not hide half of each. */
+    /** The nearness of an end, a little increased, so that a surface spanned by springs does not hide half of each. */
     private double lifted(ProjectedParticles projected, int i) {
         return view.nearness(projected.depth[i] - LIFT * view.viewHeight);
     }

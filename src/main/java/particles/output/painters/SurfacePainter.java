@@ -83,7 +83,7 @@ public final class SurfacePainter {
         normal[2] = ux * vy - uy * vx;
     }
 
-    /** Makes the normal a unit vector; computes both sides' colours. */
+    /** Normalises the normal and computes the colours of both sides. */
     private void shade(int i) {
         double x = normals[3 * i];
         double y = normals[3 * i + 1];

@@ -14,7 +14,8 @@ public final class WirePainter {
     private static final int FEWEST = 96;
     private static final int MOST = 20_000;
     /**
-     * How far (in picture heights) an infinite curve is searched for its point nearest to the centre of the picture.
+     * The distance (in picture heights) over which an infinite curve is searched for its point nearest to the centre of
+     * the picture.
      */
     private static final int SEARCH = 60;
 
@@ -26,7 +27,7 @@ public final class WirePainter {
 
     /**
      * @param target the middle of the picture (m)
-     * @param radius of the wires (m)
+     * @param radius the radius of the wires (m)
      */
     public WirePainter(RoundShapes shapes, CameraProjection view, List<CurveView> curves, Vector3 target,
             double radius) {

@@ -1,8 +1,8 @@
 package particles.output.race;
 
 /**
- * Lays a translucent ghost behind what a picture shows: where the ghost's own picture differs from the empty backdrop
- * and the picture does not.
+ * Adds a translucent ghost to a picture, behind everything that moves: in the pixels where the ghost's own picture
+ * differs from the empty backdrop and the picture does not.
  */
 final class GhostLayer {
     private static final int OPACITY = 150;         // of 256

@@ -18,7 +18,7 @@ import particles.output.frames.FrameSetup;
 import particles.output.frames.FrameSink;
 import particles.output.painters.FrameState;
 
-/** The frames of one run, kept in memory, packed, to be put beside those of other runs when all are there. */
+/** The frames of one run, compressed in memory until those of all other runs are there too. */
 final class PanelFilm implements Observer, AutoCloseable {
     private final FrameSetup stage;
     private final int width;
@@ -29,10 +29,10 @@ final class PanelFilm implements Observer, AutoCloseable {
     private int[] backdrop = {};
 
     /**
-     * @param stage  what is shown
-     * @param width  of the frames (pixels)
-     * @param height of the frames (pixels)
-     * @param rate   frames for a second of simulated time (1/s)
+     * @param stage  the settings of the frames
+     * @param width  the width of the frames (pixels)
+     * @param height the height of the frames (pixels)
+     * @param rate   the number of frames per second of simulated time (1/s)
      */
     PanelFilm(FrameSetup stage, int width, int height, double rate) {
         this.stage = stage;
@@ -77,7 +77,7 @@ final class PanelFilm implements Observer, AutoCloseable {
         frames.close();
     }
 
-    /** @return how many frames there are */
+    /** @return the number of frames */
     int count() {
         return packed.size();
     }
@@ -87,13 +87,13 @@ final class PanelFilm implements Observer, AutoCloseable {
         return backdrop;
     }
 
-    /** @return colours that frames may have although the first one has not */
+    /** @return colours that later frames may have */
     int[] importantColours() {
         return renderer.importantColours();
     }
 
     /**
-     * @param index of a frame; after the last one, the last one
+     * @param index the index of a frame; after the last frame, the last one counts
      * @param rgb   receives its pixels
      */
     void get(int index, int[] rgb) {

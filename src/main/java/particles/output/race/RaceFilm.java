@@ -18,8 +18,8 @@ import particles.output.frames.FrameSetup;
 import particles.view.ChartData;
 
 /**
- * Films of several runs of a scene beside each other, each over the translucent ghost of a reference, and a chart over
- * the same time below. First the runs are watched, one after the other, then the film is written.
+ * The film of a race: the runs of several solvers beside each other, each over the translucent ghost of the reference,
+ * with a chart over the same time below. The runs are recorded one after the other, then the film is written.
  */
 public final class RaceFilm implements AutoCloseable {
     /** The grey of the ghost. */
@@ -34,9 +34,9 @@ public final class RaceFilm implements AutoCloseable {
     /**
      * The text above all panels.
      *
-     * @param title   the scene, and what is equal
-     * @param finding who won
-     * @param ghost   what the ghost is
+     * @param title   the scene, and the kind of equal work
+     * @param finding the winner
+     * @param ghost   the description of the ghost
      */
     public record Head(String title, String finding, String ghost) {
     }
@@ -46,17 +46,17 @@ public final class RaceFilm implements AutoCloseable {
      *
      * @param name    the solver's, with which {@link #watch} was called
      * @param step    its step or tolerance
-     * @param cost    what its run cost
-     * @param left    when the run ended early (s)
+     * @param cost    the cost of its run
+     * @param left    the time at which the run ended early (s)
      */
     public record Words(String name, String step, String cost, OptionalDouble left) {
     }
 
     /**
-     * @param panels   how many runs there are beside the reference
-     * @param aspect   width over height of each panel
-     * @param rate     frames for a second of simulated time (1/s)
-     * @param playback frames shown in a second (1/s)
+     * @param panels   the number of runs besides the reference
+     * @param aspect   the width of each panel divided by its height
+     * @param rate     the number of frames per second of simulated time (1/s)
+     * @param playback the number of frames shown per second (1/s)
      */
     public RaceFilm(int panels, double aspect, double rate, double playback) {
         page = new RacePage(panels, aspect);
@@ -65,8 +65,8 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * @param stage what the reference's run shows, in the scene's own colours
-     * @return who is to watch it
+     * @param stage the frame settings of the reference's run, in the scene's own colours
+     * @return the observer that records the run
      */
     public Observer watchReference(FrameSetup stage) {
         ghost = film(stage, GREY);
@@ -74,9 +74,9 @@ public final class RaceFilm implements AutoCloseable {
     }
 
     /**
-     * @param name  of the solver
-     * @param stage what its run shows, in the scene's own colours
-     * @return who is to watch it
+     * @param name  the name of the solver
+     * @param stage the frame settings of its run, in the scene's own colours
+     * @return the observer that records the run
      */
     public Observer watch(String name, FrameSetup stage) {
         PanelFilm film = film(stage, SolverStyle.orGrey(name).rgb());
@@ -93,12 +93,12 @@ public final class RaceFilm implements AutoCloseable {
      * Writes {@code animation.gif} and a still of 16:9 of the end.
      *
      * @param writer   writes the sheet
-     * @param folder   where they go
+     * @param folder   the output folder
      * @param sheet    the name of the sheet, such as {@code race.png}
-     * @param head     at the top
-     * @param words    for each run, in the order of {@link #watch}
-     * @param strip    what the chart shows, with a line of each run's name
-     * @param progress hears which part is done
+     * @param head     the text at the top
+     * @param words    the text for each run, in the order of {@link #watch}
+     * @param strip    the data of the chart, with a line of each run's name
+     * @param progress receives the progress
      */
     public void write(ChartWriter writer, OutputFolder folder, String sheet, Head head, List<Words> words,
                       ChartData strip, DoubleConsumer progress) {

@@ -17,7 +17,7 @@ import particles.output.charts.SolverStyle;
 import particles.output.charts.StripChart;
 import particles.output.text.FontCheck;
 
-/** A picture of a race: a title and the time, panels in a grid, a chart in the cells that are left over, or below. */
+/** A picture of a race: a title and the time, panels in a grid, and a chart in the free cells or below. */
 final class RacePage {
     private static final int WIDTH = 1000;
     private static final int GAP = 8;
@@ -61,23 +61,23 @@ final class RacePage {
         return WIDTH;
     }
 
-    /** Even, as films need it. */
+    /** The height of the page; even, as films need it. */
     int height() {
         return (HEAD + rows * (LABEL + panelHeight + GAP) + (free() > 0 ? 0 : STRIP) + 1) / 2 * 2;
     }
 
-    /** Cells of the grid without a panel. */
+    /** The number of grid cells without a panel. */
     private int free() {
         return rows * columns - panels;
     }
 
     /**
-     * @param image  to be drawn on
-     * @param head   at the top
-     * @param time   now (s)
-     * @param words  for each panel
+     * @param image  the image to draw on
+     * @param head   the text at the top
+     * @param time   the present time (s)
+     * @param words  the text for each panel
      * @param panels the pictures
-     * @param chart  below them
+     * @param chart  the chart below them
      */
     void draw(BufferedImage image, RaceFilm.Head head, double time,
             List<RaceFilm.Words> words, List<BufferedImage> panels,
@@ -114,7 +114,7 @@ final class RacePage {
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
-    /** States the equal budget, leaves room for the clock, and names below the winner and the ghost. */
+    /** Draws the head: the equal budget, with room for the clock, and below it the winner and the ghost. */
     static void drawHead(Graphics2D g, RaceFilm.Head head, int width) {
         g.setColor(ChartStyle.TEXT);
         drawFitting(g, TITLE, head.title(), 24, width - CLOCK_WIDTH);
@@ -123,7 +123,7 @@ final class RacePage {
         drawFitting(g, SMALL, head.ghost(), 63, width);
     }
 
-    /** As large as it fits. */
+    /** Draws text as large as it fits. */
     private static void drawFitting(Graphics2D g, Font largest, String text, int y, int width) {
         drawFitting(g, largest, text, GAP, y, width - 2 * GAP);
     }
@@ -138,7 +138,7 @@ final class RacePage {
         g.drawString(text, x, y);
     }
 
-    /** The solver's line, as in the chart, and its name; below, its step and its work. */
+    /** Draws the label of a panel: the solver's line, as in the chart, and its name; below, its step and its work. */
     static void drawLabel(Graphics2D g, RaceFilm.Words words, int x, int y, int width) {
         SolverStyle look = SolverStyle.orGrey(words.name());
         g.setColor(look.colour());
@@ -153,7 +153,7 @@ final class RacePage {
         drawFitting(g, SMALL, words.step() + ", " + words.cost(), x + 2, y + 32, width - 4);
     }
 
-    /** A run that has left the race stays visible, faint, with the time at which it left. */
+    /** Draws a panel. A run that has left the race stays visible, faint, with the time at which it left. */
     static void drawPanel(Graphics2D g, BufferedImage panel, Rectangle2D area, OptionalDouble left, double time) {
         g.drawImage(panel, (int) area.getX(), (int) area.getY(), (int) area.getWidth(), (int) area.getHeight(), null);
         if (left.isPresent() && time >= left.getAsDouble()) {

@@ -11,7 +11,10 @@ import particles.output.charts.ChartWriter;
 import particles.output.charts.StripChart;
 import particles.output.text.FontCheck;
 
-/** The end of a race as a still of 16:9: the runs beside each other, many of them in two rows, and the chart below. */
+/**
+ * The still of 16:9 that shows the end of a race: the runs beside each other, in two rows if there are many, with the
+ * chart below.
+ */
 final class RaceSheet {
     private static final int MOST_COLUMNS = 6;
     private static final int WIDTH = 960;
@@ -25,13 +28,13 @@ final class RaceSheet {
     }
 
     /**
-     * @param writer where it goes
+     * @param writer writes the picture
      * @param name   the file's name
-     * @param head   at the top
-     * @param words  for each run
-     * @param panels each run's picture at the end
-     * @param chart  below
-     * @param time   the end (s)
+     * @param head   the text at the top
+     * @param words  the text for each run
+     * @param panels the picture of each run at the end
+     * @param chart  the chart below
+     * @param time   the time at the end (s)
      */
     static void write(ChartWriter writer, String name, RaceFilm.Head head, List<RaceFilm.Words> words,
                       List<BufferedImage> panels, StripChart chart, double time) {

@@ -123,7 +123,7 @@ public final class Backdrop {
         return fall > 1e-6 ? start.plus(ray.times(plane.distance(start.x(), start.y(), start.z()) / fall)) : otherwise;
     }
 
-    /** With a ground the sky has a horizon; without one, it is a screen behind the scene. */
+    /** The colour of the sky: with a ground it has a horizon; without one, it is a screen behind the scene. */
     private int behind(CameraProjection view, Vector3 ray, Vector3 up, int y, boolean screen) {
         if (screen || !view.perspective) {
             double part = (y + 0.5) / view.height;

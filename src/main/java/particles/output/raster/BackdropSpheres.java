@@ -30,10 +30,10 @@ final class BackdropSpheres {
     }
 
     /**
-     * @param inset  how much smaller balls are drawn (m)
+     * @param inset  the length by which balls are drawn smaller (m)
      * @param colour the picture so far, row by row; painted over
      * @param near   its nearness; changed where a sphere is nearer
-     * @return which pixels now show a sphere
+     * @return for each pixel, whether it shows a sphere now
      */
     boolean[] paint(List<Sphere> spheres, double inset, int[] colour, float[] near) {
         boolean[] covered = new boolean[colour.length];

@@ -27,9 +27,9 @@ public final class CameraFraming {
      * Frames a system at its start with room for its motion: hanging particles may swing around fixed ones, and others
      * may fall to a plane.
      *
-     * @param system at its start
+     * @param system the system at its start
      * @param planes the ground and other planes
-     * @param aspect width over height of the pictures
+     * @param aspect the width of the pictures divided by their height
      * @return a perspective camera
      */
     public static Camera around(ParticleSystem system, List<Plane> planes, double aspect) {
@@ -66,7 +66,7 @@ public final class CameraFraming {
      *
      * @param low    its lower corner (m)
      * @param high   its upper corner (m)
-     * @param aspect width over height of the pictures
+     * @param aspect the width of the pictures divided by their height
      * @return a perspective camera
      */
     public static Camera around(Vector3 low, Vector3 high, double aspect) {

@@ -31,7 +31,7 @@ public final class Colours {
         return mix(AT_REST, part < 0 ? COMPRESSED : STRETCHED, Math.min(1, Math.abs(part)));
     }
 
-    /** @return the colour under so much light, and a highlight of white on top */
+    /** @return the colour in this light, with a white highlight on top */
     public static int lit(int colour, float light, float highlight) {
         float white = 255 * highlight;
         int red = (int) Math.min(255, (colour >> 16 & 255) * light + white);

@@ -24,7 +24,7 @@ public final class Lighting {
     private final float upY;
     private final float upZ;
 
-    /** @param worldUp what is up for the lamp */
+    /** @param worldUp the direction that is up for the lamp */
     public Lighting(CameraProjection view, Vector3 worldUp) {
         Vector3 up = worldUp.normalized();
         lamp = up.times(1.0).plus(view.right.times(-0.35)).plus(view.back.times(0.75)).normalized();

@@ -24,8 +24,8 @@ public final class RoundShapes {
     /**
      * @param x      the middle, from the left
      * @param y      the middle, from the top
-     * @param radius in samples
-     * @param depth  of the middle (m)
+     * @param radius the radius in samples
+     * @param depth  the depth of the middle (m)
      * @param size   the radius in space (m)
      */
     public void ball(double x, double y, double radius, double depth, double size, int rgb) {
@@ -64,7 +64,7 @@ public final class RoundShapes {
     /**
      * A tube with round ends between two points.
      *
-     * @param radius in samples, in the middle of the tube
+     * @param radius the radius in samples, in the middle of the tube
      * @param na     the nearness of the first end
      * @param nb     the nearness of the second end
      * @return whether any of it is visible so far

@@ -18,7 +18,7 @@ public enum Sky {
     public final Color soft;
     /** The colour of warnings. */
     public final Color warning;
-    /** Around words that stand beside things. */
+    /** The colour around labels of particles. */
     public final Color halo;
 
     Sky(int top, int horizon, int bottom, int ground, int line, int ink, int soft,

@@ -3,11 +3,11 @@ package particles.output.report;
 import java.util.HashSet;
 import java.util.Set;
 
-/** Text in HTML that is well-formed XML too. */
+/** Escapes text for HTML that is well-formed XML too. */
 final class Html {
     private final Set<String> ids = new HashSet<>();
 
-    /** @return the text with the characters replaced that mean something in HTML, or may not be in it */
+    /** @return the text with all characters replaced that are special or not allowed in HTML */
     static String escaped(String text) {
         StringBuilder safe = new StringBuilder();
         text.codePoints().forEach(c -> {
@@ -22,7 +22,7 @@ final class Html {
         return safe.toString();
     }
 
-    /** As XML 1.0 says. */
+    /** Whether XML 1.0 allows a character. */
     private static boolean isCharacter(int c) {
         return c == '\t' || c == '\n' || c == '\r' || c >= ' ' && c < 0xd800 || c >= 0xe000 && c < 0xfffe
                 || c >= 0x10000;

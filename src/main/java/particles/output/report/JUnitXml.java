@@ -9,7 +9,7 @@ import javax.xml.stream.XMLStreamWriter;
 import particles.output.files.OutputException;
 import particles.output.files.OutputFolder;
 
-/** Results in the form of JUnit's test reports, which autograders read. */
+/** Writes results as JUnit XML reports, which autograders read. */
 public final class JUnitXml {
     private static final String CONTROL = "[^\\t\\n\\r\\u0020-\\uD7FF\\uE000-\\uFFFD\\x{10000}-\\x{10FFFF}]";
 
@@ -19,9 +19,9 @@ public final class JUnitXml {
     /**
      * One result.
      *
-     * @param name    what was looked at
-     * @param failure in one line why it is not right; none if it is
-     * @param details more to say in either case, a line each
+     * @param name    the name of the item
+     * @param failure the mistake in one line; empty if it is right
+     * @param details further comments in either case, a line each
      */
     public record Case(String name, Optional<String> failure, List<String> details) {
     }
@@ -29,8 +29,8 @@ public final class JUnitXml {
     /**
      * Writes TEST-SUITE.xml.
      *
-     * @param folder where it goes
-     * @param suite  what the results are of; the class name of all of them
+     * @param folder the output folder
+     * @param suite  the name of the test suite; the class name of all results
      * @param cases  the results
      * @throws OutputException if it cannot be written
      */
@@ -75,7 +75,7 @@ public final class JUnitXml {
         }
     }
 
-    /** XML has no way to write most control characters. */
+    /** Removes control characters that XML cannot express. */
     private static String clean(String text) {
         return text.replaceAll(CONTROL, "?");
     }

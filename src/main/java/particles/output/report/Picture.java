@@ -36,8 +36,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param panel   the chart
      * @return a picture with one panel
      */
@@ -46,8 +46,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param data    the chart
      * @return a picture with one chart
      */
@@ -56,8 +56,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param data    the charts, the uppermost first
      * @return a picture with charts above each other over the same x axis
      */
@@ -66,8 +66,8 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
      * @param data    a path in state space
      * @param field   the arrows behind it, if there are any
      * @return a phase portrait
@@ -77,9 +77,9 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
-     * @param title   over all panels
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
+     * @param title   the title over all panels
      * @param panels  row by row; those with series of the same names share the legend
      * @return a picture with many charts, each with its own scale
      */
@@ -88,10 +88,10 @@ public final class Picture {
     }
 
     /**
-     * @param name    of the picture's files, without an ending
-     * @param caption what it shows
-     * @param title   over all panels
-     * @param panels  row by row
+     * @param name    the name of the picture's files, without an ending
+     * @param caption the caption
+     * @param title   the title over all panels
+     * @param panels  the panels, row by row
      * @return a picture with many charts that have the same axes
      */
     public static Picture compared(String name, String caption, String title, List<Panel> panels) {
@@ -99,15 +99,15 @@ public final class Picture {
     }
 
     /**
-     * @param file    of a picture that is in the folder already
-     * @param caption what it shows
+     * @param file    the file of a picture that is already in the folder
+     * @param caption the caption
      * @return a picture that is not drawn again, such as an animation
      */
     public static Picture made(String file, String caption) {
         return new Picture(file.replaceFirst("[.].*", ""), caption, file, "", false, List.of(), false);
     }
 
-    /** @return the picture, marked as one that shows by itself what a larger picture of the page has already */
+    /** @return the picture, marked as a repetition of a part of a larger picture of the page */
     public Picture again() {
         return new Picture(name, caption, file, title, oneScale, panels, true);
     }
@@ -132,7 +132,10 @@ public final class Picture {
         return panels.stream().flatMap(panel -> panel.charts().stream()).toList();
     }
 
-    /** On slides each chart is a picture; elsewhere only what has too many curves is shown by families. */
+    /**
+     * Splits a picture as the format needs: on slides each chart is a picture of its own; elsewhere only charts with
+     * too many curves are split by solver families.
+     */
     List<Picture> laidOut(ChartFormat format) {
         boolean crowded = panels.stream().anyMatch(panel -> panel.curves() > format.mostCurves());
         if (again && format.slide()) {
@@ -157,7 +160,7 @@ public final class Picture {
         return before.isEmpty() ? name : name + "-" + (before.size() + 1);
     }
 
-    /** A chart without a title of its own shows its quantity. */
+    /** The title of a panel; a chart without a title of its own shows its quantity. */
     private static String heading(Panel panel) {
         return panel.title().isEmpty() ? panel.charts().get(0).yLabel() : panel.title();
     }

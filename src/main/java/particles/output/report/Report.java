@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Several experiments on one page.
+ * A report: several experiments on one page.
  *
- * @param title    of the page
- * @param text     paragraphs that say what it is about
- * @param sections one an experiment
+ * @param title    the title of the page
+ * @param text     the introduction, in paragraphs
+ * @param sections the section of each experiment
  * @param end      the page's last line
  */
 public record Report(String title, List<String> text, List<Section> sections, String end) {
@@ -17,12 +17,12 @@ public record Report(String title, List<String> text, List<Section> sections, St
     /**
      * One experiment; it has a page, or failed.
      *
-     * @param name    its task's
-     * @param purpose what the task does, in a sentence
-     * @param folder  where its pictures are
-     * @param seconds that it took (s)
-     * @param page    what it has to show
-     * @param failure why it has nothing to show
+     * @param name    the name of its task
+     * @param purpose the purpose of the task, in a sentence
+     * @param folder  the folder of its pictures
+     * @param seconds its time (s)
+     * @param page    its results
+     * @param failure the reason if it has no results
      */
     public record Section(String name, String purpose, Path folder, double seconds, Optional<ResultPage> page,
                           Optional<String> failure) {

@@ -1,8 +1,11 @@
 package particles.output.report;
 
-/** What a report looks like, on screens, phones and paper, and what its buttons do. */
+/** The style sheet and script of a report, for screens, phones and paper. */
 final class ReportStyle {
-    /** On paper two charts fit on a sheet, or one of many parts; none is divided, and tables repeat their heads. */
+    /**
+     * The style sheet. On paper two charts fit on a sheet, or one of many parts; none is divided, and tables repeat
+     * their heads.
+     */
     static final String CSS = """
             :root { color-scheme: light; }
             body { margin: 0 auto; padding: 1rem; max-width: 76rem; color: #1b1b1f; background: #fff;
@@ -71,7 +74,7 @@ final class ReportStyle {
             }
             """;
 
-    /** Without the two characters that would have to be escaped in XML and may not be in HTML. */
+    /** The script, without the two characters that XML requires to be escaped and HTML does not allow escaped. */
     static final String SCRIPT = """
             (function () {
               "use strict";

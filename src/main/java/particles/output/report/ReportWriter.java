@@ -18,16 +18,16 @@ import particles.output.text.TableText;
 import particles.view.DataTable;
 
 /**
- * Writes a report as one HTML page that needs nothing else: pictures are inside, and so are its style and its script.
- * The page is well-formed XML too.
+ * Writes a report as one self-contained HTML page, with pictures, style and script inside. The page is well-formed XML
+ * too.
  */
 public final class ReportWriter {
-    /** A longer table is folded up, and not printed. */
+    /** A table with more rows is collapsed, and not printed. */
     private static final int MOST_ROWS = 60;
-    /** Where in a PNG file its width stands, and behind it its height. */
+    /** The position of the width in a PNG file; the height follows. */
     private static final int PNG_WIDTH = 16;
 
-    /** As wide as the picture of one chart. */
+    /** The width of a picture of one chart (pixels). */
     private static final int WIDE = 1920;
 
     private final OutputFile file;
@@ -38,9 +38,9 @@ public final class ReportWriter {
     }
 
     /**
-     * @param folder where the page goes
-     * @param name   of its file, such as {@code report.html}
-     * @param report what it shows; the pictures are read from the sections' folders
+     * @param folder the output folder
+     * @param name   the name of its file, such as {@code report.html}
+     * @param report the report; the pictures are read from the sections' folders
      * @throws OutputException if it cannot be written
      */
     public static void write(OutputFolder folder, String name, Report report) {
@@ -111,7 +111,7 @@ public final class ReportWriter {
         put("\"/></button></div>\n<figcaption>" + caption + "</figcaption>\n</figure>\n");
     }
 
-    /** Whose lettering would be too small on half a sheet: wider pictures than a chart, and tall ones. */
+    /** Whether a picture's text would be too small on half a sheet: wider pictures than a chart, and tall ones. */
     private static boolean hasManyParts(byte[] png) {
         ByteBuffer header = ByteBuffer.wrap(png);
         int width = header.getInt(PNG_WIDTH);
@@ -146,7 +146,7 @@ public final class ReportWriter {
         put("</tbody>\n</table></div>\n" + (isLong ? "</details>\n</div>\n" : ""));
     }
 
-    /** All digits are there to be sorted by, a few to be read. */
+    /** A cell with all digits for sorting and a few for reading. */
     private static String cell(Object value, String text) {
         if (!(value instanceof Number number)) {
             return "<td class=\"text\">" + Html.escaped(text) + "</td>";

@@ -16,11 +16,10 @@ import particles.view.ChartData;
 import particles.view.DataTable;
 
 /**
- * Writes what an experiment has to show: each picture with its numbers, each table, and a page that says what they
- * mean.
+ * Writes the results of an experiment: each picture with its numbers, each table, and a page that explains them.
  */
 public final class ResultPageWriter {
-    /** A longer table is for programs. */
+    /** A table with more rows is only written as CSV. */
     private static final int MOST_ROWS = 100;
 
     private ResultPageWriter() {
@@ -29,9 +28,9 @@ public final class ResultPageWriter {
     /**
      * Writes PICTURE.png and PICTURE.csv for each picture, TABLE.csv for each table, and NAME.md.
      *
-     * @param folder where they go
-     * @param page   what they show
-     * @param format what the pictures are for
+     * @param folder the output folder
+     * @param page   the results
+     * @param format the format of the pictures
      * @return the page as it is written: what was too much for one picture is several
      * @throws OutputException if something cannot be written
      */
@@ -74,7 +73,7 @@ public final class ResultPageWriter {
         return lines;
     }
 
-    /** The points of all series below each other. */
+    /** The lines of a CSV file with the points of all series below each other. */
     private static List<String> points(List<ChartData> charts) {
         List<String> lines = new ArrayList<>(List.of("chart,series,x quantity,x,y quantity,y"));
         for (ChartData chart : charts) {

@@ -26,7 +26,7 @@ public final class ResultsIndex {
             figcaption { font-size: 0.9rem; overflow-wrap: anywhere; }
             """;
 
-    /** Results in a folder: which files, in the order in which they are worth a look, and when. */
+    /** The results in a folder: its files, the most interesting first, and their time. */
     private record Entry(String folder, List<String> files, FileTime made) {
     }
 
@@ -55,7 +55,7 @@ public final class ResultsIndex {
         }
     }
 
-    /** Only folders that the program made. */
+    /** Lists the folders that the program made. */
     private static List<Entry> entries(Path results) throws IOException {
         if (!Files.isDirectory(results)) {
             return List.of();

@@ -12,8 +12,8 @@ import java.util.Map;
 import javax.imageio.ImageIO;
 
 /**
- * A chart for a page that holds many: 16 shades of each primary colour are enough for lines and letters, and of these
- * the 256 colours that are most frequent, so that a pixel is a byte.
+ * Reduces the size of a chart's picture, for a page that holds many. 16 shades of each primary colour are enough for
+ * lines and letters; of these the 256 most frequent colours are kept, so that a pixel is a byte.
  */
 final class SmallImage {
     private static final int MOST_COLOURS = 256;
@@ -24,7 +24,7 @@ final class SmallImage {
 
     /**
      * @param png a picture as a PNG file
-     * @return the same with fewer shades, if the file gets smaller; else the file
+     * @return the picture with fewer shades if that is smaller; otherwise the same file
      * @throws IOException if it is no picture
      */
     static byte[] of(byte[] png) throws IOException {

@@ -8,7 +8,8 @@ import org.jfree.chart.axis.TickUnitSource;
 
 /**
  * Axis ticks at multiples of 1, 2 or 5 times any power of ten, labelled with exactly the digits that they need: {@code
- * 0.25}, {@code 1000}, {@code 2e-14}. JFreeChart's own round to ten decimals, so that small drifts all read 0.
+ * 0.25}, {@code 1000}, {@code 2e-14}. JFreeChart's own ticks are rounded to ten decimals, so that small drifts would
+ * all read 0.
  */
 public final class DecimalTicks implements TickUnitSource {
     /** Plain digits from 1e-4 to below 1e6, exponents otherwise. */

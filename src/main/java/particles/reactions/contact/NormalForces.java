@@ -25,7 +25,7 @@ public final class NormalForces {
     }
 
     /**
-     * @param count   how many surfaces touch the particle
+     * @param count   the number of surfaces that touch the particle
      * @param normals their unit normals; the first count are valid
      * @param force   F, a vector
      * @param bound   the b_p (N)

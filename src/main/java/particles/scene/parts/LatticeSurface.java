@@ -24,7 +24,7 @@ public final class LatticeSurface {
     }
 
     /**
-     * @param lattice of two or three directions
+     * @param lattice a lattice of two or three directions
      * @param first   the index of its first particle in the system
      * @param ofSprings whether springs connect neighbours along its directions
      * @return its surface

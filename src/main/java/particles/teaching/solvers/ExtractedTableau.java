@@ -37,7 +37,8 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
      *
      * @param solver a new solver
      * @param h      deltaT, a power of 2, so that nothing is rounded (s)
-     * @param size   of the derivatives, a power of 2; with small ones an adaptive method accepts its first step
+     * @param size   the size of the derivatives, a power of 2; with small ones an adaptive method accepts its first
+     *               step
      * @return the coefficients
      * @throws RuntimeException whatever the solver throws
      */

@@ -64,7 +64,7 @@ record KnownMethod(String name, String authority, List<String> steps, List<Strin
     }
 
     /**
-     * @param promise what a class's name promises
+     * @param promise the method that a class's name promises
      * @param stages  the number of evaluations of the derivative
      * @return the first method that the name can stand for, if it has as many evaluations or more
      */

@@ -36,8 +36,8 @@ final class TableauReading {
     }
 
     /**
-     * @param size of the derivatives with which it is read off: 1, or so small that an adaptive method accepts its
-     *             first step
+     * @param size the size of the derivatives in the reading: 1, or so small that an adaptive method accepts its first
+     *             step
      * @return the diagnosis; empty if its steps have no fixed coefficients
      */
     Optional<Diagnosis> diagnosis(double size) {

@@ -123,7 +123,8 @@ class EnergyHistoryTest {
             // measured 1.2e-13, of 600 J: their rounding
             assertArrayEquals(a.get(s).y(), b.get(s).y(), 1e-12, a.get(s).name());
         }
-        Series gravity = series(here.chart(""), "potential: gravity, from its lowest");
+        assertEquals("energy (J); gravity is 0 at its lowest", here.chart("").yLabel());
+        Series gravity = series(here.chart(""), "potential: gravity");
         assertEquals(0, java.util.Arrays.stream(gravity.y()).min().orElse(1));
         assertEquals(here.getScale(), there.getScale());
         assertEquals(here.getStart(), there.getStart(), 1e-12, "nor the energies that a console or a file gives");

@@ -217,7 +217,7 @@ class ChartsTest {
     @Test
     void totalEnergyDrivenWorkAndErrorAreThreeColours() {
         Set<Object> colours = new HashSet<>();
-        for (String name : List.of("total, from the lowest", "work: moving anchors", "numerical error",
+        for (String name : List.of("total", "work: moving anchors", "numerical error",
                 "work: drag (dissipated)")) {
             XYPlot plot = Charts.of(chart(false, series(name, 1, 2))).getXYPlot();
             colours.add(plot.getRenderer().getSeriesPaint(0));
