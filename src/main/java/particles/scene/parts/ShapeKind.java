@@ -65,7 +65,7 @@ public abstract class ShapeKind extends Kind {
         parts.addAll(more);
         return Key.withDefault("fixed", ListType.oneOrMore("a fixed part", NameType.or("part", parts, OWN_ID)),
                 List.of(),
-                "The particles that forces do not move: names of parts, ids of its particles, or a list of both.");
+                "Its fixed particles: names of parts, ids of its particles, or a list of both.");
     }
 
     private static MappingType keys(String name, List<Sort> springs, boolean hasSurface, Key<?>[] own,
