@@ -31,6 +31,7 @@ public final class ParticleJacobian implements ForceDerivatives {
     private double[] direction = {};
     private double[] product = {};
 
+    /** Keeps the lists of effects and reactions, which may grow later. */
     public ParticleJacobian(DEStateSource source, Particles particles, ForceSum forces, List<Effect> effects,
             List<Reaction> reactions) {
         this.source = source;

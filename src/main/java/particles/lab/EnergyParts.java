@@ -6,7 +6,10 @@ import particles.law.Effect;
 import particles.EnergyLedger;
 import particles.ParticleSystem;
 
-/** The energy of a run and its parts: total, kinetic, what each effect stores, and the numerical error. */
+/**
+ * The energy of a run and its parts: total energy, kinetic energy, the potential energy of each effect, and the
+ * numerical error.
+ */
 final class EnergyParts {
     private final ParticleSystem system;
     private final EnergyLedger ledger;
@@ -14,8 +17,8 @@ final class EnergyParts {
     private final List<String> names = new ArrayList<>(List.of("total", "kinetic"));
 
     /**
-     * @param system at its start
-     * @param ledger what keeps the books of its run
+     * @param system the system at its start
+     * @param ledger the energy ledger of its run
      */
     EnergyParts(ParticleSystem system, EnergyLedger ledger) {
         this.system = system;
@@ -32,7 +35,7 @@ final class EnergyParts {
         return names;
     }
 
-    /** The energies of a state (J); the error is that of the books so far. */
+    /** The energies of a state (J); the numerical error is that of the ledger so far. */
     float[] of(double[] state, double time) {
         float[] energies = new float[names.size()];
         double kinetic = system.getKineticEnergy(state);

@@ -6,11 +6,11 @@ package particles.lab;
  * @param time      t (s)
  * @param state     positions and velocities, six numbers a particle (m, m/s)
  * @param energies  as {@link EnergyParts#names()} lists them (J)
- * @param structure which particles and springs there are
+ * @param structure the particles and springs at that time
  */
 record Frame(double time, float[] state, float[] energies, Structure structure) {
 
-    /** About how many bytes it takes, without its structure, which it shares with others. */
+    /** About the number of bytes that it takes, without its structure, which it shares with others. */
     long bytes() {
         return 100 + 4L * state.length + 4L * energies.length;
     }

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The moments of a run that were seen, in a limited amount of memory: when it is full, every second moment is dropped,
- * and from then on moments are kept half as often.
+ * The frames of a run so far, in a limited amount of memory: when it is full, every second frame is dropped, and from
+ * then on frames are kept half as often.
  */
 final class History {
     private final long mostBytes;
@@ -13,7 +13,7 @@ final class History {
     private long bytes;
     private double interval;
 
-    /** @param mostBytes the memory it may take */
+    /** @param mostBytes the memory that it may take (bytes) */
     History(long mostBytes) {
         this.mostBytes = mostBytes;
     }

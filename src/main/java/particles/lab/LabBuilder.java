@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** Builds the lab's page. What builds it needs a compiler that only {@code gradle lab} downloads. */
+/** Builds the lab's page. The implementation needs a compiler that only {@code gradle lab} downloads. */
 public interface LabBuilder {
 
     /**
@@ -16,14 +16,14 @@ public interface LabBuilder {
      * @param solver    the solver that it opens with, if it is not the scene's
      * @param solvers   the full names of students' solvers
      * @param effects   the full names of students' effects
-     * @param exercises where students' classes are
+     * @param exercises the folder of students' classes
      */
     record Contents(List<Path> scenes, Path first, Optional<String> solver, List<String> solvers, List<String> effects,
                     Path exercises) {
     }
 
     /**
-     * @param contents what the page holds
+     * @param contents the contents of the page
      * @return the page
      * @throws IOException              if a file cannot be read
      * @throws IllegalArgumentException if a class does not compile for a page; the message is one line

@@ -9,7 +9,7 @@ import particles.Rule;
 import particles.Simulation;
 import particles.scene.Scene;
 
-/** A run of a scene that is made a few steps at a time, and all that was seen of it. */
+/** A run of a scene that is made a few steps at a time, and its history. */
 public final class LabRun {
     private static final long HISTORY_BYTES = 64_000_000;
 
@@ -90,10 +90,10 @@ public final class LabRun {
     }
 
     /**
-     * Makes steps until the run reaches a time, or somebody has had enough.
+     * Makes steps until the run reaches a time or is told to stop.
      *
-     * @param time   where to (s)
-     * @param enough asked after every step
+     * @param time   the time to reach (s)
+     * @param enough asked after every step whether to stop
      * @throws particles.SimulationException as a run of the scene ends with
      */
     public void advance(double time, BooleanSupplier enough) {

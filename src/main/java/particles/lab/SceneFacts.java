@@ -18,17 +18,17 @@ import particles.law.Vector3;
 import particles.experiments.stability.SpringRates;
 import particles.scene.Scene;
 
-/** What a page has to know of a scene before its first frame. */
+/** The facts of a scene that the page needs before its first frame. */
 final class SceneFacts {
     private static final int WIRE_POINTS = 200;
-    /** So much of an endless wire is drawn to either side of its beginning (m). */
+    /** The length of an endless wire that is drawn to either side of its beginning (m). */
     private static final double WIRE_REACH = 20;
 
     private SceneFacts() {
     }
 
     /**
-     * @param scene    before its run
+     * @param scene    the scene, before its run
      * @param energies the parts of its energy
      * @return the facts by name
      */
@@ -55,7 +55,7 @@ final class SceneFacts {
     }
 
     /**
-     * The longest stable step of each solver, by the springs of the scene; null where there is none or it is not known.
+     * The longest stable step of each solver, by the springs of the scene; null if there is none or it is not known.
      */
     private static Map<String, Object> limits(Scene scene) {
         SpringRates rates = SpringRates.of(scene.springs(), scene.system().getParticles());

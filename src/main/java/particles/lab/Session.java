@@ -20,7 +20,7 @@ import particles.scene.SceneReader;
 import particles.scene.format.Tolerances;
 import particles.spec.ClassNames;
 
-/** What a page does with scenes: opens one, runs it for a while, looks back. One scene at a time. */
+/** The session of a page: opens a scene, runs it for a while, looks back at earlier times. One scene at a time. */
 public final class Session {
     private static final double ABSOLUTE_PART = 1e-3;
     private static final double NANOSECONDS = 1e6;
@@ -49,11 +49,11 @@ public final class Session {
      * Opens a scene at its start.
      *
      * @param file      its name in messages
-     * @param text      what it says
+     * @param text      its text
      * @param solver    a solver other than the scene's; empty for the scene's
      * @param deltaT    a time step other than the scene's (s); 0 for the scene's
      * @param tolerance a relative tolerance other than the scene's or the solver's; 0 for these
-     * @return the facts of the scene or, under {@code errors}, the lines that say what is wrong with it, as JSON
+     * @return the facts of the scene or, under {@code errors}, the lines about its mistakes, as JSON
      */
     public String open(String file, String text, String solver, double deltaT, double tolerance) {
         try {
@@ -77,8 +77,8 @@ public final class Session {
     /**
      * Makes steps until the run reaches a time, or for as long as it may.
      *
-     * @param time         where to (s)
-     * @param milliseconds how long it may take
+     * @param time         the time to reach (s)
+     * @param milliseconds the longest time that it may take
      */
     public void advance(double time, double milliseconds) {
         long start = System.nanoTime();
@@ -112,7 +112,7 @@ public final class Session {
         shown = run.history().at(time);
     }
 
-    /** @return where the run and what is shown are, and what it cost so far, as JSON */
+    /** @return the time of the run, the time shown, and the cost so far, as JSON */
     public String status() {
         Map<String, Object> status = new LinkedHashMap<>();
         status.put("time", shown.time());
@@ -136,19 +136,19 @@ public final class Session {
         return shown.energies();
     }
 
-    /** @return the state in full precision, where the run is */
+    /** @return the present state of the run in full precision */
     public double[] exactState() {
         double[] state = new double[run.getScene().system().getStateSize()];
         run.getScene().system().getState(state);
         return state;
     }
 
-    /** @return a number that is another one whenever particles or springs have come or gone between moments shown */
+    /** @return a number that changes whenever particles or springs were added or removed between the moments shown */
     public int structureNumber() {
         return System.identityHashCode(shown.structure());
     }
 
-    /** @return which particles, springs and rods there are at the moment that is shown, as JSON */
+    /** @return the particles, springs and rods at the moment that is shown, as JSON */
     public String structure() {
         Structure structure = shown.structure();
         Map<String, Object> parts = new LinkedHashMap<>();
@@ -165,7 +165,7 @@ public final class Session {
     /**
      * @param id   a particle
      * @param axis 0 for x, 1 for y, 2 for z
-     * @return its time, position and velocity at every moment kept at which it was there, one after the other
+     * @return its time, position and velocity at every kept moment at which it existed, one after the other
      */
     public float[] phase(String id, int axis) {
         List<float[]> points = new ArrayList<>();

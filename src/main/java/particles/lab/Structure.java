@@ -7,12 +7,12 @@ import particles.law.Particles;
 import particles.view.SpringView;
 
 /**
- * Which particles, springs and rods there are, until some come or go.
+ * The particles, springs and rods of a run, until some are added or removed.
  *
  * @param ids         the particles' names
  * @param fixed       1 for fixed particles, else 0
- * @param births      when each particle came into being (s)
- * @param lives       how long each lives (s); infinite where it does not die of age
+ * @param births      the time of birth of each particle (s)
+ * @param lives       the lifetime of each particle (s); infinite if it has none
  * @param springs     the particles at the ends of springs and rods, two each
  * @param restLengths their lengths at rest (m)
  * @param rigid       1 for rods, else 0
@@ -49,14 +49,17 @@ record Structure(String[] ids, int[] fixed, float[] births, float[] lives, int[]
                 .filter(SpringView.class::isInstance).map(SpringView.class::cast).toList();
     }
 
-    /** Whether the same particles and springs are still there: ids are never used again, so that the last one tells. */
+    /**
+     * Whether the same particles and springs are still there: ids are never used again, so it is enough to compare the
+     * last one.
+     */
     boolean isOf(ParticleSystem system) {
         int n = system.getParticles().count();
         return n == ids.length && (n == 0 || ids[n - 1].equals(system.getParticles().id(n - 1)))
                 && views(system).stream().mapToInt(SpringView::springCount).sum() == restLengths.length;
     }
 
-    /** About how many bytes it takes. */
+    /** About the number of bytes that it takes. */
     long bytes() {
         return 100 + 40L * ids.length + 16L * restLengths.length;
     }

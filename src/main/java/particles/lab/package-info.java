@@ -1,5 +1,5 @@
 /**
- * The lab: a scene that is run step by step while somebody watches, with all that was seen so far. Nothing here needs
- * threads, files or reflection, so that it runs in a browser page too.
+ * The lab: runs a scene step by step while the user watches, and keeps its history. It needs no threads, files or
+ * reflection, so that it runs in a browser page too.
  */
 package particles.lab;

@@ -4,7 +4,9 @@ package particles.app.cli;
  * The way in which the user types an option: {@code -Pscene=2} with gradle, {@code --scene=2} with the start script.
  */
 public enum OptionStyle {
+    /** With two dashes, as the start script expects it. */
     SHELL("--"),
+    /** With -P, as gradle expects it. */
     GRADLE("-P");
 
     /** The system property that build.gradle sets. */

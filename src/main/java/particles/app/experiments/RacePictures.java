@@ -28,7 +28,8 @@ import particles.view.Camera;
 /** Watches a race, and makes its film. The panels take their shape from where the reference goes. */
 final class RacePictures implements Race.ObserverFactory, AutoCloseable {
     /**
-     * Room around where the reference goes, as a part of the largest extent; who leaves it is still seen for a while.
+     * The margin around the reference's box, as a part of its largest extent; a solver that leaves the box is still
+     * visible for a while.
      */
     private static final double ROOM = 0.06;
     private static final double WIDEST = 16.0 / 9;

@@ -76,6 +76,7 @@ public abstract class NewClassCommand extends ProgramCommand {
 
         private final OptionStyle style;
 
+        /** Creates the command; see {@link NewClassCommand}. */
         public NewSolver(Path folder, OptionStyle style) {
             super(folder, style);
             this.style = style;
@@ -104,6 +105,7 @@ public abstract class NewClassCommand extends ProgramCommand {
     /** {@code gradle newEffect}: writes the skeleton of a force law. */
     @Command(name = "newEffect", description = "Writes the skeleton of a force law of your own.")
     public static final class NewEffect extends NewClassCommand {
+        /** Creates the command; see {@link NewClassCommand}. */
         public NewEffect(Path folder, OptionStyle style) {
             super(folder, style);
         }

@@ -132,7 +132,7 @@ final class SpringKernel {
         return Long.compareUnsigned(Double.doubleToRawLongBits(square) - SMALLEST, ORDINARY) < 0;
     }
 
-    /** The same law for lengths whose square would overflow or underflow; r is scaled first. */
+    /** The same law for lengths with squares that overflow or underflow; r is scaled first. */
     private static void addExtremeForce(SpringTable table, int s, double[] state, double[] force) {
         int i = table.from[s];
         int j = table.to[s];

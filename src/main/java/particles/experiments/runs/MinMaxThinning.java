@@ -32,6 +32,7 @@ public final class MinMaxThinning {
         high = new double[capacity];
     }
 
+    /** Adds a sample; times must not fall. */
     public void add(double time, double value) {
         if (samples == 0) {
             firstTime = time;
@@ -79,18 +80,22 @@ public final class MinMaxThinning {
         perBucket *= 2;
     }
 
+    /** @return whether no sample was added */
     public boolean isEmpty() {
         return samples == 0;
     }
 
+    /** @return the value of the first sample */
     public double first() {
         return first;
     }
 
+    /** @return the value of the last sample */
     public double last() {
         return last;
     }
 
+    /** @return the smallest value */
     public double smallest() {
         double smallest = first;
         for (int b = 0; b < buckets; b++) {
@@ -99,6 +104,7 @@ public final class MinMaxThinning {
         return smallest;
     }
 
+    /** @return the largest value */
     public double largest() {
         double largest = first;
         for (int b = 0; b < buckets; b++) {

@@ -32,10 +32,12 @@ public record StabilityPolynomial(double re, double im) {
         };
     }
 
+    /** @return |R|<sup>steps</sup>, the factor of the amplitude after a number of steps */
     public double amplitude(int steps) {
         return StrictMath.pow(Math.sqrt(re * re + im * im), steps);
     }
 
+    /** @return the angle by which the solution is ahead of the exact one after a number of steps of h (rad) */
     public double phaseError(int steps, double h) {
         return steps * (StrictMath.atan2(im, re) - h);
     }

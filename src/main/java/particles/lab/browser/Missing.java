@@ -25,7 +25,7 @@ public final class Missing {
         return square >= 1e-280 && square < 1e280;
     }
 
-    /** @return how much memory a run may take (bytes); a page is not told, and this is what most can have */
+    /** @return the memory that a run may take (bytes); a page cannot ask, and most pages can have this */
     public static long maxMemory() {
         return MEMORY;
     }
@@ -35,7 +35,7 @@ public final class Missing {
         return format(Locale.ROOT, format, arguments);
     }
 
-    /** @return the same in a country's way */
+    /** @return the same in the format of a locale */
     public static String format(Locale locale, String format, Object... arguments) {
         GeneralFormat general = new GeneralFormat(format, arguments);
         return String.format(locale, general.format(), general.arguments());

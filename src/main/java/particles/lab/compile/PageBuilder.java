@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import particles.lab.LabBuilder;
 
-/** Puts the page together: one file with the compiled classes, the libraries, the scenes, and the licences of all. */
+/** Builds the page: one file with the compiled classes, the libraries, the scenes, and the licences of all. */
 public final class PageBuilder implements LabBuilder {
     private static final String JARS = "META-INF/resources/webjars/";
     private static final String THREE = JARS + "three/0.181.1/";

@@ -22,14 +22,19 @@ import particles.output.text.FontCheck;
  * people with any kind of colour vision; their yellow is left out, since it is too pale on white.
  */
 public final class ChartStyle {
+    /** The colour of text. */
     public static final Color TEXT = new Color(0x222222);
+    /** The colour of axes. */
     public static final Color AXIS = new Color(0x555555);
+    /** The colour of grid lines. */
     public static final Color GRID = new Color(0xdddddd);
     static final Color FIELD = new Color(0x9aa7b8);
 
+    /** The font of a chart's title. */
     public static final Font TITLE = FontCheck.font(Font.BOLD, 15);
     /** The font of a panel's title. */
     static final Font PANEL = FontCheck.font(Font.BOLD, 13);
+    /** The font of axis labels. */
     public static final Font LABEL = FontCheck.font(Font.PLAIN, 13);
     static final Font TICKS = FontCheck.font(Font.PLAIN, 12);
 

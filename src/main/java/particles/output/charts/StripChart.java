@@ -22,6 +22,7 @@ public final class StripChart {
     private final ChartData data;
     private final FittedChart chart;
 
+    /** Creates a chart of these data. */
     public StripChart(ChartData data) {
         this.data = data;
         chart = Charts.of(data);

@@ -22,6 +22,7 @@ public final class OutputFile extends OutputStream {
     /** Opens a file; tests replace it by a full disk. */
     @FunctionalInterface
     public interface Opener {
+        /** Opens a new file for writing. */
         OutputStream open(Path file) throws IOException;
     }
 
@@ -37,6 +38,7 @@ public final class OutputFile extends OutputStream {
     private final OutputStream stream;
     private boolean open = true;
 
+    /** Opens the file under its temporary name; {@code whenDone} runs when it is closed or cannot be opened. */
     public OutputFile(Path file, Opener opener, Runnable whenDone) {
         this.file = file;
         this.part = partOf(file);

@@ -26,6 +26,7 @@ public final class PngEncoder {
     private final byte[] filtered;
     private byte[] compressed = new byte[1 << 16];
 
+    /** Creates an encoder for pictures of this size (pixels). */
     public PngEncoder(int width, int height) {
         this.width = width;
         this.height = height;

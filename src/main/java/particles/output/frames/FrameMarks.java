@@ -94,16 +94,28 @@ final class FrameMarks {
             List<Rectangle2D> taken = new ArrayList<>(balls);
             taken.remove(k);
             labels.forEach(label -> taken.add(box(label)));
-            labels.add(label(state.label(labelled.get(k)), balls.get(k), taken));
+            labels.add(label(state.label(labelled.get(k)), balls.get(k), taken, springs(state, labelled.get(k))));
         }
         return labels;
     }
 
+    /** The springs and rods of a particle. */
+    private List<Line2D> springs(FrameState state, int particle) {
+        List<Line2D> lines = new ArrayList<>();
+        for (int s = 0; s < state.springs; s++) {
+            Optional<double[]> from = state.from[s] == particle || state.to[s] == particle
+                    ? place(state, state.from[s], 0) : Optional.empty();
+            Optional<double[]> to = from.isEmpty() ? from : place(state, state.to[s], 0);
+            to.ifPresent(end -> lines.add(new Line2D.Double(from.get()[0], from.get()[1], end[0], end[1])));
+        }
+        return lines;
+    }
+
     /**
      * Places a label to the right of the ball, or else to its left, above or below: inside the picture and on free
-     * ground.
+     * ground, if possible also beside the ball's own springs.
      */
-    private Label label(String text, Rectangle2D ball, List<Rectangle2D> taken) {
+    private Label label(String text, Rectangle2D ball, List<Rectangle2D> taken, List<Line2D> springs) {
         double width = font().getStringBounds(text, SMOOTH).getWidth();
         double right = ball.getMaxX() + 6 * unit;
         double left = ball.getX() - 6 * unit - width;
@@ -111,9 +123,10 @@ final class FrameMarks {
         double level = ball.getCenterY() + 6 * unit;
         List<Label> places = List.of(new Label(text, right, level), new Label(text, left, level),
                 new Label(text, middle, ball.getY() - 14 * unit), new Label(text, middle, ball.getMaxY() + 26 * unit));
-        return places.stream().filter(place -> place.x >= 0 && place.x + width < view.width)
-                .filter(place -> taken.stream().noneMatch(box(place)::intersects)).findFirst()
-                .orElse(places.get(right + width < view.width ? 0 : 1));
+        List<Label> free = places.stream().filter(place -> place.x >= 0 && place.x + width < view.width)
+                .filter(place -> taken.stream().noneMatch(box(place)::intersects)).toList();
+        return free.stream().filter(place -> springs.stream().noneMatch(box(place)::intersectsLine)).findFirst()
+                .or(() -> free.stream().findFirst()).orElse(places.get(right + width < view.width ? 0 : 1));
     }
 
     private void drawArrows(Graphics2D g, FrameState state) {

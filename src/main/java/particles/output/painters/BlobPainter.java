@@ -19,6 +19,7 @@ public final class BlobPainter {
     private final ProjectedParticles projected;
     private int[] colours = {};
 
+    /** Creates a painter that draws onto this raster. */
     public BlobPainter(Raster raster, CameraProjection view, Lighting lighting) {
         this.raster = raster;
         this.view = view;

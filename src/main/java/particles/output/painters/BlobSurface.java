@@ -20,8 +20,9 @@ public final class BlobSurface {
     public double[] places = {};
     /** The unit normals, outwards. */
     float[] normals = {};
-    /** The number of entries of {@link #corners} in use: three a triangle, counter-clockwise seen from outside. */
+    /** The number of entries of {@link #corners} in use. */
     public int cornerCount;
+    /** The vertices of the triangles: three a triangle, counter-clockwise seen from outside. */
     public int[] corners = {};
 
     /** Builds the triangles of a field's surface. */

@@ -13,27 +13,33 @@ import particles.view.SpringView;
 public final class FrameState {
     /** The version of the springs. */
     public int structure;
+    /** The simulated time (s). */
     public double time;
+    /** The number of particles. */
     public int particles;
-    /** Three entries a particle. */
+    /** The positions of particles, three entries each (m). */
     public double[] positions = {};
+    /** Whether each particle is fixed. */
     public boolean[] fixed = {};
+    /** The number of springs and rods. */
     public int springs;
-    /** Indices of particles. */
+    /** The particle at the first end of each spring. */
     public int[] from = {};
+    /** The particle at the second end of each spring. */
     public int[] to = {};
+    /** The rest length of each spring (m). */
     public double[] restLength = {};
+    /** The stiffness of each spring (N/m). */
     public double[] stiffness = {};
     /** Whether each of them is a rod. */
     public boolean[] rigid = {};
-    /** Times of birth and death of particles (s), if requested. */
+    /** The times of birth of particles (s), if requested. */
     public double[] birth = {};
+    /** The times of death of particles (s), if requested. */
     public double[] death = {};
-    /**
-     * Earlier positions, the oldest sample first, and the index of each particle in the newest; empty if all are the
-     * same.
-     */
+    /** Earlier positions, the oldest sample first. */
     public TrailSample[] trail = {};
+    /** The index of each particle in the newest sample; empty if all are the same. */
     public int[] trailIndex = {};
     /** Three entries a particle (m/s); only where arrows are drawn. */
     public double[] velocities = {};

@@ -11,6 +11,7 @@ public final class IntactTriangles {
     private boolean known;
     private int structure;
 
+    /** Creates a search for the triangles of this surface. */
     public IntactTriangles(Surface surface) {
         this.surface = surface;
         whole = new boolean[surface.triangles().length / 3];

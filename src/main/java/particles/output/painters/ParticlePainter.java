@@ -24,6 +24,7 @@ public final class ParticlePainter {
     private final Optional<BlobPainter> blobs;
     private double[] inBlobs = {};
 
+    /** Creates a painter; blobs are drawn only by the painter given for them. */
     public ParticlePainter(RoundShapes shapes, Optional<BlobPainter> blobs, CameraProjection view, RenderOptions look,
             VisibilityFilter shown, DrawnSizes sizes) {
         this.shapes = shapes;

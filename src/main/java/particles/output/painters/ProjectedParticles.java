@@ -15,6 +15,7 @@ public final class ProjectedParticles {
     boolean[] visible = {};
     private final CameraProjection view;
 
+    /** Creates room for the particles that this camera projects. */
     public ProjectedParticles(CameraProjection view) {
         this.view = view;
     }

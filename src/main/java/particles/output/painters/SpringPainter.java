@@ -27,6 +27,7 @@ public final class SpringPainter {
     private final DrawnSizes sizes;
     private final ProjectedParticles coil;
 
+    /** Creates a painter that draws springs in these sizes. */
     public SpringPainter(RoundShapes shapes, CameraProjection view, RenderOptions look, DrawnSizes sizes) {
         this.shapes = shapes;
         this.view = view;

@@ -33,6 +33,7 @@ public final class SurfacePainter {
     private final int[] cornerColour = new int[3];
     private final double[] normal = new double[3];
 
+    /** Creates a painter that draws onto this raster. */
     public SurfacePainter(Raster raster, CameraProjection view, Lighting lighting, RenderOptions look) {
         this.raster = raster;
         this.view = view;

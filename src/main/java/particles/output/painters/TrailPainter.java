@@ -21,6 +21,7 @@ public final class TrailPainter {
     private int top;
     private int bottom;
 
+    /** Creates a painter for trails of this duration (s). */
     public TrailPainter(CameraProjection view, double duration) {
         this.view = view;
         this.duration = duration;

@@ -15,6 +15,7 @@ public final class VisibilityFilter {
     private final boolean[] inSurface;
     private final boolean[] onClosed;
 
+    /** Creates a filter for these options and surfaces. */
     public VisibilityFilter(RenderOptions look, List<Surface> surfaces) {
         this.look = look;
         int largest = -1;

@@ -29,6 +29,7 @@ public final class Backdrop {
     private final float[] column;
     private final float[] row;
 
+    /** Paints the parts that are the same in every frame; {@code inset} is the radius of a ball (m). */
     public Backdrop(CameraProjection view, Lighting lighting, Scenery scenery, Sky sky, Vector3 target, double inset,
             Vector3 up) {
         this.sky = sky;

@@ -12,12 +12,17 @@ public final class CameraProjection {
     /** Near clipping distance of a perspective view, as a fraction of the distance to the target. */
     private static final double NEAREST = 0.02;
 
+    /** The width of the picture (pixels). */
     public final int width;
+    /** The height of the picture (pixels). */
     public final int height;
     final boolean perspective;
     final Vector3 eye;
+    /** The direction to the right in the picture, a unit vector. */
     public final Vector3 right;
+    /** The direction upwards in the picture, a unit vector. */
     public final Vector3 up;
+    /** The direction towards the viewer, a unit vector. */
     public final Vector3 back;
     /** The height of the picture in the plane through the target (m). */
     public final double viewHeight;

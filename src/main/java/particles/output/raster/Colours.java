@@ -4,7 +4,9 @@ package particles.output.raster;
 public final class Colours {
     /** Compressed, at rest, stretched: a diverging scale that people with any colour vision can read. */
     public static final int COMPRESSED = 0x2166ac;
+    /** The colour of an unstrained spring. */
     public static final int AT_REST = 0xc9c6c0;
+    /** The colour of a stretched spring. */
     public static final int STRETCHED = 0xc4161c;
 
     private Colours() {

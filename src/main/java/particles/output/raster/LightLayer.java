@@ -15,6 +15,7 @@ public final class LightLayer {
     private int top;
     private int bottom;
 
+    /** Creates a layer for pictures of this size (pixels). */
     public LightLayer(int width, int height) {
         this.width = width;
         this.height = height;

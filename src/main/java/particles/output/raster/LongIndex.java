@@ -12,6 +12,7 @@ public final class LongIndex {
     private long[] keys = new long[SMALLEST / 2];
     private int size;
 
+    /** Creates an empty table. */
     public LongIndex() {
         Arrays.fill(table, EMPTY);
     }

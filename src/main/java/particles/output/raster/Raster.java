@@ -12,9 +12,12 @@ public final class Raster {
     /** The largest value that truncates to 255. */
     private static final double BRIGHTEST = 255.99;
 
+    /** The number of samples in a row. */
     public final int width;
     final int height;
+    /** The colour of each sample, 0xRRGGBB, row by row; valid if something was drawn there. */
     public final int[] colour;
+    /** The nearness of each sample; negative infinity if nothing was drawn there. */
     public final float[] near;
     // colours of the current triangle: blue, green, red at its first corner, and differences to the others
     private final int[] base = new int[3];
@@ -29,7 +32,7 @@ public final class Raster {
     private int right;
     private int bottom;
 
-    /** @param width in pixels */
+    /** Creates a raster for pictures of this size (pixels). */
     public Raster(int width, int height) {
         this.width = SAMPLES * width;
         this.height = SAMPLES * height;

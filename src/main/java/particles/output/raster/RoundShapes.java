@@ -11,6 +11,7 @@ public final class RoundShapes {
     private final CameraProjection view;
     private final Lighting lighting;
 
+    /** Creates shapes that are drawn onto this raster. */
     public RoundShapes(Raster raster, CameraProjection view, Lighting lighting) {
         this.raster = raster;
         this.view = view;

@@ -4,15 +4,20 @@ import java.awt.Color;
 
 /** Day or night: colours of the background, the grid and text. */
 public enum Sky {
+    /** Daylight: a light sky and dark text. */
     DAY(0xa9c3dc, 0xf1f2f0, 0xdde2e6, 0xe8e4dc, 0xc9c3b8, 0x2b3440, 0x5a6572, 0xb3261e, 0xf4f6f8),
+    /** Night: a dark sky, on which a glow is visible, and light text. */
     NIGHT(0x080b14, 0x1d2433, 0x0e1119, 0x23252b, 0x34373f, 0xe9e6df, 0xa9afb9, 0xff8a80, 0x10141f);
 
     final int top;
+    /** The colour of the sky at the horizon. */
     public final int horizon;
     final int bottom;
+    /** The colour of the ground. */
     public final int ground;
     /** The colour of the grid on the ground. */
     final int line;
+    /** The colour of text. */
     public final Color ink;
     /** The colour of less important text. */
     public final Color soft;

@@ -16,6 +16,7 @@ public final class MinimumNormSolution {
     private final DMatrixRMaj right = new DMatrixRMaj(0, 1);
     private final DMatrixRMaj result = new DMatrixRMaj(0, 1);
 
+    /** Creates a solver without a matrix. */
     public MinimumNormSolution() {
         renew();
     }

@@ -21,6 +21,7 @@ public final class ContactResponse {
     private double pushed;                              // sum of the normal forces of the last holdSlack() (N)
     private boolean holdsOn;
 
+    /** Creates the response of these particles at these surfaces, in modes that rules change. */
     public ContactResponse(Particles particles, List<ContactSurface> surfaces, ContactModes modes,
             SlidingDirection sliding) {
         this.particles = particles;

@@ -65,6 +65,7 @@ public record OutputDescription(double frameRate, int width, int height, boolean
      */
     public record Phase(String particle, int axis, Optional<String> about, Place place) {
         private static final List<String> AXES = List.of("x", "y", "z", "angle");
+        /** The name of the axis that is an angle. */
         public static final String ANGLE = AXES.get(3);
         public static final Key<String> PARTICLE = Key.required("particle", SpringDescription.ANY_ID,
                 "The particle to plot.");
@@ -76,6 +77,7 @@ public record OutputDescription(double frameRate, int width, int height, boolean
 
         static final MappingType TYPE = MappingType.of("the phase-space plot", PARTICLE, AXIS, ABOUT);
 
+        /** @return the plot with these values */
         public static Phase of(Values values) {
             return new Phase(values.get(PARTICLE), AXES.indexOf(values.get(AXIS)), values.find(ABOUT),
                     values.place(PARTICLE));

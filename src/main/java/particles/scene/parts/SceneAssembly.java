@@ -35,6 +35,7 @@ public final class SceneAssembly implements EffectContext {
     private Vector3 acceleration = Vector3.ZERO;
     private double speed;
 
+    /** Starts with a system, its springs and the index of its particles. */
     public SceneAssembly(ParticleSystem system, SpringForce springs, ParticleIndex index) {
         this.system = system;
         this.springs = springs;

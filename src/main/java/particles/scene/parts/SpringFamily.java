@@ -73,6 +73,7 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
 
     /** Receives the springs one by one. */
     public interface Sink {
+        /** Takes a spring between two particles of the lattice, with its stiffness (N/m) and damping (N s/m). */
         void spring(int from, int to, double stiffness, double damping);
     }
 

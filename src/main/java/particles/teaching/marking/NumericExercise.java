@@ -5,8 +5,7 @@ import java.util.Optional;
 import particles.teaching.marking.Draw.Picks;
 
 /**
- * An exercise whose answer is a number. Numbers with which two answers look alike are not given to anyone: others are
- * drawn.
+ * An exercise with a number as its answer. Numbers with which two answers look alike are not used: others are drawn.
  */
 public abstract class NumericExercise implements Exercise {
     /** Four significant digits, with a rounding on the way forgiven. */

@@ -119,6 +119,7 @@ class FrameLayoutTest {
             for (int s = 0; s < state.springs; s++) {
                 if (shown.spring(state.from[s], state.to[s])) {
                     lineFree(words, state, state.from[s], state.to[s], when);
+                    lineFree(labels, state, state.from[s], state.to[s], when);
                 }
             }
             for (CurveView wire : setup.scenery().wires()) {

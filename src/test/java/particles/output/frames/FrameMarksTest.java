@@ -121,6 +121,25 @@ class FrameMarksTest {
         }
     }
 
+    /** A spring from the middle of the picture to a ball that goes round it: a label to the right meets it at half. */
+    @Test
+    void aLabelStandsClearOfTheSpringOfItsBall() {
+        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
+        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
+        for (int k = 0; k < 24; k++) {
+            double x = 3.5 * Math.cos(Math.PI * k / 12);
+            double y = 3.5 * Math.sin(Math.PI * k / 12);
+            FrameState state = state(style, x);
+            state.positions[0] = 0;
+            state.positions[4] = y;
+            state.springs = 1;
+            state.from = new int[] {0};
+            state.to = new int[] {1};
+            Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
+            assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "place " + k + ": " + box);
+        }
+    }
+
     /** 41 springs are too many for coils, but a hundred times softer than the others is told from them. */
     @Test
     void softSpringsAmongManyStiffOnesAreCoils() {
