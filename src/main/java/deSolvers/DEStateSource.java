@@ -49,7 +49,7 @@ public interface DEStateSource {
     double getTime();
 
     /**
-     * Moves the clock. The state stays what it is.
+     * Moves the clock. The state does not change.
      *
      * @param deltaT the time to add (s); may be negative
      */

@@ -106,7 +106,7 @@ public abstract class FixedStepSolver extends DESolver {
 
     /**
      * Tells whether this step begins exactly where this solver's last one ended: with the same source, state, time and
-     * deltaT, bit for bit. Only then may a method use what it remembers of the last step. Call it once in every step.
+     * deltaT, bit for bit. Only then may a method use its memory of the last step. Call it once in every step.
      *
      * @return true if it does; false in the first step, after {@link #reset} and after a step that failed
      */

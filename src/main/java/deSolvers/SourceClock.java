@@ -23,8 +23,8 @@ final class SourceClock {
     }
 
     /**
-     * To start + deltaT, where a last stage may have left it already. Where the clock still stands at the start one
-     * addition does: what is begun next waits for the clock.
+     * Moves the clock to start + deltaT, where the last stage may have left it already. If the clock is still at the
+     * start, one addition is enough.
      */
     static void moveToEnd(DEStateSource source, double start, double deltaT) {
         double end = start + deltaT;

@@ -130,7 +130,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
         }
     }
 
-    /** @return the source itself, for what it offers beyond the simple interface; to be moved only through this step */
+    /** @return the source itself, for its interfaces beyond the simple one; to be moved only through this step */
     public DEStateSource getClient() {
         return client;
     }

@@ -74,7 +74,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     }
 
     /**
-     * Removes particles. The others keep their order and move up to fill the gaps; effects and reactions are told.
+     * Removes particles. The others keep their order and move up to fill the gaps; effects and reactions update their
+     * indices.
      *
      * @param gone for each particle, whether to remove it
      * @return for each old index, the new one, or -1 if the particle was removed

@@ -34,7 +34,7 @@ public final class DidYouMean {
      * @param found a name that is not known
      * @param known the names that are
      * @param write formats a name for the message
-     * @return {@code "; did you mean X?"}, or {@code ";"} if nothing is near: the message goes on with what is known
+     * @return {@code "; did you mean X?"}, or {@code ";"} if nothing is near; the message goes on with the known names
      */
     public static String hint(String found, Collection<String> known, UnaryOperator<String> write) {
         return nearest(found, known).map(name -> "; did you mean " + write.apply(name) + "?").orElse(";");

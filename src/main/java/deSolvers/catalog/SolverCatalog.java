@@ -139,6 +139,8 @@ public final class SolverCatalog {
     }
 
     /**
+     * Returns a solver's entry.
+     *
      * @param name a catalogue name
      * @return the data of that solver
      * @throws NoSuchElementException if no solver has this name

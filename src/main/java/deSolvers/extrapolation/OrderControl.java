@@ -3,9 +3,10 @@ package deSolvers.extrapolation;
 import static deSolvers.adaptive.AdaptiveSolver.root;
 
 /**
- * Order and step-size control: chooses how many results to extrapolate over what stretch, with the fewest evaluations
- * per unit of time (Hairer, N&oslash;rsett, Wanner, section II.9, "order and step size control"). Columns of the table
- * are counted from 0. The target column k is expected to be accurate enough; k - 1 and k + 1 are accepted too.
+ * Order and step-size control: chooses the number of results to extrapolate and the length of the stretch, with the
+ * fewest evaluations per unit of time (Hairer, N&oslash;rsett, Wanner, section II.9, "order and step size control").
+ * Columns of the table are counted from 0. The target column k is expected to be accurate enough; k - 1 and k + 1 are
+ * accepted too.
  */
 final class OrderControl {
     static final int COLUMNS = 9;

@@ -38,9 +38,12 @@ final class Newton {
     private static final double STAGNATION = 0.5;
     private static final int MOST_ITERATIONS = 60;
     private static final double SMALLEST_PART = 1e-4;
-    /** The slope may turn round to this part of what it was. */
+    /** The line search allows the slope to reverse to this fraction of its first value. */
     private static final double MOST_REVERSED = 0.5;
-    /** For one correction; the last of them reduces what is left by this much again. */
+    /**
+     * The relative residual of the linear system for one correction; the last correction reduces the rest by this
+     * factor again.
+     */
     private static final double LINEAR_TOLERANCE = 1e-4;
 
     private final ImplicitWork.Counter work = new ImplicitWork.Counter();
@@ -195,7 +198,7 @@ final class Newton {
     }
 
     /**
-     * Adds so much of the correction as the line search allows, and computes the next one; false if no part will do.
+     * Adds as much of the correction as the line search allows, and computes the next one; false if no part will do.
      */
     private boolean search(double[] m) {
         for (part = 1; part >= SMALLEST_PART && slope0 >= 0;) {

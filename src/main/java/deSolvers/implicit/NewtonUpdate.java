@@ -65,8 +65,8 @@ final class NewtonUpdate {
     }
 
     /**
-     * The round-off of each equation's sum. Where constraint forces act, which the blocks do not have, they may be far
-     * larger than what they add up to: no velocity counts as known better than the largest term of any.
+     * The round-off of each equation's sum. Constraint forces are not in the blocks and may be far larger than their
+     * sum; the round-off of each velocity is therefore that of the largest term of any.
      *
      * @param roundOff the terms of g f; receives the round-off
      */
@@ -89,7 +89,7 @@ final class NewtonUpdate {
 
     /**
      * Whether an update of positions and velocities is no larger than the largest round-off of any position, or of any
-     * velocity: what is driven by the round-off of a stiff neighbour gets no smaller.
+     * velocity: an unknown driven by the round-off of a stiff neighbour gets no smaller.
      */
     static boolean isRoundOffOfTheLargest(DEStateSource source, double[] update, double[] roundOff) {
         if (!(source instanceof SecondOrderStateSource)) {

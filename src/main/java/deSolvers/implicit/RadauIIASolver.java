@@ -152,7 +152,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
                 && jacobian.prepareComplex(h * RadauTableau.MU_RE / square, -h * RadauTableau.MU_IM / square);
     }
 
-    /** The last sub-step's polynomial, gone on with; 0 for the first. */
+    /** The first guess: the last sub-step's polynomial, extrapolated; 0 in the first sub-step. */
     private void guess(double h) {
         double ratio = lastTaken == 0 ? 0 : h / lastTaken;
         for (int k = 0; k < 3; k++) {
@@ -166,13 +166,13 @@ public final class RadauIIASolver extends AdaptiveSolver {
     }
 
     /**
-     * From this sub-step's error alone. The prediction from two errors (K. Gustafsson 1994, ACM TOMS 20, 496), which
-     * other codes use, is left out: on a very stiff component the derivative at the start, and with it the estimate,
-     * follows mostly the length of the sub-step <i>before</i>, e<sub>n</sub> ~ h<sub>n-1</sub><sup>3</sup>. There the
-     * prediction's h<sub>n</sub><sup>2</sup>/h<sub>n-1</sub> (e<sub>n-1</sub>/e<sub>n</sub><sup>2</sup>)<sup>1/4</sup>
-     * swings ever more (its recursion in log h has roots of modulus 1.3), while h<sub>n</sub>
-     * e<sub>n</sub><sup>-1/4</sup> settles (0.8). It cost up to a third more evaluations on Prothero and Robinson's
-     * problem, and saved at most a tenth elsewhere.
+     * Chooses the next sub-step from this sub-step's error alone. The prediction from two errors (K. Gustafsson 1994,
+     * ACM TOMS 20, 496), which other codes use, is left out: on a very stiff component the derivative at the start, and
+     * with it the estimate, follows mostly the length of the sub-step <i>before</i>, e<sub>n</sub> ~
+     * h<sub>n-1</sub><sup>3</sup>. There the prediction's h<sub>n</sub><sup>2</sup>/h<sub>n-1</sub>
+     * (e<sub>n-1</sub>/e<sub>n</sub><sup>2</sup>)<sup>1/4</sup> swings ever more (its recursion in log h has roots of
+     * modulus 1.3), while h<sub>n</sub> e<sub>n</sub><sup>-1/4</sup> settles (0.8). It cost up to a third more
+     * evaluations on Prothero and Robinson's problem, and saved at most a tenth elsewhere.
      */
     @Override
     protected double nextSubStep(double h, double error) {

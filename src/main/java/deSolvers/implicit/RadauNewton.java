@@ -17,8 +17,8 @@ import deSolvers.adaptive.Tolerance;
 final class RadauNewton {
     static final int MOST_ITERATIONS = 6;
     /**
-     * Of the tolerance: what may be left when the iteration stops; less where the tolerance is strict and steps are
-     * many.
+     * The largest remaining error when the iteration stops, as a fraction of the tolerance; less if the tolerance is
+     * strict.
      */
     private static final double MOST_LEFT = 0.01;
 

@@ -8,9 +8,9 @@ import java.util.Arrays;
  * <p>Rows are eliminated in the order that {@link NestedDissection} finds. Eliminating row k adds entries, the fill-in,
  * at (i, j) wherever (i, k) and (k, j) are entries. The symbolic phase finds them all: column k of L has the entries of
  * A and those of its children in the elimination tree, where the parent of a column is the row of its first entry below
- * the diagonal. The numerical phase is left-looking: column c is that of A, minus what all columns before it with an
- * entry in row c contribute. There is no pivoting outside the diagonal blocks. {@link Gmres} makes up for the accuracy
- * that this costs.
+ * the diagonal. The numerical phase is left-looking: column c is that of A, minus the contributions of all earlier
+ * columns with an entry in row c. There is no pivoting outside the diagonal blocks. {@link Gmres} makes up for the
+ * accuracy that this costs.
  *
  * <p>Source: A. George, J. W. H. Liu, <i>Computer Solution of Large Sparse Positive Definite Systems</i>, Prentice-Hall
  * 1981, chapter 5; T. A. Davis, <i>Direct Methods for Sparse Linear Systems</i>, SIAM 2006, chapter 4, for the

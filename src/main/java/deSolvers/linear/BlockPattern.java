@@ -22,7 +22,7 @@ public final class BlockPattern {
      * The pattern with the blocks (i, j) and (j, i) of all pairs, and the diagonal.
      *
      * @param rows   rows of blocks
-     * @param pairs  the number of pairs; only so many entries of the arrays are used, and copied
+     * @param pairs  the number of pairs; the first entries of the arrays, so many, are copied
      * @param first  i of each pair
      * @param second j of each pair
      */

@@ -11,15 +11,18 @@ package deSolvers.linear;
  * cost many more iterations than when they were new.
  */
 public final class BlockSolver implements LinearSolver {
-    /** Up to so many rows the factorisation is always made. */
+    /** Up to this number of rows the matrix is always factorised. */
     private static final int SMALL = 64;
-    /** Conjugate gradients take about so many iterations for four digits, times the root of the condition number. */
+    /**
+     * Conjugate gradients need about this number times the square root of the condition number of iterations for four
+     * digits.
+     */
     private static final double ITERATIONS = 2.6;
-    /** GMRES, which forgets at restarts, takes about so many times more. */
+    /** GMRES, which restarts, needs about this many times more. */
     private static final double BY_GMRES = 2;
-    /** Up to so many expected iterations no factorisation is considered. */
+    /** Up to this number of expected iterations no factorisation is considered. */
     private static final double FEW_ITERATIONS = 15;
-    /** Factors are old when a solution takes so many more iterations than with new ones. */
+    /** Factors are old when a solution takes this many iterations more than with new ones. */
     private static final long MOST_MORE = 30;
 
     private final LinearWork work;

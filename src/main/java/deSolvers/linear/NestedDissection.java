@@ -11,7 +11,7 @@ import java.util.Arrays;
  * 15, 1053, for separators from level structures.
  */
 final class NestedDissection {
-    /** Sets of so many rows are not cut. */
+    /** Sets of at most this number of rows are not cut. */
     private static final int SMALL = 4;
     /** Of all levels with at least this part of the rows on either side, the smallest is the separator. */
     private static final double SMALLEST_PART = 0.3;
@@ -62,7 +62,7 @@ final class NestedDissection {
         }
     }
 
-    /** Sorts what is connected to the root into levels; returns how many rows that are. */
+    /** Sorts the rows connected to the root into levels; returns their number. */
     private int search(int from, int end, int root) {
         for (int k = from; k < end; k++) {
             level[order[k]] = UNKNOWN;

@@ -35,7 +35,7 @@ abstract class SymplecticSolver extends FixedStepSolver {
         kickAndDrift(source, s, deltaT);
     }
 
-    /** The client as a source of second order; an exception says what is missing. */
+    /** The client as a second-order source; an exception names the missing type. */
     private SecondOrderStateSource secondOrder() {
         DEStateSource client = getTransaction().getClient();
         if (!(client instanceof SecondOrderStateSource)) {

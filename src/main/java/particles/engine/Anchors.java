@@ -38,7 +38,7 @@ public final class Anchors {
         }
     }
 
-    /** Sets the anchors' entries to 0, which is what a solver sees of a state, derivative or direction. */
+    /** Sets the anchors' entries of a state, derivative or direction to 0, as solvers see them. */
     public void hide(double[] vector) {
         for (int a = 0; a < anchors.size(); a++) {
             int x = STRIDE * anchors.get(a).particle();

@@ -46,7 +46,7 @@ public final class ForceSum {
         finish(state, dSdt, 0, n);
     }
 
-    /** The effects that act on each particle by itself. */
+    /** The effects that act on each particle separately. */
     public List<PerParticleEffect> perParticle() {
         return perParticle;
     }

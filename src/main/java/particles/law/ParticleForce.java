@@ -14,6 +14,8 @@ public abstract class ParticleForce implements Effect {
     }
 
     /**
+     * Computes the force on one particle.
+     *
      * @param position x (m)
      * @param velocity v (m/s)
      * @param mass     m (kg)
@@ -23,6 +25,8 @@ public abstract class ParticleForce implements Effect {
     protected abstract Vector3 getForce(Vector3 position, Vector3 velocity, double mass, double time);
 
     /**
+     * Computes the potential energy of one particle; a conservative force overrides it.
+     *
      * @param position x (m)
      * @param mass     m (kg)
      * @param time     t (s)

@@ -36,7 +36,7 @@ public interface Reaction {
      * @param state  the particles' state, to be read only
      * @param time   t (s)
      * @param force  the total force before this reaction (N), in the entries of the velocities; read only
-     * @param derivatives holds what the effects have added
+     * @param derivatives holds the derivatives that the effects have added
      */
     default void addForceDerivatives(double[] state, double time, double[] force, ForceDerivatives derivatives) {
     }

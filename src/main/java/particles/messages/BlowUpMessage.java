@@ -57,7 +57,7 @@ public final class BlowUpMessage {
 
     /**
      * @param e the exception that ended the run
-     * @return up to three lines, separated by line feeds: where, why, and what to try
+     * @return up to three lines, separated by line feeds: the place, the reason and the remedy
      */
     public String of(SimulationException e) {
         String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
@@ -103,7 +103,7 @@ public final class BlowUpMessage {
     }
 
     /**
-     * The second and the third line: the diagnosis and what to try.
+     * The second and the third line: the diagnosis and the remedy.
      *
      * @param unsolved whether the solver found no solution, rather than a wrong one
      */

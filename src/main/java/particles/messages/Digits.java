@@ -16,7 +16,7 @@ public final class Digits {
         return write(value, new MathContext(FEW, RoundingMode.HALF_EVEN));
     }
 
-    /** @return the number rounded towards zero to 2 digits: what has to stay below a limit */
+    /** @return the number rounded towards zero to 2 digits, for numbers that have to stay below a limit */
     public static String roundedDown(double value) {
         return write(value, new MathContext(2, RoundingMode.DOWN));
     }

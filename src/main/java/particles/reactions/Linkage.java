@@ -14,7 +14,7 @@ import particles.reactions.algebra.MinimumNormSolution;
  * length.
  *
  * <p>If rows are linearly dependent, as in a square with both diagonals, many solutions give the same motion; the one
- * with the least sum of squares is taken, which is what equal, slightly elastic rods would carry.
+ * with the least sum of squares is taken, the load of equal, slightly elastic rods.
  */
 final class Linkage {
     /**

@@ -86,7 +86,7 @@ public final class RestingContacts implements Reaction {
         response.setHoldsOn(holdsOn);
     }
 
-    /** The contact forces on a particle by itself. */
+    /** The contact forces on a single particle, without rods. */
     ContactResponse response() {
         return response;
     }

@@ -20,7 +20,7 @@ final class FirstCrossing {
      * @param coefficients B&eacute;zier coefficients; for a cubic f: f(0), f(0) + f'(0)/3, f(1) - f'(1)/3, f(1)
      * @param count        the number of coefficients
      * @return the u in 0 ... 1 where the polynomial first becomes negative, within 2^-45; NaN if it never does, or if a
-     *         coefficient is not finite: a path so long belongs to a run that its energy limit is about to end
+     *         coefficient is not finite: such a path belongs to a run that the energy limit is about to end
      */
     double of(double[] coefficients, int count) {
         for (int k = 0; k < count; k++) {

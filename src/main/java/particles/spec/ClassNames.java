@@ -16,7 +16,7 @@ public interface ClassNames {
      * @param type the sort of kind that it has to declare
      * @param <K>  that sort
      * @return the kind that the class declares
-     * @throws IllegalArgumentException if there is none; the message is one line that says what to do
+     * @throws IllegalArgumentException if there is none; the message is one line with the remedy
      */
     <K extends Kind> K find(String name, Class<K> type);
 

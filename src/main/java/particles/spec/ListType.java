@@ -35,7 +35,10 @@ public final class ListType<T> extends Type<List<T>> {
         return new ListType<>(elementName, element, true);
     }
 
-    /** {@inheritDoc} Returns the elements without problems, so that what depends on them can still be checked. */
+    /**
+     * {@inheritDoc} Returns the elements without problems, so that other parts that depend on them can still be
+     * checked.
+     */
     @Override
     Optional<List<T>> read(Node node, String what, Reading in) {
         List<T> elements = new ArrayList<>();

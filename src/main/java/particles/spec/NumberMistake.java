@@ -12,7 +12,7 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import particles.spec.messages.Wording;
 
 /**
- * Recognises common mistakes in typed numbers, such as {@code 0,01} and {@code 10 ms}, and says what to write instead.
+ * Recognises common mistakes in typed numbers, such as {@code 0,01} and {@code 10 ms}, and suggests the right form.
  */
 final class NumberMistake {
     private static final String NUMBER = "[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?";

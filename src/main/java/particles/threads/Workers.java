@@ -17,9 +17,9 @@ final class Workers implements AutoCloseable {
     /** Spins if threads share a processor, where spinning keeps the other thread from working. */
     private static final int FEW_LOOKS = 500;
     /**
-     * After so many spins, some microseconds, each further one yields the processor: the other thread may have none
-     * while something else runs, such as the drawing of frames. Without yielding, two threads then took four times as
-     * long as one on that cloth; with it, as long.
+     * After this number of spins, some microseconds, each further one yields the processor: the other thread may have
+     * none while something else runs, such as the drawing of frames. Without yielding, two threads then took four times
+     * as long as one on that cloth; with it, as long.
      */
     private static final int LOOKS_ALONE = 100;
     /** A yield takes as long as this many spins. */

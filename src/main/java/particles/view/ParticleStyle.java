@@ -24,7 +24,7 @@ public record ParticleStyle(Kind kind, List<Integer> ageColours, double trail, b
         POINTS,
         /** Part of a smooth surface around all particles: drops that flow together where they meet. */
         BLOBS,
-        /** A spot of light, added to what is behind it, that fades as the particle grows old. */
+        /** A spot of light, added to the background, that fades as the particle grows old. */
         GLOW
     }
 

@@ -65,7 +65,10 @@ public final class Failures {
         return ExitCode.TROUBLE;
     }
 
-    /** Java's own messages are often only a file name; the exception's class or cause says what happened. */
+    /**
+     * The line for a failed file access. Java's own messages are often only a file name, so the exception's class or
+     * cause is used too.
+     */
     private static String line(IOException e) {
         if (e instanceof FileSystemException file && file.getReason() == null) {
             return file.getFile() + ": " + reason(file);

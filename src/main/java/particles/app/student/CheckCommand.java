@@ -189,7 +189,7 @@ abstract class CheckCommand extends ProgramCommand {
         return text;
     }
 
-    /** Keeps only the beginning of what a class prints. */
+    /** Keeps only the beginning of a class's output. */
     private static final class Printed extends OutputStream {
         private static final int MOST = 2000;
         private final ByteArrayOutputStream kept = new ByteArrayOutputStream();

@@ -61,7 +61,7 @@ final class PerturbationGrowth {
         }
 
         /**
-         * @param fine a pair that shows what the motion itself does to the distance, at least as long
+         * @param fine a pair that shows the effect of the motion itself on the distance, at least as long
          * @return whether the distance became much larger than it had been there until then
          */
         boolean leaves(Twins fine) {
@@ -75,7 +75,7 @@ final class PerturbationGrowth {
         }
 
         /**
-         * @param motion a pair that shows what the motion itself does to the distance, at the same times
+         * @param motion a pair that shows the effect of the motion itself on the distance, at the same times
          * @return the factor by which one step of the solver multiplies the distance, from the second quarter to the
          *         last, over that of the motion itself; infinite if there is no distance
          */

@@ -24,7 +24,7 @@ final class EngineCompiler {
 
     /**
      * @param classes finds the classes to be compiled
-     * @param folder  for what the compiler writes
+     * @param folder  receives the files of the compiler
      * @return the JavaScript
      * @throws IllegalArgumentException if something that is reached cannot be compiled
      */

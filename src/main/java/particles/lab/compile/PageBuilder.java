@@ -24,7 +24,7 @@ public final class PageBuilder implements LabBuilder {
     private static final String CODEMIRROR = JARS + "codemirror/5.65.18/";
     private static final String PAGE = "particles/lab/page/";
 
-    /** The scripts of the page that import each other, in an order in which each comes after what it imports. */
+    /** The scripts of the page that import each other, in an order in which each comes after its imports. */
     private static final List<String> OWN_MODULES = List.of("camera", "lines", "marks", "scenery", "view",
             "plots", "editor", "main");
     private static final Pattern PLACE = Pattern.compile("<!--\\{(\\w+)}-->");
@@ -101,7 +101,7 @@ public final class PageBuilder implements LabBuilder {
                 .map(PageBuilder::escaped).collect(Collectors.joining("\n----\n\n"));
     }
 
-    /** The text of the Apache License, from whichever library brings it along. */
+    /** The text of the Apache License, from the first library that contains it. */
     private static String apache() throws IOException {
         for (URL found : Collections.list(PageBuilder.class.getClassLoader().getResources("META-INF/LICENSE.txt"))) {
             try (InputStream stream = found.openStream()) {

@@ -29,7 +29,7 @@ final class StudentCompiler {
 
     /**
      * @param contents names the classes
-     * @param folder   for what is written
+     * @param folder   receives the compiled classes
      * @return finds the classes of the page; the students' list takes the place of the empty one
      * @throws IllegalArgumentException if a class does not compile
      */
@@ -86,7 +86,7 @@ final class StudentCompiler {
         }
     }
 
-    /** Finds what was compiled before what is there already. */
+    /** Class loader that prefers the classes just compiled. */
     private static final class OwnFirst extends URLClassLoader {
         OwnFirst(Path classes) throws MalformedURLException {
             super(new URL[] {classes.toUri().toURL()}, OwnFirst.class.getClassLoader());

@@ -12,7 +12,7 @@ import org.jfree.chart.plot.PlotRenderingInfo;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.ui.RectangleEdge;
 
-/** An arrow between two points of a chart; its head has its size on paper, whatever the axes say. */
+/** An arrow between two points of a chart; the size of its head is in pixels, independent of the axes. */
 final class ArrowAnnotation extends AbstractXYAnnotation {
     private static final long serialVersionUID = 1L;
 

@@ -87,7 +87,7 @@ public final class ChartStyle {
         return COLOURS.get(k % COLOURS.size());
     }
 
-    /** @return the same colour, letting through what lies below */
+    /** @return the same colour, translucent */
     static Color pale(Color colour) {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 90);
     }

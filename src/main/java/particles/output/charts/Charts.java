@@ -52,7 +52,10 @@ final class Charts {
                 : stacked(panel.charts(), main), panel.kind());
     }
 
-    /** Charts above each other, over the x axis of the first; the upper one has more room, rows have what they need. */
+    /**
+     * Makes charts above each other, over the x axis of the first. The upper one has more room; rows have a fixed
+     * height.
+     */
     private static XYPlot stacked(List<ChartData> data, int main) {
         Range x = data.stream().map(chart -> range(new ChartDataset(chart), true)).reduce(null, Range::combine);
         CombinedDomainXYPlot all = new CombinedDomainXYPlot(axis(data.get(0).xLabel(), data.get(0).xLog(), x,

@@ -88,7 +88,7 @@ final class FittedChart extends JFreeChart {
         return Math.max(leastRoom, labels.stream().mapToDouble(part -> part.width(g)).max().orElse(0));
     }
 
-    /** @param room at the right: charts beside each other all have what one of them needs */
+    /** @param room the room at the right, equal for charts beside each other */
     void keepRoom(double room) {
         leastRoom = room;
     }

@@ -139,7 +139,7 @@ public final class FrameObserver implements Observer, AutoCloseable {
     }
 
     /**
-     * Waits until the frames so far are written, and completes what is made of them.
+     * Waits until the frames so far are written, and completes the files.
      *
      * @throws OutputException if something could not be written and no earlier call reported it
      */

@@ -43,7 +43,7 @@ final class FrameText {
         }
     }
 
-    /** @param decimals of the time (s), as many as tell one frame from the next */
+    /** @param decimals the number of decimals of the time (s), enough to distinguish two frames */
     FrameText(FrameSetup stage, int height, int decimals) {
         this.stage = stage;
         this.sky = Sky.of(stage.look().style().night());

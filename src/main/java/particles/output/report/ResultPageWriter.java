@@ -31,7 +31,7 @@ public final class ResultPageWriter {
      * @param folder the output folder
      * @param page   the results
      * @param format the format of the pictures
-     * @return the page as it is written: what was too much for one picture is several
+     * @return the page as written, in which pictures with too many curves are split
      * @throws OutputException if something cannot be written
      */
     public static ResultPage write(OutputFolder folder, ResultPage page, ChartFormat format) {

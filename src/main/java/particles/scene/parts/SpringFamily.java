@@ -42,7 +42,9 @@ public record SpringFamily(Sort sort, double stiffness, double damping) {
             return key;
         }
 
-        /** @return for a lattice of so many directions, the steps from a particle to its partners, each pair once */
+        /**
+         * @return for a lattice of this number of directions, the steps from a particle to its partners, each pair once
+         */
         List<int[]> offsets(int dimensions) {
             List<int[]> offsets = new ArrayList<>();
             int all = (int) Math.round(StrictMath.pow(3, dimensions));

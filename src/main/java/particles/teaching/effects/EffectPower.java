@@ -126,7 +126,7 @@ final class EffectPower {
         return entryByEntry(rest);
     }
 
-    /** With one velocity at a time the heat says what the force along it has to be. */
+    /** Checks one velocity at a time: the dissipated power determines the force along it. */
     private String entryByEntry(double[] rest) {
         double[] force = new double[n];
         double[] expected = new double[n];

@@ -23,7 +23,7 @@ final class Leaf extends ReferenceProblem {
         this.freshening = freshening;
     }
 
-    /** @return v after so many steps of a solver of the catalogue (m/s) */
+    /** @return v after a number of steps of a solver of the catalogue (m/s) */
     double after(String solver, int steps, double deltaT) {
         DESolver made = SolverCatalog.create(solver);
         for (int n = 0; n < steps; n++) {

@@ -38,7 +38,7 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
      * @param h         deltaT, a power of 2 (s)
      * @param dimension the number of positions in a block
      * @return the coefficients
-     * @throws RuntimeException whatever the solver throws
+     * @throws RuntimeException any exception of the solver
      */
     static ExtractedKicks of(DESolver solver, double h, int dimension) {
         int width = 2 * dimension;

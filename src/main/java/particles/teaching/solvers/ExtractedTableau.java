@@ -40,7 +40,7 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
      * @param size   the size of the derivatives, a power of 2; with small ones an adaptive method accepts its first
      *               step
      * @return the coefficients
-     * @throws RuntimeException whatever the solver throws
+     * @throws RuntimeException any exception of the solver
      */
     static ExtractedTableau of(DESolver solver, double h, double size) {
         double[] start = new double[SIZE];

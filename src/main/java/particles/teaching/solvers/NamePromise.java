@@ -10,7 +10,7 @@ import java.util.Optional;
  * @param says    the meaning of the name
  * @param order   the lowest order of all methods that it can stand for
  * @param methods the methods that it can stand for; empty for all of that order
- * @param whole   whether the name says nothing else: RichardsonEuler need not be Euler
+ * @param whole   whether the name contains nothing else: RichardsonEuler need not be Euler
  */
 record NamePromise(String says, int order, List<String> methods, boolean whole) {
     static final String EULER = "the Euler method";

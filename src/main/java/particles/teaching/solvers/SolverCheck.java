@@ -144,7 +144,7 @@ public final class SolverCheck {
         return false;
     }
 
-    /** A method whose later steps use something of earlier ones. */
+    /** The diagnosis of a method whose steps use results of earlier ones. */
     private Diagnosis remembering(boolean multistep) {
         List<Finding> found = new ArrayList<>();
         WindyOscillators source = new WindyOscillators(1);

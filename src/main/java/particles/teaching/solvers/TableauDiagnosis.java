@@ -69,7 +69,7 @@ final class TableauDiagnosis {
         return new Diagnosis(identity, findings);
     }
 
-    /** @return whether the clock tells more than what was said */
+    /** @return whether the clock can be compared further */
     private boolean checkClock() {
         double end = step.end() / h;
         if (Formula.sameTime(end, 1) && Formula.sameTime(twice.end() / twice.h(), 1)
@@ -122,7 +122,7 @@ final class TableauDiagnosis {
         return true;
     }
 
-    /** @return whether the new state tells more than what was said */
+    /** @return whether the new state can be compared further */
     private boolean checkState() {
         if (!step.wrongLengths().isEmpty()) {
             wrong(Kind.STATE, "an array of " + step.wrongLengths().get(0)

@@ -21,7 +21,7 @@ final class TableauReading {
     private static final double DOUBLE_ROUNDING = 1e-13;
     /** Below this it may be float arithmetic, with roundings of 6e-8, or numbers that are rounded to a few decimals. */
     private static final double FLOAT_ROUNDING = 1e-3;
-    /** Derivatives that nobody expects, to find what is cut off. */
+    /** Unusually large derivatives, to detect a solver that limits them. */
     private static final double LARGE = 1e3;
 
     private final Supplier<DESolver> maker;
@@ -103,7 +103,7 @@ final class TableauReading {
         }
     }
 
-    /** Whether a step with random numbers is what the coefficients say, perhaps but for what is then a finding. */
+    /** Whether a step with random numbers agrees with the coefficients; some differences become findings. */
     private boolean fits(double[] misfit) {
         double largest = 0;
         List<Integer> left = new ArrayList<>();
