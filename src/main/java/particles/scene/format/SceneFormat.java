@@ -75,8 +75,8 @@ public final class SceneFormat {
     public static final Key<Values> LOOK = Key.optional("look", RenderFormat.TYPE, "How things are drawn.");
     public static final Key<Values> OUTPUT = Key.optional("output", OutputDescription.TYPE, "Which files are written.");
     public static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
-            "The run has blown up, and ends, when the kinetic energy is this many times the energy to be expected. That"
-                    + " energy is estimated before the run.");
+            "The run has blown up, and ends, when the kinetic energy is this many times the energy estimated for the"
+                    + " scene before the run.");
 
     public static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION,
             PARTICLES,
