@@ -123,7 +123,7 @@ public final class EqualWork {
      * next.
      *
      * @param solver  the solver
-     * @param loosest no looser tolerance is tried
+     * @param loosest the loosest tolerance to try
      * @param wanted  evaluations, 1 or more
      * @return the setting with the nearest cost; for an implicit solver one whose run reaches its end, if there is one
      */
