@@ -14,7 +14,7 @@ public class DESolverException extends RuntimeException {
     /**
      * @param solver the solver that gives up
      * @param time   the time at which the step began (s)
-     * @param deltaT the step that was asked for (s)
+     * @param deltaT the requested step (s)
      * @param entry  the index of the state's entry that shows the trouble, or -1 where no single one does
      * @param cause  the event and its likely cause, as text to follow a colon
      */
@@ -30,7 +30,7 @@ public class DESolverException extends RuntimeException {
         return time;
     }
 
-    /** @return the step that was asked for (s) */
+    /** @return the requested step (s) */
     public double getDeltaT() {
         return deltaT;
     }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * The end of a solver's last step, for methods that use results of earlier steps: a history of derivatives, the next
- * sub-step, the last acceleration. Such results are valid only while source, time, state and deltaT are bit for bit
- * what the last step left.
+ * sub-step, the last acceleration. Such results are valid only while source, time, state and deltaT are bit for bit the
+ * same as at the end of the last step.
  */
 public final class LastStep {
     private boolean known;
@@ -18,7 +18,7 @@ public final class LastStep {
      * Tells whether a step continues the last one, and forgets the last one in either case.
      *
      * @param step the step that begins
-     * @return true if its source, time, state and deltaT are bit for bit what the last step left
+     * @return true if its source, time, state and deltaT are bit for bit the same as at the end of the last step
      */
     public boolean continuesFrom(StepTransaction step) {
         boolean continues = known && source == step.getClient()

@@ -98,7 +98,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     public double[] finish(double[] newState) {
         if (deltaT == 0) {
             requireFiniteStart();
-            return newState;                            // close() puts back what was found
+            return newState;                            // close() restores the state and time
         }
         int entry = FiniteCheck.firstNonFinite(newState);
         if (entry >= 0) {

@@ -132,7 +132,7 @@ public final class EnergyLedger implements Observer {
         }
         powersKnown = true;
         energy = system.getEnergy(motion.getEndState(), t1);
-        // what such a law stores is in that energy, and part of its work
+        // the potential energy of such a law is in that energy too: its change must not count twice
         undeclared.forEach((effect, account) -> account.work += effect.getPotentialEnergy(motion.getEndState(), t1)
                 - effect.getPotentialEnergy(motion.getStartState(), t0));
     }

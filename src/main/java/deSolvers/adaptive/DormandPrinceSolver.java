@@ -11,14 +11,16 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * <p>The solver continues with the result of order 5 (local extrapolation). The last stage is at the end of the
  * sub-step and is the first stage of the next one (FSAL).
  *
- * <p><b>Order</b> 5; the estimate is that of order 4.<br> <b>Evaluations</b> 6 a sub-step, taken or rejected, and 2 to
- * begin with.<br> <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24 +
- * z<sup>5</sup>/120 + z<sup>6</sup>/600: stable for h |lambda| &le; 3.3066 on the negative real axis and for h omega
- * &le; 0.9972 on the imaginary one, where it damps by (h omega)<sup>6</sup>/3600 a sub-step. A stiff system makes it
- * crawl along these limits.<br> <b>When to use</b> smooth motion to a stated accuracy, 1e-3 to 1e-8: the first choice
- * among the adaptive solvers; not for stiff springs ({@code radau}), and for the strictest tolerances {@code
- * bulirsch-stoer} is cheaper.<br> <b>Source</b> J. R. Dormand, P. J. Prince, <i>A family of embedded Runge-Kutta
- * formulae</i>, J. Comp. Appl. Math. 6 (1980) 19-26.
+ * <p><b>Order</b> 5; the estimate is that of order 4.<br>
+ * <b>Evaluations</b> 6 a sub-step, taken or rejected, and 2 to begin with.<br>
+ * <b>Stability</b> R(z) = 1 + z + z<sup>2</sup>/2 + z<sup>3</sup>/6 + z<sup>4</sup>/24 + z<sup>5</sup>/120 +
+ * z<sup>6</sup>/600: stable for h |lambda| &le; 3.3066 on the negative real axis and for h omega &le; 0.9972 on the
+ * imaginary one, where an amplitude shrinks by the fraction (h omega)<sup>6</sup>/3600 a sub-step. On a stiff system
+ * its sub-steps stay at these limits.<br>
+ * <b>When to use</b> smooth motion to a stated accuracy, 1e-3 to 1e-8: the first choice among the adaptive solvers; not
+ * for stiff springs ({@code radau}), and for the strictest tolerances {@code bulirsch-stoer} is cheaper.<br>
+ * <b>Source</b> J. R. Dormand, P. J. Prince, <i>A family of embedded Runge-Kutta formulae</i>, J. Comp. Appl. Math. 6
+ * (1980) 19-26.
  */
 public final class DormandPrinceSolver extends AdaptiveSolver {
     static final ButcherTableau TABLEAU = ButcherTableau.parse("""

@@ -57,7 +57,7 @@ final class OrderControl {
      * Decides by a column's error.
      *
      * @param k     the column, 1 or more
-     * @param error in units of the tolerance; infinite if something is not finite
+     * @param error the error in units of the tolerance; infinite if something is not finite
      * @param h     the stretch tried, &gt; 0 (s)
      */
     Verdict column(int k, double error, double h) {

@@ -99,7 +99,7 @@ final class ForceBlocks implements JacobianBlocks {
     /**
      * Writes M - g C - g<sup>2</sup> K, without the columns of held particles, whose velocities never change.
      *
-     * @return by how much a diagonal entry exceeds its mass at most: about the condition number, 1 or more
+     * @return the largest ratio of a diagonal entry to its mass: about the condition number, 1 or more
      */
     double combine(double g, BlockMatrix matrix) {
         double[] value = matrix.values();

@@ -11,7 +11,7 @@ import deSolvers.FixedStepSolver;
  *   ----+-----
  *       |  1
  * </pre>
- * Its middle m solves the backward Euler equation of half a step, m = s + h/2 f(m, t + h/2); the other half goes on
+ * Its middle m solves the backward Euler equation of half a step, m = s + h/2 f(m, t + h/2); the other half continues
  * along the same line, s(t + h) = 2 m - s. {@link Newton} solves to 1e-10 of each entry of the state or to round-off,
  * or an exception says that it did not.
  *

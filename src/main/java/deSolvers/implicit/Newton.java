@@ -13,8 +13,8 @@ import java.util.Locale;
  *
  * <p>The line search adds the largest part of deltaM, at most all of it, at which the slope along deltaM has not turned
  * round by more than half. For particles the slope is that of an energy, whose minimum is the solution; {@link
- * ShiftedJacobian#slope} says what it is for other sources. Where deltaM does not lead down, or no part of it will do,
- * a variant of J is taken that leads down: {@link Kind#CAREFUL}.
+ * ShiftedJacobian#slope} defines it for other sources. If deltaM does not lead down, or no part of it is acceptable, a
+ * variant of J is used that leads down: {@link Kind#CAREFUL}.
  *
  * <p>A correction that has become a hundredth of the one before is good enough with the old matrix; otherwise J is set
  * up anew.
@@ -30,7 +30,7 @@ import java.util.Locale;
 final class Newton {
     /** The largest last correction, relative to the unknowns, that counts as converged. */
     static final double TOLERANCE = 1e-10;
-    /** Corrections that shrink well go on beyond that, down to here. */
+    /** Corrections that still shrink fast are continued down to this size. */
     private static final double POLISHED = 1e-15;
     /** An old matrix is kept while it shrinks the correction this much: two digits for one evaluation. */
     private static final double GOOD_CONTRACTION = 0.01;

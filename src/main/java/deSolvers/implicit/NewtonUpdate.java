@@ -50,7 +50,7 @@ final class NewtonUpdate {
      *
      * @param m        the unknowns that it is for
      * @param start    the unknowns at the beginning of the step
-     * @param roundOff of each
+     * @param roundOff the round-off of each unknown
      * @return its largest entry relative to the unknown, which counts as no smaller than its round-off over Newton's
      *         tolerance; infinite where that leaves the numbers
      */

@@ -76,8 +76,8 @@ interface ShiftedJacobian {
     /**
      * The slope along a direction, for the line search: positive before the solution, negative beyond it.
      *
-     * @param residual  at some place along the direction
-     * @param solution  of (I - g J) x = residual
+     * @param residual  the residual at some point along the direction
+     * @param solution  the solution of (I - g J) x = residual
      * @param direction the direction
      */
     double slope(double[] residual, double[] solution, double[] direction);

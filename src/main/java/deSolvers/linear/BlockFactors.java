@@ -120,7 +120,7 @@ final class BlockFactors implements LinearOperator {
     /**
      * The numerical phase.
      *
-     * @param matrix    of the pattern that these factors are for
+     * @param matrix    a matrix with the pattern of these factors
      * @param symmetric whether it is its own transpose
      * @return false if a diagonal block is singular
      */

@@ -82,7 +82,7 @@ public final class BlockMatrix implements LinearOperator {
      *
      * @param i    the row
      * @param by   a block
-     * @param room for one block
+     * @param room work space for one block
      */
     public void transformRow(int i, double[] by, double[] room) {
         for (int s = pattern.rowStart[i]; s < pattern.rowStart[i + 1]; s++) {

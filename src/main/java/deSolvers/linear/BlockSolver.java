@@ -62,7 +62,7 @@ public final class BlockSolver implements LinearSolver {
      *
      * @param matrix    A, or an approximation from which the preconditioner is made
      * @param operator  A
-     * @param condition about the condition number of A after scaling by its diagonal blocks
+     * @param condition an estimate of the condition number of A after scaling by its diagonal blocks
      * @return false if it is found to be singular
      */
     public boolean prepare(BlockMatrix matrix, LinearOperator operator, double condition) {

@@ -63,7 +63,7 @@ public final class RungeKuttaStages {
     /**
      * Computes a weighted sum of the slopes.
      *
-     * @param weights one for each stage
+     * @param weights the weights, one for each stage
      * @param h       a factor for all (s)
      * @param result  receives h sum w k
      */

@@ -52,6 +52,7 @@ public final class LinearDrag extends AirDrag {
         return c;
     }
 
+    /** 0, since c does not depend on the speed. */
     @Override
     double coefficientGrowth(double speed) {
         return 0;

@@ -1,9 +1,9 @@
 package particles.law;
 
 /**
- * The simplest way to write a force law: the force on one particle from its position, velocity and mass and the time. A
- * subclass implements {@link #getForce} and, if the force is conservative, also {@link #getPotentialEnergy(Vector3,
- * double, double)}.
+ * Base class of force laws that act on each particle separately, and the simplest way to write one: a subclass computes
+ * the force on one particle from its position, velocity and mass and the time. It implements {@link #getForce} and, if
+ * the force is conservative, also {@link #getPotentialEnergy(Vector3, double, double)}.
  */
 public abstract class ParticleForce implements Effect {
     private final Particles particles;

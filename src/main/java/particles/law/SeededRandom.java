@@ -34,7 +34,7 @@ public final class SeededRandom {
      * Returns a random direction, uniform over a cone.
      *
      * @param axis      the middle of the cone, of length 1
-     * @param halfAngle from its axis to its side (rad); pi for any direction in space
+     * @param halfAngle the angle from its axis to its side (rad); pi for any direction in space
      * @return a vector of length 1
      */
     public Vector3 nextDirection(Vector3 axis, double halfAngle) {

@@ -63,7 +63,7 @@ public final class BlowUpMessage {
         String line = scene.description().solver() + " stopped at t = " + Digits.few(e.getTime()) + " s" + particle(e)
                 + ": ";
         if (e.getCause() instanceof DESolverException cause) {
-            // what follows "last change" is a guess at the cause; the advice knows more
+            // the text after "last change" is a guess at the cause; the advice knows more
             return line + cause.getMessage().replaceFirst("^\\S+ at t = \\S+ deltaT = \\S+: ", "")
                     .replaceFirst(" \\(last change .*", "") + advice(true);
         }

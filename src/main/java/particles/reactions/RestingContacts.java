@@ -124,7 +124,7 @@ public final class RestingContacts implements Reaction {
      * Corrects the velocities of a linkage after one of them was changed: no rod is stretched, no touched surface
      * entered, and sticking particles stay. Does nothing for a particle without rods and wires.
      *
-     * @param particle one of them
+     * @param particle a particle of the linkage
      * @param state    the state, in which velocities are changed
      */
     public void settle(int particle, double[] state) {
@@ -167,7 +167,7 @@ public final class RestingContacts implements Reaction {
      * direction turns as fast as the velocity's, however slow that is.
      *
      * @param system the system
-     * @param time   from now (s)
+     * @param time   the length of time from now (s)
      * @return whether the forces could stop any sliding particle within that time
      */
     public boolean mayStopWithin(ParticleSystem system, double time) {

@@ -17,7 +17,7 @@ public record ChartData(String title, String xLabel, String yLabel, boolean xLog
                         List<Series> series) {
 
     /**
-     * A chart in which x and y are quantities.
+     * Creates a chart in which x and y are quantities.
      *
      * @param title  the finding, or what is shown
      * @param xLabel the quantity along x, with its unit

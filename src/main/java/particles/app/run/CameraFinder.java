@@ -60,7 +60,7 @@ public final class CameraFinder {
         try {
             copy.simulation().run();
         } catch (SimulationException e) {
-            return limits.beforeBlowUp;     // what can be seen; the run itself says why it ends
+            return limits.beforeBlowUp;     // the visible part; the run itself reports why it ends
         } catch (StoppedException e) {
             return limits.blewUp ? limits.beforeBlowUp : Box.of(extent);
         }

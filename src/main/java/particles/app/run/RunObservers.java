@@ -138,7 +138,7 @@ final class RunObservers implements AutoCloseable {
      */
     void drawCharts(ChartFormat format) {
         if (!scene.output().energy() && phase.isEmpty()) {
-            return;                                     // what draws is not even loaded
+            return;                                     // drawing classes are not even loaded
         }
         ChartWriter writer = new ChartWriter(folder, format);
         String title = scene.description().title() + " (" + caption() + ")";

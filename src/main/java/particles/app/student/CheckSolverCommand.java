@@ -76,7 +76,7 @@ public final class CheckSolverCommand extends CheckCommand {
         SolverFigures figures;
         try {
             figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
-        } catch (RuntimeException e) {                  // thrown by the class itself; still report what was found
+        } catch (RuntimeException e) {                  // thrown by the class itself; still report the findings
             List<Finding> all = new ArrayList<>(verdict.findings());
             if (verdict.wrong().isEmpty()) {            // otherwise it follows from a mistake already reported
                 all.add(SolverFigures.failure(e));

@@ -32,7 +32,7 @@ final class SpringJacobian {
     void add(double[] state, int i, int j, double stiffness, double restLength, double damping,
             ForceDerivatives derivatives) {
         double length = direction(state, i, j);
-        // without direction: what a spring of rest length 0 has everywhere
+        // without direction: as for rest length 0
         double across = -stiffness;
         double along = 0;
         double drag = 0;

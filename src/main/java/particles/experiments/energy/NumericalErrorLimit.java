@@ -15,7 +15,7 @@ import particles.messages.Digits;
  *
  * <p>Only a gain counts: solvers that damp lose energy, but no run can lose more than it has and receives. Energy from
  * wind, moving anchors or births belongs to the scale, since a solver with a small relative error has an absolute error
- * that grows as long as they go on.
+ * that grows as long as energy flows in.
  */
 public final class NumericalErrorLimit implements Observer {
     private static final int MOST_GAIN = 1000;

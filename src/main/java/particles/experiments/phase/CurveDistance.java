@@ -26,7 +26,7 @@ final class CurveDistance {
         reachV = (highest(v) - lowest(v)) / 2;
     }
 
-    /** @return whether there is no curve: a particle at rest, or one that goes on and on with the same velocity */
+    /** @return whether there is no curve: the particle is at rest, or moves with constant velocity */
     boolean isDegenerate() {
         return !(reachX > 0 && reachV > 0);
     }

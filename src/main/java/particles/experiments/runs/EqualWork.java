@@ -15,7 +15,7 @@ import particles.scene.format.SceneDescription;
  * derivative as another one.
  */
 public final class EqualWork {
-    /** A solver that costs this many times the work asked for does not raise the others' share. */
+    /** A solver that costs this many times the target does not raise the others' share. */
     static final double MOST_RAISE = 30;
     private static final int TRIALS = 14;
     private static final long FEW = 1000;
@@ -123,7 +123,7 @@ public final class EqualWork {
      * next.
      *
      * @param solver  the solver
-     * @param loosest no looser tolerance is tried
+     * @param loosest the loosest tolerance to try
      * @param wanted  evaluations, 1 or more
      * @return the setting with the nearest cost; for an implicit solver one whose run reaches its end, if there is one
      */
@@ -158,7 +158,8 @@ public final class EqualWork {
     }
 
     /**
-     * If a solver needs more work than was asked for, all get that much: the others make smaller steps.
+     * Shares the work among solvers. If a solver needs more work than the target, all get that much, and the others
+     * make smaller steps.
      *
      * @param solvers  the solvers that take part
      * @param progress receives the progress

@@ -97,7 +97,7 @@ public final class StiffGallery {
             }
             return new Cost(k, Double.NaN, run.precise() ? run.evaluations() : Double.NaN, run.vibration());
         }
-        int toGrow = never ? 0 : STEPS_TO_GROW;         // who grows at any step is in a race with the end
+        int toGrow = never ? 0 : STEPS_TO_GROW;         // a solver that always grows only grows more
         int stable = never ? 0 : fewest(solver, k, false, toGrow);
         int precise = fewest(solver, k, true, toGrow);
         Run best = run(solver, k, Math.max(1, precise), 0, 0);

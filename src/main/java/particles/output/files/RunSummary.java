@@ -9,7 +9,7 @@ import java.util.Map;
  * @param sceneHash          SHA-256 of the scene file's bytes, in hexadecimal
  * @param solver             the solver's name
  * @param deltaT             the time step (s)
- * @param duration           the simulated time asked for (s)
+ * @param duration           the duration in the scene (s)
  * @param endTime            the simulated time reached (s): less than the duration if the run ended early
  * @param version            the program's version
  * @param steps              the number of steps

@@ -45,14 +45,14 @@ public final class FrameRenderer {
     private final ProjectedParticles projected;
     private final VisibilityFilter shown;
     private final RoundShapes shapes;
-    // painters of what the stage names, and of nothing else
+    // only the painters that the settings need
     private final Optional<SurfacePainter> surfaces;
     private final Optional<BlobPainter> blobs;
     private final Optional<GlowPainter> glow;
     private final Optional<TrailPainter> trails;
     private final Optional<FrameMarks> marks;
     private final Optional<FrameText> text;
-    // what the first frame decides
+    // set by the first frame
     private DrawnSizes sizes;
     private Optional<WirePainter> wires;
     private ParticlePainter particles;

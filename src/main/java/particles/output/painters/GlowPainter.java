@@ -13,7 +13,7 @@ public final class GlowPainter {
     private final List<Integer> colours;
     private final LightLayer layer;
 
-    /** @param colours from birth to death, evenly spread */
+    /** @param colours the colours from birth to death, evenly spread */
     public GlowPainter(List<Integer> colours, int width, int height) {
         this.colours = colours;
         layer = new LightLayer(width, height);

@@ -75,7 +75,7 @@ public final class NormalForces {
         }
         double worst = 0;
         for (int p = 0; p < count; p++) {
-            double approach = needed[p];                // what still presses into surface p
+            double approach = needed[p];                // the force still pressing into surface p
             for (int q = 0; q < size; q++) {
                 approach -= normals[p].dot(normals[chosen[q]]) * trial[chosen[q]];
             }

@@ -11,7 +11,7 @@ public final class StraightWire implements Curve {
 
     /**
      * @param point     any point of the line (m)
-     * @param direction along the line; of any length but zero
+     * @param direction the direction of the line; of any length but zero
      */
     public StraightWire(Vector3 point, Vector3 direction) {
         this.point = point;

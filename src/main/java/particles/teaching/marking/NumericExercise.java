@@ -20,9 +20,9 @@ public abstract class NumericExercise implements Exercise {
 
     /**
      * @param title   its subject
-     * @param lowest  the lowest right answer that anybody gets, which the text promises
+     * @param lowest  the lowest right answer of all students, which the text states
      * @param highest the highest one
-     * @param hint    for a wrong answer that no typical mistake explains: where to begin, without the formula
+     * @param hint    the hint for a wrong answer that no typical mistake explains: how to begin, without the formula
      */
     protected NumericExercise(String title, double lowest, double highest, String hint) {
         this.title = title;
@@ -71,7 +71,7 @@ public abstract class NumericExercise implements Exercise {
     /**
      * @param question one student's question
      * @param answer   the answer as the student typed it
-     * @param hint     for an answer that is not understood
+     * @param hint     the hint for an answer that is not understood
      * @return the mark
      */
     public static Mark mark(Question question, String answer, String hint) {

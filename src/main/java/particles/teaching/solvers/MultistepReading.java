@@ -62,7 +62,7 @@ record MultistepReading(double[] weights, double[] times) {
         return list.stream().mapToDouble(x -> x).toArray();
     }
 
-    /** @return the order of the formula: 1/(q + 1) is what sum w_j c_j^q has to be for all q below the order */
+    /** @return the order of the formula: sum w_j c_j^q has to be 1/(q + 1) for all q below the order */
     int order() {
         int order = 0;
         while (order < HIGHEST && isIntegrated(order)) {
