@@ -124,7 +124,8 @@ public final class BlowUpMessage {
                     + trying(option("solver", ADAPTIVE) + ", which chooses its own sub-steps");
         }
         if (limit == 0 && fastest > 0) {
-            return "\nundamped springs gain energy with " + name + " at any deltaT"
+            return "\n" + (damping == 0 ? "undamped springs gain energy with " + name + " at any deltaT"
+                    : "springs with little damping gain energy with " + name + " unless deltaT is very short")
                     + trying(withStep(SolverCatalog.info(damping == 0 ? STEADY : STEADY_WITH_DAMPING)));
         }
         if (limit == Double.POSITIVE_INFINITY) {

@@ -53,7 +53,7 @@ public final class StabilityRegion {
         SolverInfo info = SolverCatalog.info(solver);
         StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
         return chart(solver + ": " + limits(info),
-                new ArrayList<>(List.of(map.stripes("stable", 1), map.outline(solver))), window);
+                new ArrayList<>(List.of(map.filled("stable"), map.outline(solver))), window);
     }
 
     private static ChartData chart(String title, List<Series> series, Window window) {
