@@ -208,7 +208,8 @@ public final class SolverCatalog {
             Arrays.fill(types, double.class);
             return found.asSubclass(DESolver.class).getConstructor(types).newInstance((Object[]) tolerances);
         } catch (ClassNotFoundException e) {
-            throw new NoSuchElementException("no class or solver is called '" + name + "'; known solvers: "
+            throw new NoSuchElementException("no class or solver is called '" + name + "'"
+                    + DidYouMean.hint(name.replaceFirst(".*[.]", ""), names(), "'%s'"::formatted) + " known solvers: "
                     + String.join(", ", names()), e);
         } catch (LinkageError e) {                      // a static initialiser failed; no cause the second time
             throw new IllegalArgumentException("class " + name + " cannot be loaded: "
