@@ -27,7 +27,7 @@
  * If an end of a compressed spring moves sideways, the spring pushes it further that way. This negative stiffness can
  * make the matrix indefinite; a correction may then lead up in energy instead of down. The linearised step leaves the
  * negative stiffness out. Newton's method begins with the full matrix, with which it converges fastest, and leaves it
- * out only if a correction does not lead down.
+ * out where a correction does not lead down or has to be shortened.
  *
  * <h2>When Newton's method stops</h2>
  * It stops when the correction of every entry is at most 1e-10 of that entry, or when all residuals are round-off. So
