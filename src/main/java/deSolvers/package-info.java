@@ -1,6 +1,6 @@
 /**
- * The course's interface between a simulation and the methods that solve its differential equation, and the three
- * solvers that the slides spell out.
+ * The course's interface between a simulation and the methods that solve its differential equation, and three
+ * of the four solvers that the slides write out.
  *
  * <p>A {@link deSolvers.DEStateSource} knows its state s, its time t and its derivative ds/dt = f(s, t).
  * A {@link deSolvers.DESolver} advances it and knows nothing else about it. The pair is small on purpose: a new solver
@@ -55,21 +55,23 @@
  * <tr><td>r, of planes</td><td>{@code restitution}</td><td>a bounce turns the normal velocity v into -r v</td></tr>
  * <tr><td>k<sub>f</sub></td><td>{@code coefficient} of the friction law {@code slide}</td>
  *     <td>friction for each unit of normal force and of sliding speed (s/m)</td></tr>
- * <tr><td>N</td><td>{@code NormalForces}; {@code normal} is its direction</td>
- *     <td>the force with which a plane pushes back (N)</td></tr>
+ * <tr><td><b>N</b></td><td>{@code normal}</td><td>a plane's normal, of length 1</td></tr>
+ * <tr><td>-(<b>N</b> . F)</td><td>{@code push} in {@code NormalForces}</td>
+ *     <td>the normal force, with which a plane pushes back (N)</td></tr>
  * <tr><td>r, of springs</td><td>{@code r}</td><td>the vector x<sub>j</sub> - x<sub>i</sub> along the spring</td></tr>
  * </table>
  *
  * <h2>Where the code differs from the slides</h2>
  * <ul>
- * <li>The friction force is -k<sub>f</sub> |N| v<sub>t</sub>. The slide has the opposite sign, with which friction
- *     would push a sliding particle forwards.</li>
- * <li>The relative velocity in the damped spring is v<sub>j</sub> - v<sub>i</sub>, the derivative of r; the slide has
- *     lost a sign.</li>
+ * <li>The friction force is -k<sub>f</sub> |<b>N</b> . F| v<sub>t</sub>. The slide has the opposite sign, with which
+ *     friction would push a sliding particle forwards.</li>
+ * <li>The relative velocity in the damped spring is v<sub>j</sub> - v<sub>i</sub>, the derivative of r; our copy of
+ *     the slide has v<sub>i</sub> - v<sub>i</sub>, which would be 0.</li>
  * <li>The interface has {@code getStateSize}, {@code getTime} and {@code reset} besides the calls on the Euler solver's
  *     slide.</li>
- * <li>The simple algorithm computes all forces at t before anything moves.</li>
- * <li>Wind is not a force of its own: it moves the air, and drag depends on the velocity relative to the air.</li>
+ * <li>The slide's simple algorithm moves the clock before it computes the forces; here they are those at t.</li>
+ * <li>The slides count wind among the global forces. Here it moves the air, and drag depends on the velocity relative
+ *     to the air.</li>
  * </ul>
  *
  * <p>The javadoc uses three textbook symbols: h is deltaT, z is lambda h for the test equation s' = lambda s, and the

@@ -28,7 +28,7 @@ public final class EnergyLedger implements Observer {
     private static final int STRIDE = Particles.STRIDE;
     /**
      * Simpson's rule and the trapezoidal rule may differ by this part of the larger one. For the power of linear drag,
-     * whose velocity decays as exp(-t/T), that is reached by a step of 1.7 T.
+     * whose velocity decays as exp(-t/T), that is reached by a step of 2.0 T.
      */
     private static final double RESOLVED = 0.5;
     /**

@@ -24,8 +24,8 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  * <b>Stability</b> a sub-step has R(z) = R4(z/2)<sup>2</sup>, with R4 that of RK4: h |lambda| &le; 5.5706 on the
  * negative real axis, h omega &le; 5.6569 on the imaginary one. A fast vibration that has decayed may grow again, in
  * our tests up to 150 times its tolerance (19 with {@code dormand-prince}).<br>
- * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs about
- * half the evaluations for the same error.<br>
+ * <b>When to use</b> to see how a step is controlled; {@code dormand-prince} needs a
+ * quarter to a half of the evaluations for the same error.<br>
  * <b>Source</b> COMPSCI 715 (2003), slide "Adaptive Stepsizes"; W. H. Press et al., <i>Numerical Recipes</i>, 2nd ed.,
  * section 16.2; the second estimate is our own.
  */
@@ -97,8 +97,8 @@ public final class StepDoublingSolver extends AdaptiveSolver {
 
     /**
      * The second estimate, (k2 + k3 of the long step + 4 k4 of the first short one - 6 f(s at the middle)) h / 240,
-     * from four slopes at the same time. For s' = lambda s and z = h lambda it is z^5/15360, an eighth of the first
-     * where z is small. The first is 0 by accident at z = -10.98 and z = -2.51 +- 9.93 i; this one is not.
+     * from four slopes at the same time. For s' = lambda s and z = h lambda its size is |z|^5/15360, an eighth of the
+     * first where z is small. The first is 0 by accident at z = -10.98 and z = -2.51 +- 9.93 i; this one is not.
      */
     private void compareMiddle(double[] k4, double h) {
         for (int i = 0; i < middleError.length; i++) {

@@ -17,19 +17,19 @@ import deSolvers.adaptive.AdaptiveSolver;
  * <p>If the stretch is too long for a fast component of the solution, the last two entries may agree by chance although
  * both are far too large. For s' = lambda s with five lines, at h lambda = -9.15, both are 15 times the starting value,
  * while the solution has almost vanished. A second table therefore extrapolates the change of every T_j0 by Gragg's
- * smoothing, which should tend to 0. If the first table converges, the rest is about a third of the error estimate; if
- * not, on the negative real axis, it is larger than the result itself. A quarter of this rest counts as an error too.
- * It costs no evaluation.
+ * smoothing, which should tend to 0. If the first table converges, the rest is about a third of the error estimate at
+ * h omega = 1, and less in shorter stretches; if not, on the negative real axis, it is larger than the result itself.
+ * A quarter of this rest counts as an error too. It costs no evaluation.
  *
  * <p><b>Order</b> variable, 2 k + 2 for k + 1 lines, up to 18.<br>
  * <b>Evaluations</b> 2 + 6 + 10 + ... a sub-step, and 1 at its beginning.<br>
  * <b>Stability</b> that of an explicit method, with another R(z) for every number of lines: 2 to 9 are stable for h
- * |lambda| &le; 5.02, 7.36, 6.39, 7.28, 8.25, 9.26, 10.29, 11.33 on the negative real axis. A component that is too
+ * |lambda| &le; 5.02, 7.36, 6.39, 7.27, 8.25, 9.26, 10.29, 11.33 on the negative real axis. A component that is too
  * fast for the stretches, and has decayed, may grow again to many times its tolerance (25 were measured, 19 with {@code
  * dormand-prince}). An undamped vibration may grow by its tolerance in every stretch: with 1e-3 one grew 2.6-fold in
  * 640 periods. On a stiff system its sub-steps are very short, at a higher cost than with {@code dormand-prince}.<br>
  * <b>When to use</b> smooth motion to high accuracy, errors of 1e-8 and below; not where bounces or contacts interrupt
- * the motion, since it needs long stretches to pay; nor for errors of 1e-5 or more, for which {@code dormand-prince} is
+ * the motion, since it needs long stretches to pay; nor for errors of 1e-4 or more, for which {@code dormand-prince} is
  * cheaper.<br>
  * <b>Source</b> R. Bulirsch, J. Stoer, Numer. Math. 8 (1966) 1-13; W. B. Gragg, SIAM J. Numer. Anal. 2 (1965) 384-403;
  * P. Deuflhard, Numer. Math. 41 (1983) 399-422 (order and step); the check by the smoothing is our own.

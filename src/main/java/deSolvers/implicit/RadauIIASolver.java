@@ -171,7 +171,7 @@ public final class RadauIIASolver extends AdaptiveSolver {
      * with it the estimate, follows mostly the length of the sub-step <i>before</i>, e<sub>n</sub> ~
      * h<sub>n-1</sub><sup>3</sup>. There the prediction's h<sub>n</sub><sup>2</sup>/h<sub>n-1</sub>
      * (e<sub>n-1</sub>/e<sub>n</sub><sup>2</sup>)<sup>1/4</sup> swings ever more (its recursion in log h has roots of
-     * modulus 1.3), while h<sub>n</sub> e<sub>n</sub><sup>-1/4</sup> settles (0.8). It cost up to a third more
+     * modulus 1.36), while h<sub>n</sub> e<sub>n</sub><sup>-1/4</sup> settles (0.87). It cost up to a third more
      * evaluations on Prothero and Robinson's problem, and saved at most a tenth elsewhere.
      */
     @Override

@@ -46,7 +46,7 @@ final class ImplicitKick {
             if (!(change <= Double.MAX_VALUE)) {
                 break;                                  // diverged until the source overflows: not the source's fault
             }
-            if (change <= TOLERANCE * scale) {
+            if (change <= TOLERANCE * Math.max(scale, Double.MIN_NORMAL)) {     // smaller numbers have fewer digits
                 return;
             }
             if (iteration > 0 && change >= last

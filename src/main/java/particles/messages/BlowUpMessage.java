@@ -124,7 +124,8 @@ public final class BlowUpMessage {
                     + trying(option("solver", ADAPTIVE) + ", which chooses its own sub-steps");
         }
         if (limit == 0 && fastest > 0) {
-            return "\nundamped springs gain energy with " + name + " at any deltaT"
+            return "\n" + (damping == 0 ? "undamped springs gain energy with " + name + " at any deltaT"
+                    : "springs with little damping gain energy with " + name + " unless deltaT is very short")
                     + trying(withStep(SolverCatalog.info(damping == 0 ? STEADY : STEADY_WITH_DAMPING)));
         }
         if (limit == Double.POSITIVE_INFINITY) {
@@ -158,8 +159,8 @@ public final class BlowUpMessage {
         boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
         double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
         String what = byFixedPoint
-                ? "damping (rate * deltaT is at most " + Digits.few(damping * deltaT) + "; " + solver.name()
-                        + " converges well up to " + FIXED_POINT
+                ? "damping (c/m * deltaT is at most " + Digits.few(damping * deltaT) + "; the iteration of "
+                        + solver.name() + " converges well up to " + FIXED_POINT
                 : "vibration (|lambda| * deltaT is at most " + Digits.few(deltaT * rate(solver)) + "; the limit of "
                         + solver.name() + " is " + Digits.few(limit);
         return "deltaT is up to " + Digits.few(times) + " times too long for the fastest " + what + spring + ")";

@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import deSolvers.DESolver;
 import deSolvers.DESolverException;
+import deSolvers.problems.LinearPair;
 import deSolvers.problems.SecondOrderProblem;
 import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
@@ -185,6 +187,22 @@ class ImplicitKickTest {
                 H));
         assertTrue(e.getMessage().contains("too stiff for this deltaT"), e.getMessage());
         assertTrue(source.evaluations() < 20, "overflows soon: " + source.evaluations());
+    }
+
+    /** Numbers below 1e-308 have fewer digits: the iteration must not wait for more. */
+    @Test
+    void aMotionThatDiesOutIsSolvedToTheLastDigit() {
+        for (DESolver solver : new DESolver[] {new VelocityVerletSolver(), new Yoshida4Solver()}) {
+            LinearPair spring = LinearPair.spring(1, 2);        // critically damped
+            spring.start(1);
+            double h = solver instanceof VelocityVerletSolver ? 0.7 : 0.4;
+            for (int i = 0; i < 3000; i++) {
+                solver.stepState(spring, h);
+            }
+            for (double entry : spring.state()) {
+                assertEquals(0, entry, 1e-300);
+            }
+        }
     }
 
     /** After a failed step nothing is remembered: the next one begins with an evaluation of its own. */

@@ -99,6 +99,14 @@ class BlowUpMessageTest {
         assertTrue(line.endsWith("\ntry softer springs or larger masses, as no deltaT may be below 1e-30 s"), line);
     }
 
+    /** c = 3 N s/m: Euler is stable up to c/k = 7.5 ms, so "at any deltaT" would not be true. */
+    @Test
+    void dampedSpringsAreNotCalledUndamped() {
+        String line = blowUp(chain("euler", 3, new Overrides()));
+        assertTrue(line.contains("\nsprings with little damping gain energy with euler unless deltaT is very short\n"
+                + "try --solver=rk4 with --deltaT="), line);
+    }
+
     @Test
     void aSolverWithLimit0IsReplaced() {
         String line = blowUp(chain("euler", 0, new Overrides()));
@@ -110,7 +118,7 @@ class BlowUpMessageTest {
     void whatTheSolverSaysIsPartOfTheLine() {
         String line = blowUp(chain("verlet", 30, new Overrides()));
         assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
-                + " iterations.*\\ndeltaT is up to [\\d.]+ times too long for the fastest damping \\(rate \\* deltaT"
+                + " iterations.*\\ndeltaT is up to [\\d.]+ times too long for the fastest damping \\(c/m \\* deltaT"
                 + " is at most .*\\ntry --deltaT=0\\.00\\d+"), line);
     }
 

@@ -52,6 +52,8 @@ abstract class CheckCommand extends ProgramCommand {
      * @param page     the report
      */
     record Checked(String subject, String identity, List<Finding> findings, ResultPage page) {
+        /** In place of the identity. */
+        static final String NOT_CHECKED = "it cannot be checked.";
     }
 
     /** @return the command's name, which is its task's */

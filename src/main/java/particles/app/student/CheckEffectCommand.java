@@ -50,7 +50,7 @@ public final class CheckEffectCommand extends CheckCommand {
             subject = made.getClass().getSimpleName();
             identity = "The effect '" + made.getName() + "' claims " + claims(made.getTraits()) + ".";
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            identity = "It cannot be checked.";
+            identity = Checked.NOT_CHECKED;
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));
         }
         return new Checked(subject, identity, findings, new ResultPage(NAME, subject + ": " + identity,

@@ -29,7 +29,8 @@ final class CheckReport {
         List<String> notes = checked.findings().stream().filter(finding -> !finding.isWrong())
                 .map(finding -> "note: " + finding.text()).toList();
         List<String> lines = new ArrayList<>();
-        lines.add(checked.subject() + ": " + (wrong.isEmpty() ? "right. " : "wrong. ") + checked.identity());
+        lines.add(checked.subject() + ": " + (checked.identity().equals(Checked.NOT_CHECKED) ? ""
+                : wrong.isEmpty() ? "right. " : "wrong. ") + checked.identity());
         add(lines, wrong, MOST_MISTAKES);
         add(lines, notes, MOST_NOTES);
         List<String> last = new ArrayList<>();

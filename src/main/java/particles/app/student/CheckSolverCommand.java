@@ -62,7 +62,7 @@ public final class CheckSolverCommand extends CheckCommand {
         try {
             name = maker.get().getClass().getSimpleName();
         } catch (NoSuchElementException | IllegalArgumentException e) {
-            return new Checked(solver, "It cannot be checked.", List.of(new Finding(Kind.FAILURE,
+            return new Checked(solver, Checked.NOT_CHECKED, List.of(new Finding(Kind.FAILURE,
                     e.getMessage())), new ResultPage(NAME, solver + " cannot be checked",
                             List.of(String.valueOf(e.getMessage())), List.of(), List.of()));
         }

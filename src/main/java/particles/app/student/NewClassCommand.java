@@ -51,7 +51,7 @@ public abstract class NewClassCommand extends ProgramCommand {
         String name = className.replaceFirst("^exercises[.]", "");
         if (!SolverSkeleton.isClassName(name)) {
             throw new Failure(ExitCode.BAD_INPUT, "option " + style.option("class") + ": '" + className
-                    + "' is not a class name; use a capital, then letters and digits, as in HeunSolver");
+                    + "' is not a class name; use a capital, then letters and digits");
         }
         Path file = folder.resolve(name + ".java");
         Files.createDirectories(folder);

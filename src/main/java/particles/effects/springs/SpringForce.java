@@ -15,7 +15,7 @@ import particles.view.SpringView;
  *   r = x_j - x_i,   r' = v_j - v_i
  *   F_ij = [ k (|r| - l) + k_d (r . r') / |r| ] r / |r|,     F_ji = -F_ij
  * </pre>
- * k stiffness, l rest length, k_d damping. (The slide's r' is printed with a sign lost; it is the derivative of r.)
+ * k stiffness, l rest length, k_d damping. (Our copy of the slide has r' = v_i - v_i.)
  *
  * <p>A spring between two particles at the same place has no direction and exerts no force. For l = 0 that is the limit
  * of the law; for l &gt; 0 it is an unstable equilibrium.

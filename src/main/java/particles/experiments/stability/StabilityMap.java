@@ -71,13 +71,12 @@ public final class StabilityMap {
     }
 
     /**
-     * @param name  the name in the legend
-     * @param every the number of grid rows from one stripe to the next
-     * @return horizontal stripes over the region where a step does not grow
+     * @param name the name in the legend
+     * @return the region where a step does not grow, as a stripe along each row of the grid
      */
-    public Series stripes(String name, int every) {
+    public Series filled(String name) {
         List<double[]> line = new ArrayList<>();
-        for (int r = 1 + every / 2; r < grows.length; r += every) {
+        for (int r = 1; r < grows.length; r++) {
             for (int c = 0; c < grows[r].length; c++) {
                 int from = c;
                 while (c < grows[r].length && !grows[r][c]) {

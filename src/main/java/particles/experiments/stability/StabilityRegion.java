@@ -53,7 +53,7 @@ public final class StabilityRegion {
         SolverInfo info = SolverCatalog.info(solver);
         StabilityMap map = new StabilityMap(Amplification.of(info)::at, window, true);
         return chart(solver + ": " + limits(info),
-                new ArrayList<>(List.of(map.stripes("stable", 1), map.outline(solver))), window);
+                new ArrayList<>(List.of(map.filled("stable"), map.outline(solver))), window);
     }
 
     private static ChartData chart(String title, List<Series> series, Window window) {
@@ -69,7 +69,7 @@ public final class StabilityRegion {
 
     /** The limits of a step, in a sentence. */
     private static String limits(SolverInfo info) {
-        double damping = info.secondOrder() ? info.dampedLimit() : info.realLimit();
+        double damping = info.dampedLimit();
         double springs = info.imaginaryLimit();
         if (damping == Double.POSITIVE_INFINITY && springs == Double.POSITIVE_INFINITY) {
             return "stable at any step, whatever decays or swings";

@@ -50,12 +50,12 @@ public final class StiffCharts {
             charts.add(new ChartData("", STIFFNESS, "never", true, false, rows, failures(sweeps, rows)));
         }
         if (!stable.isEmpty()) {
-            charts.add(new ChartData("What a run costs that only has to be stable", STIFFNESS,
+            charts.add(new ChartData("Cost of a run that only has to be stable", STIFFNESS,
                     "evaluations to be stable", true, true, stable));
         }
         if (!left.isEmpty()) {
-            charts.add(new ChartData("What is left of the fast vibration in the cheapest run that finds the swing to"
-                    + " 1 %", STIFFNESS, "fast-mode energy, end / start", true, true, left));
+            charts.add(new ChartData("Fast vibration that is left in the cheapest run within 1 % of the swing",
+                    STIFFNESS, "fast-mode energy, end / start", true, true, left));
         }
         return charts;
     }

@@ -1,6 +1,7 @@
 package particles.output.charts;
 
 import java.awt.Shape;
+import java.awt.Stroke;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -60,11 +61,14 @@ final class ChartLegend {
         return legend;
     }
 
+    /** A line so dense that it is drawn thin and pale has a wide sample: its turns together look like that. */
     private static LegendItem item(XYLineAndShapeRenderer renderer, String name, int k) {
+        Stroke stroke = renderer.lookupSeriesStroke(k);
         LegendItem item = new LegendItem(name, name, null, null, renderer.getItemShapeVisible(k, 0),
                 renderer.lookupSeriesShape(k), true, renderer.lookupSeriesFillPaint(k), true,
                 renderer.lookupSeriesOutlinePaint(k), renderer.lookupSeriesOutlineStroke(k),
-                renderer.getItemLineVisible(k, 0), ChartStyle.LEGEND_LINE, renderer.lookupSeriesStroke(k),
+                renderer.getItemLineVisible(k, 0), ChartStyle.LEGEND_LINE,
+                stroke == ChartStyle.THIN ? ChartStyle.BAND : stroke,
                 renderer.lookupSeriesPaint(k));
         item.setSeriesIndex(k);
         return item;

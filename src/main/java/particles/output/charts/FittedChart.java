@@ -1,5 +1,6 @@
 package particles.output.charts;
 
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -30,6 +31,7 @@ final class FittedChart extends JFreeChart {
     private static final double ALIKE = 1.34;
     private static final int TRIALS = 6;
 
+    private final String title;
     private final transient List<EndLabels> labels = new ArrayList<>();
     private final boolean equalUnits;
     private final boolean tellsUnits;
@@ -45,6 +47,7 @@ final class FittedChart extends JFreeChart {
      */
     FittedChart(String title, XYPlot plot, Panel.Kind kind) {
         super(title, ChartStyle.TITLE, plot, false);
+        this.title = title;
         boolean combined = plot instanceof CombinedDomainXYPlot;
         if (kind == Panel.Kind.CHART) {
             subplots(plot).forEach(part -> labels.add(new EndLabels(part)));
@@ -103,6 +106,7 @@ final class FittedChart extends JFreeChart {
         if (equalUnits || tellsUnits) {
             fitUnits(area);
         }
+        breakTitle(g, area.getWidth() - getPadding().getLeft() - getPadding().getRight());
         super.draw(g, area, anchor, seen);
         setPadding(padding);
         PlotRenderingInfo plots = seen.getPlotInfo();
@@ -110,6 +114,25 @@ final class FittedChart extends JFreeChart {
             labels.get(k).draw(g, plots.getSubplotCount() > k ? plots.getSubplotInfo(k).getDataArea()
                     : plots.getDataArea());
         }
+    }
+
+    /** Breaks the title at spaces; JFreeChart would break it within a number, too. */
+    private void breakTitle(Graphics2D g, double width) {
+        if (getTitle() == null) {
+            return;
+        }
+        FontMetrics metrics = g.getFontMetrics(getTitle().getFont());
+        StringBuilder lines = new StringBuilder();
+        String line = "";
+        for (String word : title.split(" ")) {
+            if (!line.isEmpty() && metrics.stringWidth(line + " " + word) > width) {
+                lines.append(line).append('\n');
+                line = word;
+            } else {
+                line = line.isEmpty() ? word : line + " " + word;
+            }
+        }
+        getTitle().setText(lines + line);
     }
 
     /** Fits equal units by trial: the room of axes depends on their labels, and these on the room. */

@@ -148,12 +148,18 @@ public final class Picture {
         for (Panel part : panels.stream().flatMap(panel -> panel.apart().stream()).toList()) {
             List<Panel> families = part.curves() > format.mostCurves() ? part.byFamily() : List.of(part);
             if (!format.slide()) {
-                pictures.add(new Picture(next(pictures), caption, heading(part), true, families));
+                pictures.add(new Picture(next(pictures), captionOf(part, pictures), heading(part), true, families));
             } else {
-                families.forEach(family -> pictures.add(of(next(pictures), caption, family.named())));
+                families.forEach(family ->
+                        pictures.add(of(next(pictures), captionOf(part, pictures), family.named())));
             }
         }
         return pictures;
+    }
+
+    /** The caption explains all parts and stands below the first one; each other part has its heading. */
+    private String captionOf(Panel part, List<Picture> before) {
+        return before.isEmpty() ? caption : heading(part) + ".";
     }
 
     private String next(List<Picture> before) {

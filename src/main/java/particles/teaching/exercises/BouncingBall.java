@@ -40,7 +40,7 @@ final class BouncingBall extends NumericExercise {
         for (int n = 1; n < bounce; n++) {
             sum += StrictMath.pow(r, n);
         }
-        return new Question("On a planet with g = " + Draw.text(g) + " m/s^2 a ball falls from rest, its middle "
+        return new Question("Where g = " + Draw.text(g) + " m/s^2, a ball falls from rest, its middle "
                 + Draw.text(height)
                 + " m above where it meets the ground. Each bounce turns the velocity v into -r v with r = "
                 + Draw.text(r)

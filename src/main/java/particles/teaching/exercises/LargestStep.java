@@ -64,8 +64,8 @@ final class LargestStep extends NumericExercise {
     }
 
     /**
-     * Finds the limit by bisection, between a step that is stable for any chain of such springs and twice that, which
-     * is stable for none.
+     * Finds the limit by bisection, between a step that is stable for any chain of such springs and four times that,
+     * which is stable for none.
      */
     private static double limit(int count, double m, double k, double stable) {
         double low = stable;

@@ -36,7 +36,7 @@ final class SceneDesign implements Exercise {
      *
      * @param particles   the least number of particles that can move
      * @param springs     the least number of springs
-     * @param bounces     the least number of bounces: steps or impacts in which the ground changed something
+     * @param bounces     the least number of impacts that reverse a component of a particle's velocity
      * @param duration    the least duration (s)
      * @param lost        the least part of the energy scale that damping, drag and impacts take
      * @param evaluations the largest number of evaluations of the derivative
@@ -76,7 +76,7 @@ final class SceneDesign implements Exercise {
                 "at least " + wanted.bounces() + " bounces off the ground or another surface",
                 "damping, drag and bounces take at least " + Draw.text(wanted.lost())
                         + " of the energy scale (the largest energy of motion and springs)",
-                "what no physics explains of the energy is at the end below " + Draw.text(ACCURACY) + " of that scale");
+                "the numerical error of the energy at the end is below " + Draw.text(ACCURACY) + " of that scale");
     }
 
     @Override

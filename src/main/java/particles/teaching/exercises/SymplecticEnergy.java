@@ -16,7 +16,7 @@ final class SymplecticEnergy extends NumericExercise {
 
     SymplecticEnergy() {
         super("Symplectic Euler: how far the energy swings", 1.02, 12,
-                "Follow a few steps by a program of your own, and note the energy after each.");
+                "Follow many steps by a program of your own, and note the largest energy after any of them.");
     }
 
     @Override
@@ -35,8 +35,7 @@ final class SymplecticEnergy extends NumericExercise {
                         + " steps, as a multiple of the energy at the start?",
                 "", FOUR_DIGITS, answer, smallest, List.of(
                 new CommonMistake(1 / (1 + half),
-                        "This is the smallest energy of the swing, for a start at the other end of the ellipse's "
-                                + "axis."),
+                        "This is the smallest energy of the swing; the question asks for the largest."),
                 new CommonMistake(Math.sqrt(answer), "This is the factor of the amplitude; energy goes with its "
                         + "square."),
                 new CommonMistake(answer - 1, "This is what comes on top; the question asks for the multiple of the "

@@ -12,6 +12,7 @@ import java.util.function.Supplier;
 import particles.experiments.stability.Amplification;
 import particles.experiments.stability.StabilityLimit;
 import particles.experiments.stability.StabilityMap;
+import particles.experiments.stability.StabilityRegion.Window;
 import particles.experiments.stability.StepTrial;
 import particles.teaching.Formula;
 import particles.view.ChartData.Mark;
@@ -159,19 +160,17 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
     private static ChartData chart(String name, Plane plane, String nearest, StabilityLimit damping,
             StabilityLimit spring) {
         DoubleBinaryOperator other = builtIn(nearest, plane);
-        StabilityView view = StabilityView.of(plane::growth, other, plane.amplification::getEvaluations,
-                !plane.springs);
-        StabilityMap own = new StabilityMap(plane::growth, view.window(), !plane.springs);
-        Series beside = new StabilityMap(other, view.window(), !plane.springs).outline(nearest);
+        Window window = StabilityWindow.of(plane::growth, other, plane.amplification::getEvaluations, !plane.springs);
+        StabilityMap own = new StabilityMap(plane::growth, window, !plane.springs);
+        Series beside = new StabilityMap(other, window, !plane.springs).outline(nearest);
         // pale and wide, so that a line along which it runs is seen
-        List<Series> series = new ArrayList<>(List.of(own.outline(name), own.stripes("stable",
-                view.rowsBetweenStripes()),
+        List<Series> series = new ArrayList<>(List.of(own.outline(name), own.filled("stable"),
                 new Series(nearest, Mark.BAND, beside.x(), beside.y())));
         if (!plane.springs) {
-            double top = view.window().top();
+            double top = window.top();
             series.add(new Series("imaginary axis", Mark.LINE, new double[] {0, 0}, new double[] {-top, top}));
         }
-        String title = "Stable where striped: " + most(damping)
+        String title = "Stable in the grey region: " + most(damping)
                 + (plane.springs ? " for critical damping, " : " for damping, ") + most(spring)
                 + " for undamped springs";
         return new ChartData(title, plane.springs ? "deltaT omega: stiffness"

@@ -46,7 +46,7 @@ public record AnswerText(Optional<Double> value, String problem) {
         }
         Matcher matcher = FORM.matcher(text);
         if (!matcher.matches()) {
-            return refused("'" + shown + "' is no number; " + ALLOWED + ".");
+            return refused("'" + shown + "' is not a number; " + ALLOWED + ".");
         }
         double value = number(matcher.group(1));
         if (matcher.group(2) != null) {                 // null where there is no fraction

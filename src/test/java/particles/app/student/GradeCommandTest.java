@@ -134,7 +134,7 @@ class GradeCommandTest {
         assertTrue(report.contains("'kg' after the number is not understood: the answer is wanted in m/s"), report);
         assertTrue(report.contains("| solver GoodSolver | 1 | GoodSolver: right. This is the Euler method."), report);
         assertTrue(report.contains(
-                "| solver BrokenSolver | 0 | exercises.BrokenSolver: wrong. It cannot be checked. failure: "),
+                "| solver BrokenSolver | 0 | exercises.BrokenSolver: it cannot be checked. failure: "),
                 report);
         assertTrue(report.contains(
                 "failure: BrokenSolver.java:11: it does not compile: cannot find symbol symbol: variable dSdx"),

@@ -64,12 +64,12 @@ class SceneDesignTest {
         assertFails("does not hold: at least", GOOD.replace("columns: 4, rows: 3", "columns: 2, rows: 2"));
         assertFails("does not hold: duration: at least", GOOD.replace("duration: 6", "duration: 0.5"));
         assertFails("does not hold: it runs to its end", GOOD.replace("deltaT: 0.002", "deltaT: 0.00002"));
-        assertFails("not looked at: what no physics explains", GOOD.replace("deltaT: 0.002", "deltaT: 0.00002"));
+        assertFails("not looked at: the numerical error", GOOD.replace("deltaT: 0.002", "deltaT: 0.00002"));
         assertFails("does not hold: at least", GOOD.replace("rules: [ground: {restitution: 0.6}]", ""));
         assertFails("does not hold: damping, drag and bounces take", GOOD.replace("restitution: 0.6",
                 "restitution: 1").replace(", drag: {coefficient: 0.02}", "")
                 .replace(", damping: 0.1", ""));
-        assertFails("does not hold: what no physics explains", GOOD.replace("solver: rk4",
+        assertFails("does not hold: the numerical error", GOOD.replace("solver: rk4",
                 "solver: backward-euler").replace("deltaT: 0.002", "deltaT: 0.1")
                 .replace("impact: exact", "impact: clamp"));
     }

@@ -29,7 +29,7 @@ class AnswerTextTest {
             "NaN|'NaN' is no finite number", "-Infinity|'-Infinity' is no finite number",
         "1e999|is no finite number", "1/0|is no finite number", "0/0|is no finite number",
                 "1,234.5|has two points or commas", "1.234,5|has two points or commas",
-        "one|'one' is no number", "--1|is no number",
+        "one|'one' is not a number", "--1|is not a number",
                 "0.125 cm/s|'cm/s' after the number is not understood: the answer is wanted in m/s",
                         "0.1 0.2|not understood", "12 %|not understood"})
     void everythingElseGetsOneClearLine(String typed, String problem) {

@@ -4,22 +4,19 @@ import java.util.function.DoubleBinaryOperator;
 import java.util.function.LongSupplier;
 import particles.experiments.stability.StabilityRegion.Window;
 
-/**
- * The part of the plane that shows a solver's stability region, and the resolution of its picture.
- *
- * @param window             the part of the plane
- * @param rowsBetweenStripes the number of grid rows from one stripe to the next
- */
-record StabilityView(Window window, int rowsBetweenStripes) {
+/** Chooses the part of the plane that shows a solver's stability region, and the resolution of its picture. */
+final class StabilityWindow {
     private static final double NEAREST = 0.05;
     private static final double FARTHEST = 20;
     private static final double FACTOR = 1.1;
     private static final double STABLE = 1 + 1e-8;
     /** Evaluations that the picture may take: half a second of them. */
     private static final double BUDGET = 1.5e6;
-    private static final int MOST_CELLS = 120;
+    private static final int MOST_CELLS = 160;
     private static final int FEWEST_CELLS = 24;
-    private static final int STRIPES = 24;
+
+    private StabilityWindow() {
+    }
 
     /**
      * Looks from 0 in all directions for places where stable and unstable meet.
@@ -30,7 +27,7 @@ record StabilityView(Window window, int rowsBetweenStripes) {
      * @param both        whether the plane is that of deltaT lambda; otherwise both coordinates are positive
      * @return a part of the plane with all of these places
      */
-    static StabilityView of(DoubleBinaryOperator growth, DoubleBinaryOperator beside, LongSupplier evaluations,
+    static Window of(DoubleBinaryOperator growth, DoubleBinaryOperator beside, LongSupplier evaluations,
             boolean both) {
         double left = 0;
         double right = 0;
@@ -70,7 +67,6 @@ record StabilityView(Window window, int rowsBetweenStripes) {
         double largest = Math.max(right - left, top);
         double cells = Math.sqrt(BUDGET / each * largest * largest / ((right - left) * top));
         double cell = largest / Math.max(FEWEST_CELLS, Math.min(MOST_CELLS, Math.floor(cells)));
-        return new StabilityView(new Window(left, right, top, cell), Math.max(1,
-                (int) Math.round(top / cell / STRIPES)));
+        return new Window(left, right, top, cell);
     }
 }
