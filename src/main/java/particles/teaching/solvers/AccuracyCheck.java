@@ -71,12 +71,19 @@ final class AccuracyCheck {
             return Optional.empty();
         }
         Optional<String> far = vanishes ? Optional.empty() : new UnreadMethod(maker).elsewhere();
-        return far.map(text -> new Finding(Kind.METHOD, text)).or(causes).or(() -> Optional.of(new Finding(
-                Kind.METHOD, vanishes ? "the measured order is " + String.format(Locale.ROOT, "%.2f", order())
-                + "; the name promises " + promise.get().saysWithOrder() + ": compare the coefficients with those of the book, and the times of"
-                + " the stages" : "the error does not go to 0 with deltaT: over the same time it is " + text(1)
-                + " with deltaT = " + text(0) + " s. Check that each evaluation is at its own state and time, and that"
-                + " the weights add up to 1")));
+        return far.map(text -> new Finding(Kind.METHOD, text)).or(causes)
+                .or(() -> Optional.of(new Finding(Kind.METHOD, vanishes ? tooLow() : notToZero())));
+    }
+
+    private String tooLow() {
+        return String.format(Locale.ROOT, "the measured order is %.2f; the name promises %s: compare the coefficients"
+                + " with those of the book, and the times of the stages", order(), promise.get().saysWithOrder());
+    }
+
+    private String notToZero() {
+        return "the error does not go to 0 with deltaT: over the same time it is " + text(1) + " with deltaT = "
+                + text(0) + " s. Check that each evaluation is at its own state and time, and that the weights add up"
+                + " to 1";
     }
 
     /** @return the first, a middle and the last of the measured points */
