@@ -1,6 +1,6 @@
 /**
- * The course's interface between a simulation and the methods that solve its differential equation, and the three
- * solvers that the slides spell out.
+ * The course's interface between a simulation and the methods that solve its differential equation, and three
+ * of the four solvers that the slides write out.
  *
  * <p>A {@link deSolvers.DEStateSource} knows its state s, its time t and its derivative ds/dt = f(s, t).
  * A {@link deSolvers.DESolver} advances it and knows nothing else about it. The pair is small on purpose: a new solver
@@ -69,8 +69,9 @@
  *     the slide has v<sub>i</sub> - v<sub>i</sub>, which would be 0.</li>
  * <li>The interface has {@code getStateSize}, {@code getTime} and {@code reset} besides the calls on the Euler solver's
  *     slide.</li>
- * <li>The simple algorithm computes all forces at t before anything moves.</li>
- * <li>Wind is not a force of its own: it moves the air, and drag depends on the velocity relative to the air.</li>
+ * <li>The slide's simple algorithm moves the clock before it computes the forces; here they are those at t.</li>
+ * <li>The slides count wind among the global forces. Here it moves the air, and drag depends on the velocity relative
+ *     to the air.</li>
  * </ul>
  *
  * <p>The javadoc uses three textbook symbols: h is deltaT, z is lambda h for the test equation s' = lambda s, and the

@@ -21,7 +21,8 @@
  *     {@link particles.EnergyLedger}.</li>
  * <li>Each {@link particles.Rule} may change the state, and add or remove particles and springs. Observers are told of
  *     each change. After a change the solver is {@linkplain deSolvers.DESolver#reset reset}.</li>
- * <li>{@link particles.EnergyLimit} ends a run that has blown up.</li>
+ * <li>{@link particles.EnergyLimit} ends a run whose kinetic energy has blown up. (An observer,
+ *     {@code NumericalErrorLimit}, ends a run whose energy is almost all numerical error.)</li>
  * </ol>
  *
  * <p>The program creates only the effects and rules that the scene names. Lengths are in metres, masses in kilograms,

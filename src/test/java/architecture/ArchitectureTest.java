@@ -92,7 +92,8 @@ class ArchitectureTest {
                                            particles.effects.springs particles.experiments.runs particles.law
                                            particles.reactions particles.reactions.contact particles.rules
                                            particles.view
-            particles.lab:                 deSolvers.catalog particles particles.experiments.stability particles.law
+            particles.lab:                 deSolvers.catalog particles particles.experiments.energy
+                                           particles.experiments.stability particles.law
                                            particles.messages particles.scene particles.scene.format particles.spec
                                            particles.view
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
@@ -140,8 +141,8 @@ class ArchitectureTest {
             particles.spec.documents:      particles.spec particles.spec.messages com.fasterxml.jackson
             particles.spec.messages:       deSolvers.catalog org.snakeyaml
             particles.teaching:
-            particles.teaching.effects:    particles particles.effects particles.effects.springs particles.law
-                                           particles.spec particles.teaching
+            particles.teaching.effects:    deSolvers.catalog particles particles.effects particles.effects.springs
+                                           particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems particles
                                            particles.effects.springs particles.experiments.energy
                                            particles.experiments.runs particles.law particles.scene

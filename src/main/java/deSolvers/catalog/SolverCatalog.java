@@ -57,7 +57,7 @@ public final class SolverCatalog {
                     "The slides' simple algorithm; no energy drift in small steps."),
             symplectic(VelocityVerletSolver::new, "verlet", VelocityVerletSolver.class,
                     2, "symplectic", "1, more with damping", 2, 0.74,
-                    "Kick, drift, kick; no energy drift in small steps."),
+                    "First choice for undamped motion; no energy drift in small steps."),
             symplectic(Yoshida4Solver::new, "yoshida4", Yoshida4Solver.class,
                     4, "symplectic", "3, more with damping", 1.5734, 0.438,
                     "Three verlet steps in one, with order 4."),
@@ -90,7 +90,7 @@ public final class SolverCatalog {
                                String family, String evaluations, double realLimit, double imaginaryLimit,
                                String sentence) {
         SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, false, false,
-                realLimit, imaginaryLimit, NONE, sentence);
+                realLimit, imaginaryLimit, realLimit, sentence);
         return new Entry(info, maker, (relative, absolute) -> throwNotAdaptive(name));
     }
 
@@ -108,7 +108,7 @@ public final class SolverCatalog {
                                   Class<? extends DESolver> solver, int order, String family, String evaluations,
                                   double realLimit, double imaginaryLimit, String sentence) {
         SolverInfo info = new SolverInfo(name, solver.getName(), order, family, evaluations, true, false, realLimit,
-                imaginaryLimit, NONE, sentence);
+                imaginaryLimit, realLimit, sentence);
         return new Entry(info, maker, toleranceMaker);
     }
 
@@ -208,7 +208,8 @@ public final class SolverCatalog {
             Arrays.fill(types, double.class);
             return found.asSubclass(DESolver.class).getConstructor(types).newInstance((Object[]) tolerances);
         } catch (ClassNotFoundException e) {
-            throw new NoSuchElementException("no class or solver is called '" + name + "'; known solvers: "
+            throw new NoSuchElementException("no class or solver is called '" + name + "'"
+                    + DidYouMean.hint(name.replaceFirst(".*[.]", ""), names(), "'%s'"::formatted) + " known solvers: "
                     + String.join(", ", names()), e);
         } catch (LinkageError e) {                      // a static initialiser failed; no cause the second time
             throw new IllegalArgumentException("class " + name + " cannot be loaded: "

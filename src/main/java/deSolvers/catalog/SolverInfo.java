@@ -14,8 +14,8 @@ package deSolvers.catalog;
  * @param realLimit      the largest stable h |lambda| on the negative real axis; infinite where there is none, NaN
  *                       where it does not apply
  * @param imaginaryLimit the largest stable h omega on the imaginary axis, for undamped springs; 0 if it always grows
- * @param dampedLimit    the largest stable h omega for a critically damped spring, of methods that step positions and
- *                       velocities apart; NaN for others, whose limit there is realLimit
+ * @param dampedLimit    the largest stable h omega for a critically damped spring, whose eigenvalues are both -omega;
+ *                       for methods that step the state as a whole it is realLimit
  * @param sentence       a description in one sentence
  */
 public record SolverInfo(String name, String className, int order, String family, String evaluations, boolean adaptive,

@@ -9,7 +9,8 @@ import deSolvers.FixedStepSolver;
  * <blockquote>
  * s(t + h) = s(t) + (I - h J)<sup>-1</sup> h f(s(t), t + h), with J = df/ds.
  * </blockquote>
- * A compressed spring pushes outwards sideways; that part of its J could make the system indefinite and is left out.
+ * If an end of a compressed spring moves sideways, the spring pushes it further that way. This negative stiffness could
+ * make the system indefinite, and is left out of J.
  * The linear system is solved to 1e-4 of its right-hand side where it is solved by iterations.
  *
  * <p><b>Order</b> 1.<br>

@@ -2,8 +2,8 @@ package deSolvers.implicit;
 
 /**
  * The negative semidefinite part of a symmetric 3 x 3 matrix: its eigenvectors, with positive eigenvalues replaced by
- * 0. For a spring's dF/dx this is the restoring part; the matrix of a compressed spring also has a part that pushes
- * further out sideways.
+ * 0. For a spring's dF/dx this is the restoring part; a compressed spring also has a negative stiffness, which pushes
+ * an end that moves sideways further that way.
  */
 final class NegativeSemidefinitePart {
     private static final int SWEEPS = 8;

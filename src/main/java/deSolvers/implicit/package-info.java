@@ -3,11 +3,12 @@
  * and strong damping do not limit the step.
  *
  * <h2>The equation</h2>
- * Backward Euler and the implicit midpoint rule both solve m = s + g f(m, t<sub>m</sub>): backward Euler with g = h at
- * the end of the step, the midpoint rule with g = h/2 at its middle. {@code Newton} solves it; each iteration needs a
- * linear system with the matrix I - g J, where J = df/ds. {@link deSolvers.implicit.LinearisedEulerSolver} takes one
- * such iteration and stops. {@link deSolvers.implicit.RadauIIASolver} has three stages; a change of variables splits
- * their system into one with I - g J for a real g and one for a complex g.
+ * Backward Euler and the implicit midpoint rule both solve m = s + g f(m, t<sub>m</sub>) for a state m. Backward Euler:
+ * g = h, t<sub>m</sub> is the end of the step, m the new state. Implicit midpoint: g = h/2, t<sub>m</sub> the middle,
+ * and the new state is 2 m - s. {@code Newton} solves the equation; each iteration solves a linear system with the
+ * matrix I - g J, where J = df/ds. {@link deSolvers.implicit.LinearisedEulerSolver} takes one such iteration and stops.
+ * {@link deSolvers.implicit.RadauIIASolver} has three stages. A change of variables splits their system into two
+ * smaller ones, with a real g and a complex g; solving these costs less.
  *
  * <h2>The matrix</h2>
  * {@code ShiftedJacobian} solves linear systems with I - g J, whatever the form of the matrix. {@code JacobianChoice}
@@ -23,15 +24,16 @@
  * The linear systems themselves are solved in {@link deSolvers.linear}.
  *
  * <h2>Compressed springs</h2>
- * A compressed spring pushes its ends outwards sideways, which can make the matrix indefinite. The linearised step
- * leaves that part out. Newton's method begins with the exact matrix, with which it converges fastest, and leaves the
- * part out where the exact correction does not lead down in energy.
+ * If an end of a compressed spring moves sideways, the spring pushes it further that way. This negative stiffness can
+ * make the matrix indefinite; a correction may then lead up in energy instead of down. The linearised step leaves the
+ * negative stiffness out. Newton's method begins with the full matrix, with which it converges fastest, and leaves it
+ * out where a correction does not lead down or has to be shortened.
  *
  * <h2>When Newton's method stops</h2>
  * It stops when the correction of every entry is at most 1e-10 of that entry, or when all residuals are round-off. So
- * an entry of 1e-3 beside one of 1e12 is right to ten digits too. Limits: round-off that the derivative of f does not
- * show, as in (x + 1e8) - 1e8, counts as an error, and such a step ends in an exception; and GMRES, which sees all
- * residuals together, may leave out a correction to an entry more than twelve powers of ten below others.
+ * an entry of 1e-3 beside one of 1e6 is right to ten digits too. GMRES, which {@code ProductSystem} uses, may leave out
+ * a correction to an entry below 1e-12 of the largest. If f itself loses digits, as (x + 1e8) - 1e8 does, Newton's
+ * method takes the round-off for an error, and the step ends in an exception.
  *
  * <p>Reference: E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996;
  * P. Deuflhard, <i>Newton Methods for Nonlinear Problems</i>, Springer 2004; D. Baraff, A. Witkin, <i>Large Steps in

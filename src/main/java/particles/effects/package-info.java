@@ -39,7 +39,7 @@
  *         return velocity.cross(w).times(2 * mass);
  *     }
  *
- *     // In a scene: - exercises.Coriolis: {angularVelocity: [0, 0, 1.57]}
+ *     // In a scene: - exercises.Coriolis: {angularVelocity: [0, 1.57, 0]}
  *     public static final class Keys extends EffectKind {
  *         private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity",
  *                 VectorType.of("rad/s"), "How fast the frame turns, about which axis (rad/s).");
@@ -65,7 +65,7 @@
  * particles:
  *   - {id: puck, position: [0, 0, 0], velocity: [1, 0, 0]}
  * effects:
- *   - exercises.Coriolis: {angularVelocity: [0, 0, 1.5707963267948966]}
+ *   - exercises.Coriolis: {angularVelocity: [0, 1.5707963267948966, 0]}
  * }</pre>
  * If the force on a particle depends on other particles, as with springs, implement {@link particles.law.Effect}: one
  * call adds the forces on all particles.

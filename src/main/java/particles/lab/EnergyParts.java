@@ -2,9 +2,9 @@ package particles.lab;
 
 import java.util.ArrayList;
 import java.util.List;
-import particles.law.Effect;
-import particles.EnergyLedger;
 import particles.ParticleSystem;
+import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.law.Effect;
 
 /**
  * The energy of a run and its parts: total energy, kinetic energy, the potential energy of each effect, and the
@@ -12,7 +12,7 @@ import particles.ParticleSystem;
  */
 final class EnergyParts {
     private final ParticleSystem system;
-    private final EnergyLedger ledger;
+    private final EnergyLedgerRecorder ledger;
     private final List<Effect> effects = new ArrayList<>();
     private final List<String> names = new ArrayList<>(List.of("total", "kinetic"));
 
@@ -20,7 +20,7 @@ final class EnergyParts {
      * @param system the system at its start
      * @param ledger the energy ledger of its run
      */
-    EnergyParts(ParticleSystem system, EnergyLedger ledger) {
+    EnergyParts(ParticleSystem system, EnergyLedgerRecorder ledger) {
         this.system = system;
         this.ledger = ledger;
         for (Effect effect : system.getEffects()) {

@@ -1,12 +1,14 @@
 package particles.lab;
 
 import java.util.function.BooleanSupplier;
-import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 import particles.Simulation;
+import particles.experiments.energy.EnergyHistory;
+import particles.experiments.energy.EnergyLedgerRecorder;
+import particles.experiments.energy.NumericalErrorLimit;
 import particles.scene.Scene;
 
 /** A run of a scene that is made a few steps at a time, and its history. */
@@ -16,7 +18,6 @@ public final class LabRun {
     private final Scene scene;
     private final Simulation simulation;
     private final ParticleSystem system;
-    private final EnergyLedger ledger = new EnergyLedger();
     private final EnergyParts energies;
     private final History history = new History(HISTORY_BYTES);
     private Structure structure;
@@ -31,10 +32,14 @@ public final class LabRun {
         this.scene = scene;
         simulation = scene.simulation();
         system = scene.system();
+        EnergyHistory history = new EnergyHistory();
+        EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
         energies = new EnergyParts(system, ledger);
         structure = Structure.of(system);
+        simulation.addObserver(history);
         simulation.addObserver(ledger);
         simulation.addObserver(new Recorder());
+        simulation.addObserver(new NumericalErrorLimit(history, ledger, scene.energyScale()));
         simulation.start();
     }
 

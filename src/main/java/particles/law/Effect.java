@@ -7,7 +7,7 @@ import java.util.Set;
  * dissipates or supplies.
  *
  * <p>In a state array, the position of particle i is in the entries 6 i, 6 i + 1 and 6 i + 2 and its velocity in
- * 6 i + 3 to 6 i + 5. In a force array, the force on it is in 6 i + 3 to 6 i + 5.
+ * 6 i + 3 to 6 i + 5. In a force array, the force on it is in the places of its velocity, 6 i + 3 to 6 i + 5.
  *
  * <p>To compute the force on one particle at a time, extend {@link ParticleForce}. A law may add interfaces:
  * {@link PerParticleEffect} and {@link DivisibleEffect} for several threads, {@link DifferentiableEffect} for the exact
@@ -31,8 +31,8 @@ public interface Effect {
         DRIVING;
 
         /**
-         * The traits that describe a law's energy. If a law has none of them, all its work counts as energy that goes
-         * into the system or out of it, under the law's name.
+         * The traits that describe a law's energy. If a law has none of them, the energy chart shows all its work
+         * as one curve with the law's name.
          */
         public static final Set<Trait> OF_ENERGY = Set.of(CONSERVATIVE, DISSIPATIVE, DRIVING);
     }

@@ -6,9 +6,9 @@ import particles.law.Particles;
 
 /**
  * Decides whether static friction can hold a statically indeterminate linkage. The load of a rod between two sticking
- * ends is not unique, but the motion does not depend on it. Friction holds if it can hold all ends with any one load.
- * The search maximises the smallest margin of all ends, a concave function of the load, by golden section, one rod
- * after the other.
+ * ends is not unique, but the motion does not depend on it. Friction holds if it can hold all ends with at least one
+ * load. The search maximises the smallest margin of all ends, a concave function of the load, by golden section, one
+ * rod after the other.
  */
 final class StaticFrictionFeasibility {
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;

@@ -8,7 +8,8 @@
  * conditions of sign (a linear complementarity problem).
  *
  * <p>The forces are not always unique: a square of rods with both diagonals, or a prop between rough walls, is
- * statically indeterminate. The motion is the same for each solution. Rods then take the one with the least sum of
- * squares, and static friction holds if it can hold for any of them.
+ * statically indeterminate. As long as the same particles stick, the accelerations are the same for each solution. Rods
+ * take the solution with the least sum of squares. Static friction holds if at least one solution stays within its
+ * limits.
  */
 package particles.reactions;

@@ -60,7 +60,7 @@ class OwnEffectTest {
                     return velocity.cross(w).times(2 * mass);
                 }
 
-                // In a scene: - exercises.Coriolis: {angularVelocity: [0, 0, 1.57]}
+                // In a scene: - exercises.Coriolis: {angularVelocity: [0, 1.57, 0]}
                 public static final class Keys extends EffectKind {
                     private static final Key<Vector3> ANGULAR_VELOCITY = Key.required("angularVelocity",
                             VectorType.of("rad/s"), "How fast the frame turns, about which axis (rad/s).");
@@ -87,7 +87,7 @@ class OwnEffectTest {
             particles:
               - {id: puck, position: [0, 0, 0], velocity: [1, 0, 0]}
             effects:
-              - exercises.Coriolis: {angularVelocity: [0, 0, 1.5707963267948966]}
+              - exercises.Coriolis: {angularVelocity: [0, 1.5707963267948966, 0]}
             """;
 
     private final ClassLoader before = Thread.currentThread().getContextClassLoader();
@@ -136,31 +136,30 @@ class OwnEffectTest {
         double[] state = scene.system().getOwnState();
         double radius = 1 / Math.PI;                    // v/(2 w)
         assertEquals(0, state[0], 1e-7, "back where the circle began");
-        assertEquals(0, state[1], 1e-7);
+        assertEquals(0, state[2], 1e-7);
         assertEquals(1, state[3], 1e-7);
-        assertEquals(0, state[4], 1e-7);
-        double lowest = lowestOf(SCENE);
-        assertEquals(-2 * radius, lowest, 1e-3, "the circle's diameter");
+        assertEquals(0, state[5], 1e-7);
+        assertEquals(2 * radius, farthestOf(SCENE), 1e-3, "the circle's diameter");
     }
 
-    /** The lowest y at the end of any step; a step goes at most 0.01 m, and from the lowest point 1.6e-4 m up. */
-    private static double lowestOf(String text) {
+    /** The largest z at the end of any step; a step goes at most 0.01 m, and from the farthest point 1.6e-4 m back. */
+    private static double farthestOf(String text) {
         Scene scene = scene(text);
-        double[] lowest = {0};
+        double[] farthest = {0};
         scene.simulation().addRule(new Rule() {
             @Override
             public String getName() {
-                return "lowest";
+                return "farthest";
             }
 
             @Override
             public boolean afterStep(ParticleSystem system, double deltaT) {
-                lowest[0] = Math.min(lowest[0], system.getOwnState()[1]);
+                farthest[0] = Math.max(farthest[0], system.getOwnState()[2]);
                 return false;
             }
         });
         scene.simulation().run();
-        return lowest[0];
+        return farthest[0];
     }
 
     @Test

@@ -118,7 +118,7 @@ class BlowUpMessageTest {
     void whatTheSolverSaysIsPartOfTheLine() {
         String line = blowUp(chain("verlet", 30, new Overrides()));
         assertTrue(line.matches("verlet stopped at t = 0 s: the velocity at the end of the step did not converge in 100"
-                + " iterations.*\\ndeltaT is up to [\\d.]+ times too long for the fastest damping \\(rate \\* deltaT"
+                + " iterations.*\\ndeltaT is up to [\\d.]+ times too long for the fastest damping \\(c/m \\* deltaT"
                 + " is at most .*\\ntry --deltaT=0\\.00\\d+"), line);
     }
 

@@ -25,7 +25,7 @@ public final class StiffGalleryCommand extends ExperimentCommand {
     private String solvers = "all";
 
     @Option(names = "--decades", paramLabel = "NUMBER", defaultValue = "8",
-            description = "Decades of stiffness, from 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
+            description = "Decades of stiffness above 1 N/m, 5 to 8 (default: ${DEFAULT-VALUE}).")
     private int decades = 8;
 
     /** @param style the way in which options are typed */

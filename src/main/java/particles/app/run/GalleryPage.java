@@ -34,8 +34,8 @@ public final class GalleryPage {
             ## Keys of a scene file
 
             Lengths are in metres, masses in kilograms, times in seconds; y points up. Keys whose default is *required*
-            have to be given, and keys with an empty default may be left out. An unknown key is an error, reported with
-            its line.
+            have to be given, and keys with an empty default may be left out unless their meaning says otherwise. An
+            unknown key is an error, reported with its line.
 
             """;
 

@@ -216,7 +216,8 @@ public final class SceneStability {
             done = deltaT;
         }
         return new Limit(solver, predicted, Double.POSITIVE_INFINITY, predictedGrowth, Double.NaN,
-                String.format(Locale.ROOT, "longest tried: %.3g s", done));
+                String.format(Locale.ROOT, "%slongest tried: %.3g s",
+                        solver.adaptive() ? "chooses its own sub-steps; " : "", done));
     }
 
     /** A mode by the particle that moves most in it. */
@@ -246,18 +247,22 @@ public final class SceneStability {
     public static DataTable table(List<Limit> limits, double deltaT) {
         List<List<Object>> rows = new ArrayList<>();
         for (Limit limit : limits) {
-            boolean sub = limit.solver().adaptive() && limit.predicted() > 0
-                    && limit.predicted() < Double.POSITIVE_INFINITY;
-            rows.add(List.of(limit.solver().label(),
-                    sub ? String.format(Locale.ROOT, "sub-steps of %.6g", limit.predicted())
-                            : text(limit.predicted(), limit.predictedGrowth()),
-                    text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
+            rows.add(List.of(limit.solver().label(), predicted(limit),
+                    limit.measured() == Double.POSITIVE_INFINITY ? "stable"
+                            : text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
         }
         return new DataTable("largest-safe-step",
                 "The largest safe deltaT (s); growth is given at the scene's deltaT, " + deltaT + " s",
                 List.of(DataTable.column("solver"), DataTable.column("predicted by modes"),
                 DataTable.column("measured on runs"), DataTable.column("measured/predicted"),
                 DataTable.column("remark")), rows);
+    }
+
+    private static String predicted(Limit limit) {
+        if (!limit.solver().adaptive() || limit.predicted() == Double.POSITIVE_INFINITY) {
+            return text(limit.predicted(), limit.predictedGrowth());
+        }
+        return limit.predicted() > 0 ? String.format(Locale.ROOT, "sub-steps of %.6g", limit.predicted()) : "-";
     }
 
     private static Object ratio(Limit limit) {

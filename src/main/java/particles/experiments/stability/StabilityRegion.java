@@ -69,7 +69,7 @@ public final class StabilityRegion {
 
     /** The limits of a step, in a sentence. */
     private static String limits(SolverInfo info) {
-        double damping = info.secondOrder() ? info.dampedLimit() : info.realLimit();
+        double damping = info.dampedLimit();
         double springs = info.imaginaryLimit();
         if (damping == Double.POSITIVE_INFINITY && springs == Double.POSITIVE_INFINITY) {
             return "stable at any step, whatever decays or swings";

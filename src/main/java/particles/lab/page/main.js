@@ -105,7 +105,7 @@ function showStep() {
   $('mark').style.left = `calc(${100 * part}% + ${8 - 16 * part}px)`;
   $('limit').textContent = solver?.adaptive ? 'Chooses its own steps, at most deltaT long.'
       : limit === 0 ? 'Undamped springs gain energy at any deltaT.'
-      : limit > 0 ? 'Stable up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
+      : limit > 0 ? 'Stable at least up to ' + few(limit) + ' s for the springs of this scene (the red mark).'
       : 'No spring limits deltaT here.';
 }
 

@@ -21,11 +21,11 @@ public final class SolverFormat {
             "The method that solves the equations of motion.");
     static final Key<Double> RELATIVE = Key.optional("relativeTolerance", NumberType.between(0,
                     AdaptiveSolver.LOOSEST_TOLERANCE, ""),
-            "In a sub-step, an adaptive solver keeps the error of each entry of the state below absoluteTolerance"
-                    + " + relativeTolerance times the entry's size, the larger of that before and after; 1e-6 by"
-                    + " default.");
+            "1e-6 by default. An adaptive solver divides deltaT into sub-steps so short that the estimated error of"
+                    + " each entry of the state stays below absoluteTolerance + relativeTolerance |entry|. Here |entry|"
+                    + " is the larger of its sizes before and after the sub-step.");
     static final Key<Double> ABSOLUTE = Key.optional("absoluteTolerance", NumberType.notNegative(""),
-            "See relativeTolerance (in m and m/s); 1e-9 by default.");
+            "1e-9 by default (in m and m/s). See relativeTolerance.");
 
     static final MappingType TYPE = MappingType.of("the solver", NAME, RELATIVE, ABSOLUTE).shortFor(NAME);
 

@@ -1,5 +1,6 @@
 package particles.teaching.effects;
 
+import deSolvers.catalog.DidYouMean;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -112,7 +113,8 @@ public final class EffectSample {
         if (Character.isLowerCase(name.charAt(0)) && !name.contains(".")) {
             TreeSet<String> known = new TreeSet<>(List.of(SPRINGS, DAMPED_SPRINGS));
             EffectCatalog.ALL.forEach(kind -> known.add(kind.name()));
-            throw new NoSuchElementException("no effect is called '" + name + "'; known effects: "
+            throw new NoSuchElementException("no effect is called '" + name + "'"
+                    + DidYouMean.hint(name, known, "'%s'"::formatted) + " known effects: "
                     + String.join(", ", known));
         }
         return classes.find(name.contains(".") ? name : "exercises." + name, EffectKind.class);

@@ -46,7 +46,7 @@ final class SolverNotes {
         } catch (Probe.TooManyEvaluations e) {
             return;                                     // it works on it, for long
         } catch (RuntimeException e) {
-            note("it steps sources of positions and velocities only, and refuses others (" + e.getMessage() + ")");
+            note("it works on systems of positions and velocities only, such as particles, and refuses others");
         }
     }
 

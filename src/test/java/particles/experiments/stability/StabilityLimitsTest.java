@@ -43,6 +43,18 @@ class StabilityLimitsTest {
         }
     }
 
+    /** Both eigenvalues of a critically damped spring are -omega, where the limit is the real one. */
+    @Test
+    void aCriticallyDampedSpringHasTheRealLimitOfMethodsThatStepTheWholeState() {
+        for (SolverInfo info : SolverCatalog.all()) {
+            if (!info.secondOrder() && !info.family().equals("multistep")) {
+                Amplification amplification = Amplification.of(info);
+                assertLimit(info.dampedLimit(), StabilityLimit.measure(h -> amplification.ofSpring(h * h, 2 * h)),
+                        info.name());
+            }
+        }
+    }
+
     /** (1 + h^2)^(1/2) - 1, (1 + h^4/4)^(1/2) - 1, and reference-values.md's 1.6e-7, at h = 0.1. */
     @ParameterizedTest
     @CsvSource({"euler, 4.987562e-3, 1e-9", "midpoint, 1.249992e-5, 1e-10", "adams, 1.6e-7, 2e-9"})

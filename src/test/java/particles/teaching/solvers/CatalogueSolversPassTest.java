@@ -37,7 +37,8 @@ class CatalogueSolversPassTest {
         boolean refuses = List.of("symplectic-euler", "verlet", "yoshida4").contains(name);
         assertEquals(refuses ? 1 : 0, verdict.advice().size(), verdict.advice().toString());
         assertTrue(verdict.advice().stream().allMatch(note -> note.text().startsWith(
-                "it steps sources of positions and velocities only, and refuses others")), verdict.advice().toString());
+                "it works on systems of positions and velocities only, such as particles, and refuses others")),
+                verdict.advice().toString());
         assertEquals(IDENTITIES.getOrDefault(name, "This is a method without fixed coefficients, adaptive or "
                 + "implicit."),
                 verdict.identity());
