@@ -9,6 +9,7 @@ import deSolvers.DESolver;
 import deSolvers.EulerSolver;
 import deSolvers.MidpointSolver;
 import deSolvers.RK4Solver;
+import deSolvers.adaptive.DormandPrinceSolver;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.implicit.BackwardEulerSolver;
 import deSolvers.implicit.ImplicitMidpointSolver;
@@ -238,7 +239,7 @@ class EnergyLedgerTest {
 
     /**
      * A particle in drag with c/m = 1000 1/s, in steps of 0.1 s: v falls to 1/101 in each step of backward Euler, and
-     * Simpson's rule over such a step would find 20 times the energy that there is. Drag takes h c v_1^2; the rest of
+     * Simpson's rule over such a step would find 41 times the energy that there is. Drag takes h c v_1^2; the rest of
      * the loss, m (v_1 - v_0)^2/2 in each step, is the solver's.
      */
     @Test
@@ -249,6 +250,21 @@ class EnergyLedgerTest {
         assertEquals(-0.5 * (1 - 1 / 101.0) * (1 - 1 / 101.0) / (1 - 1 / (101.0 * 101.0)), ledger.getNumericalError(),
                 0.005);                                 // a hundredth of the energy may be booked in another way
         assertEquals(-100 / (101.0 * 101.0), ledger.getWork().get("drag (dissipated)"), 0.005);
+    }
+
+    /** A drag that decays the velocity by e^-2 in a step is still integrated by Simpson's rule, e^-2.1 no longer. */
+    @ParameterizedTest
+    @ValueSource(doubles = {2, 2.1})
+    void simpsonsRuleHoldsForDragUpToTwiceItsTime(double h) {
+        ParticleSystem system = Systems.oneParticle(Vector3.ZERO, new Vector3(1, 0, 0));
+        double m = system.getParticles().mass(0);
+        system.addEffect(new LinearDrag(system.getParticles(), m, Wind.STILL));
+        EnergyLedger ledger = run(system, new DormandPrinceSolver(1e-10, 1e-12), h, h);
+        double end = Math.exp(-h);
+        double mean = (1 - end) / h;
+        double middle = 1.5 * mean - (1 + end) / 4;     // the cubic's velocity there
+        double work = h < 2.05 ? (1 + 4 * middle * middle + end * end) / 6 : mean * mean;
+        assertEquals(-m * h * work, ledger.getWork().get("drag (dissipated)"), 1e-8);
     }
 
     /**

@@ -11,7 +11,7 @@ import deSolvers.rungeKutta.RungeKuttaStages;
  *   s1 = one RK4 step of h,  s2 = two RK4 steps of h/2:     error of s2 is about (s2 - s1) / 15
  * </pre>
  * since the long step errs by 2<sup>5</sup> times, and the two short ones together by 2 times, the error of a short
- * step. The result of the two short steps is kept, as on the slide. (Many codes keep s2 + (s2 - s1)/15 instead,
+ * step. The result of the two short steps is kept. (Many codes keep s2 + (s2 - s1)/15 instead,
  * <i>local extrapolation</i>. Its order is 5, but it is stable nowhere on the imaginary axis: more accurate is not more
  * stable.)
  *

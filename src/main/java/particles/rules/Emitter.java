@@ -6,9 +6,10 @@ import particles.law.SeededRandom;
 import particles.law.Vector3;
 
 /**
- * A source of particles, such as the nozzle of a fountain. Particle n is born n/rate after the beginning of the run,
- * for any deltaT; one that is born within a step moves freely until the step's end. Places and directions are random
- * and depend on the seed only. Ids are the emitter's id with a number that is never reused: {@code fountain[17]}.
+ * A source of particles, such as the nozzle of a fountain. The n-th particle is born n/rate after the beginning of the
+ * run, for any deltaT; one that is born within a step moves freely until the step's end. Places and directions are
+ * random and depend on the seed only. Ids are the emitter's id with a number from 0 on that is never reused: {@code
+ * fountain[17]} is the 18th.
  */
 public final class Emitter implements Rule {
     private final Nozzle nozzle;

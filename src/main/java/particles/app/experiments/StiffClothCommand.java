@@ -34,7 +34,7 @@ public final class StiffClothCommand extends ExperimentCommand {
                         + " stiffness. linearised-euler, backward Euler with one linear solve, takes one step whatever"
                         + " the stiffness; that it takes no more is paid with damping.",
                 "Its first step also orders the equations, once for each cloth. backward-euler iterates to its"
-                        + " tolerance; with stiffer cloth than in the table it does not converge."),
+                        + " tolerance; where rk4 needs 100 steps or more, it does not converge."),
                 List.of(Picture.chart("stiff-cloth", "CPU time of a frame, on logarithmic axes; medians of nine"
                         + " steps of linearised-euler.", StiffCloth.chart(rows))), List.of(StiffCloth.table(rows)));
     }

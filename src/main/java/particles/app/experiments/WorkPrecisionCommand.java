@@ -73,7 +73,7 @@ public final class WorkPrecisionCommand extends ExperimentCommand {
         }
     }
 
-    /** Measured: six problems with thirteen solvers take 70 s on two idle cores, and twice that on busy ones. */
+    /** Measured: six problems with all solvers take 70 s on two idle cores, and twice that on busy ones. */
     @Override
     protected Optional<String> estimate() {
         double seconds = SECONDS_A_CURVE * names().size() * solverChoices(solvers).size();
