@@ -24,9 +24,8 @@ record EnergyLimit(double joules) {
         }
         int fastest = fastest(system.getParticles(), state);
         throw new BlowUpException(system.getTime(), fastest, String.format(Locale.ROOT,
-                "the kinetic energy is %.3g J, above the limit of %.3g J; the fastest particle is '%s'", energy,
-                joules,
-                system.getParticles().id(fastest)));
+                "the kinetic energy is %.3g J, above the limit of %.3g J; the fastest particle is '%s'", energy, joules,
+                system.getParticles().id(fastest)).replaceAll("e\\+0?(?=\\d)", "e"));
     }
 
     private static int fastest(Particles particles, double[] state) {

@@ -48,7 +48,8 @@ public final class CheckEffectCommand extends CheckCommand {
             Effect made = law.maker().apply(EffectSample.system().getParticles());
             findings = EffectCheck.check(law);
             subject = made.getClass().getSimpleName();
-            identity = "The effect '" + made.getName() + "' claims " + claims(made.getTraits()) + ".";
+            String field = effect.equals("wind") || effect.equals("turbulence") ? ", in '" + effect + "'," : "";
+            identity = "The effect '" + made.getName() + "'" + field + " claims " + claims(made.getTraits()) + ".";
         } catch (NoSuchElementException | IllegalArgumentException e) {
             identity = Checked.NOT_CHECKED;
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));

@@ -2,7 +2,6 @@ package particles.experiments.race;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
@@ -28,6 +27,8 @@ public final class RaceCharts {
      * Solvers within this factor of the nearest share the first place: their order is chance.
      */
     private static final double AS_NEAR = 1.1;
+    /** A distance below this part of the largest coordinate is round-off. */
+    private static final double ROUND_OFF = 1e-12;
 
     private RaceCharts() {
     }
@@ -126,8 +127,10 @@ public final class RaceCharts {
     /** The solvers that stay nearest on average. A solver that needed more than its share is left out. */
     private static List<String> nearest(Result race) {
         List<Lane> compared = race.lanes().stream().filter(lane -> lane.left().isEmpty() && mean(lane) >= 0
-                && share(race, lane) <= TOO_MUCH).sorted(Comparator.comparingDouble(RaceCharts::mean)).toList();
-        return compared.stream().filter(lane -> mean(lane) <= AS_NEAR * mean(compared.get(0)))
+                && share(race, lane) <= TOO_MUCH).toList();
+        double nearest = compared.stream().mapToDouble(RaceCharts::mean).min().orElse(0);
+        double size = race.reference().stream().flatMapToDouble(Arrays::stream).map(Math::abs).max().orElse(0);
+        return compared.stream().filter(lane -> mean(lane) <= AS_NEAR * nearest + ROUND_OFF * size)
                 .map(RaceCharts::label).toList();
     }
 
