@@ -141,6 +141,7 @@ class ArchitectureTest {
             particles.spec.documents:      particles.spec particles.spec.messages com.fasterxml.jackson
             particles.spec.messages:       deSolvers.catalog org.snakeyaml
             particles.teaching:
+            particles.teaching.contract:   deSolvers particles.teaching particles.teaching.sources
             particles.teaching.effects:    deSolvers.catalog particles particles.effects particles.effects.springs
                                            particles.law particles.spec particles.teaching
             particles.teaching.exercises:  deSolvers deSolvers.catalog deSolvers.problems particles
@@ -152,7 +153,8 @@ class ArchitectureTest {
                                            particles.experiments.stability particles.teaching
                                            particles.teaching.solvers particles.teaching.sources particles.view
             particles.teaching.marking:    particles.law
-            particles.teaching.solvers:    deSolvers deSolvers.rungeKutta particles.teaching particles.teaching.sources
+            particles.teaching.solvers:    deSolvers deSolvers.rungeKutta particles.teaching particles.teaching.contract
+                                           particles.teaching.sources
             particles.teaching.sources:    deSolvers deSolvers.problems
             particles.threads:             particles particles.engine particles.law
             particles.view:                particles.law

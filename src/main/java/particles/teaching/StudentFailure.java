@@ -16,6 +16,16 @@ public final class StudentFailure {
     }
 
     /**
+     * @return whether the class threw this on purpose, because it cannot do what was asked; false for the exceptions of
+     * the JVM, which are mistakes
+     */
+    public static boolean isRefusal(RuntimeException thrown) {
+        return !(thrown instanceof NullPointerException || thrown instanceof IndexOutOfBoundsException
+                || thrown instanceof NegativeArraySizeException || thrown instanceof ClassCastException
+                || thrown instanceof ArrayStoreException || "/ by zero".equals(thrown.getMessage()));
+    }
+
+    /**
      * @return the place, such as {@code ", in MySolver.stepState, line 17 of MySolver.java"}: the innermost line that
      * is neither the JDK's nor the program's; if there is none, the innermost of the program outside the checker; empty
      * without either

@@ -1,6 +1,7 @@
 package particles.teaching.figures;
 
 import deSolvers.DESolver;
+import deSolvers.DEStateSource;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.problems.StepMatrix;
 import java.util.ArrayList;
@@ -34,6 +35,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     private static final double ENERGY_STEP = 0.1;
     private static final int ENERGY_STEPS = 2000;
     private static final int BEGINNING = 12;
+    private static final long REFUSED = -1;
+    private static final double BACK = 0.25;
     private static final double BLOWN_UP = 1e12;
     /** A smaller difference from 1 does not show in the eight digits of the table. */
     private static final double SHOWN = 5e-9;
@@ -63,9 +66,10 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         }
         work.add(series(name, builtIn ? Mark.LINE_AND_POINTS : Mark.LINE_AND_OPEN_POINTS, work(maker)));
         return new SolverFigures(facts(maker, verdict, order, energy, stability),
-                new ChartData(String.format(Locale.ROOT, "The error falls as deltaT^%.2f", order.order()), "deltaT (s)",
-                        "error after 2 s", true,
-                        true, List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
+                new ChartData(Double.isNaN(order.order()) ? "The error does not follow a power of deltaT"
+                        : String.format(Locale.ROOT, "The error falls as deltaT^%.2f", order.order()), "deltaT (s)",
+                        "error after 2 s", true, true,
+                        List.of(series(name, Mark.LINE_AND_POINTS, order.points()))), stability.region(),
                 stability.growth(),
                 new ChartData(String.format(Locale.ROOT, "Energy of a spring, deltaT = 0.1 s: off by up to %.2g of it",
                         largest(energy)),
@@ -86,13 +90,28 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                 shown.stream().mapToDouble(p -> p[1]).toArray());
     }
 
+    /** Makes a step, unless the solver refuses it. */
+    private static boolean accepts(DESolver solver, DEStateSource source, double deltaT) {
+        try {
+            solver.stepState(source, deltaT);
+            return true;
+        } catch (RuntimeException e) {
+            if (StudentFailure.isRefusal(e)) {
+                return false;
+            }
+            throw e;
+        }
+    }
+
     private static List<double[]> energy(Supplier<DESolver> maker) {
         Springs springs = new Springs();
         DESolver solver = maker.get();
         double first = springs.energy();
         List<double[]> points = new ArrayList<>();
         for (int step = 1; step <= ENERGY_STEPS && springs.energy() < BLOWN_UP; step++) {
-            solver.stepState(springs, ENERGY_STEP);
+            if (!accepts(solver, springs, ENERGY_STEP)) {
+                break;
+            }
             if (step % 7 == 0 || step == ENERGY_STEPS) {
                 points.add(new double[] {step * ENERGY_STEP, Math.abs(springs.energy() / first - 1)});
             }
@@ -105,11 +124,14 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         for (int steps = 16; steps <= 1024; steps *= 2) {
             WindyOscillators source = new WindyOscillators(1);
             DESolver solver = maker.get();
-            for (int i = 0; i < steps; i++) {
-                solver.stepState(source, 8.0 / steps);
+            boolean made = true;
+            for (int i = 0; i < steps && made; i++) {
+                made = accepts(solver, source, 8.0 / steps);
             }
             source.incTime(8 - source.getTime());
-            points.add(new double[] {source.evaluations(), source.error()});
+            if (made) {
+                points.add(new double[] {source.evaluations(), source.error()});
+            }
         }
         return points;
     }
@@ -118,14 +140,21 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     private static DataTable facts(Supplier<DESolver> maker, SolverVerdict verdict, OrderMeasurement order,
             List<double[]> energy, StabilityFigures stability) {
         List<List<Object>> rows = new ArrayList<>();
-        rows.add(List.of("order, measured", text(order.order()), "over a fixed time, the error falls as deltaT^order"));
+        rows.add(Double.isNaN(order.order())
+                ? List.of("order, measured", "-", "the error does not follow a power of deltaT, as with sub-steps")
+                : List.of("order, measured", text(order.order()),
+                "over a fixed time, the error falls as deltaT^order"));
         long small = evaluations(maker, 0.1);
         long large = evaluations(maker, 1);
-        rows.add(List.of("evaluations in a step", String.valueOf(large), small == large ? "with any deltaT"
+        rows.add(large == REFUSED ? List.of("evaluations in a step", String.valueOf(small),
+                "with deltaT = 0.1 s; a step of 1 s is refused")
+                : List.of("evaluations in a step", String.valueOf(large), small == large ? "with any deltaT"
                 : "with deltaT = 1 s; " + small + " with 0.1 s"));
         rows.addAll(stability.rows());
-        if (!verdict.multistep()) {                     // else a step does not multiply the state by a matrix
-            StepMatrix step = step(maker, 1);
+        if (!verdict.multistep() && large != REFUSED) { // else a step does not multiply the state by a matrix
+            Springs springs = new Springs();
+            maker.get().stepState(springs, 1);
+            StepMatrix step = springs.steps();
             rows.add(List.of("a spring's amplitude, factor in a step of deltaT omega = 1", text(step.radius()),
                     amplitude(step.radius())));
             double area = step.determinant() - 1;
@@ -136,10 +165,9 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         }
         rows.add(List.of("largest energy error of a spring, 2000 steps of 0.1", text(largest(energy)),
                 "relative to the energy at the start"));
-        double back = back(maker);
-        rows.add(List.of("distance from the start after a step and a step back", text(back), back < 1e-12
-                ? "reversible: it ends where it began"
-                : "not reversible"));
+        WindyOscillators there = new WindyOscillators(1);
+        rows.add(accepts(maker.get(), there, BACK) && accepts(maker.get(), there, -BACK) ? back(there)
+                : List.of("distance from the start after a step and a step back", "-", "it refuses a step back"));
         return new DataTable("facts", "What it does", List.of(DataTable.column("property"), DataTable.column("value"),
                 DataTable.column("meaning")), rows);
     }
@@ -160,34 +188,28 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         return energy.stream().mapToDouble(p -> p[1]).max().orElse(Double.NaN);
     }
 
-    private static StepMatrix step(Supplier<DESolver> maker, double h) {
-        Springs springs = new Springs();
-        maker.get().stepState(springs, h);
-        return springs.steps();
-    }
-
-    /** Counted in a later step, when a multistep method has its history. */
+    /** Counted in a later step, when a multistep method has its history; {@link #REFUSED} if it makes none. */
     private static long evaluations(Supplier<DESolver> maker, double h) {
         Springs springs = new Springs();
         DESolver solver = maker.get();
         long before = 0;
         for (int step = 0; step < BEGINNING; step++) {
             before = springs.evaluations();
-            solver.stepState(springs, h);
+            if (!accepts(solver, springs, h)) {
+                return REFUSED;
+            }
         }
         return springs.evaluations() - before;
     }
 
-    private static double back(Supplier<DESolver> maker) {
-        WindyOscillators source = new WindyOscillators(1);
-        double[] before = source.state();
-        maker.get().stepState(source, 0.25);
-        maker.get().stepState(source, -0.25);
-        double[] after = source.state();
+    private static List<Object> back(WindyOscillators there) {
+        double[] before = new WindyOscillators(1).state();
+        double[] after = there.state();
         double distance = 0;
         for (int k = 0; k < before.length; k++) {
             distance = Math.max(distance, Math.abs(after[k] - before[k]));
         }
-        return distance;
+        return List.of("distance from the start after a step and a step back", text(distance), distance < 1e-12
+                ? "reversible: it ends where it began" : "not reversible");
     }
 }

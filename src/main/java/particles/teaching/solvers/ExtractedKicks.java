@@ -108,11 +108,12 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
     }
 
     /**
-     * Makes a step with random numbers, and compares it with the result by these coefficients.
+     * Makes a step with random numbers, and compares all states that the solver sets with those by these coefficients.
      *
-     * @return the largest difference, on numbers of order 1
+     * @return the comparisons of the positions at the evaluations, then that of the new state; empty if the number of
+     *         evaluations is another one
      */
-    double misfit(DESolver solver, double h, int dimension) {
+    List<EntryComparison> compare(DESolver solver, double h, int dimension) {
         Random random = new Random(2003);
         int width = 2 * dimension;
         double[] start = random.doubles(BLOCKS * width, 1, 2).toArray();
@@ -121,22 +122,34 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
             accelerations[j] = random.doubles(start.length, -1, 1).toArray();
         }
         Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0,
-                dSdt,
-                0, dSdt.length));
+                dSdt, 0, dSdt.length));
         solver.stepState(probe, h);
+        List<EntryComparison> all = new ArrayList<>();
         if (probe.recorded().size() != v.length) {
-            return 1;
+            return all;
         }
-        double[] last = probe.state();
-        double misfit = 0;
-        for (int k = 0; k < start.length; k++) {
-            boolean position = k % width < dimension;
-            double expected = position ? kept[0] * start[k] + p * h * start[k + dimension] : kept[1] * start[k];
-            for (int j = 0; j < v.length; j++) {
-                expected += position ? h * h * x[j] * accelerations[j][k + dimension] : h * v[j] * accelerations[j][k];
+        for (int i = 0; i <= v.length; i++) {
+            boolean end = i == v.length;
+            double[] found = end ? probe.state() : probe.recorded().get(i).state();
+            double[] without = start.clone();
+            double[] expected = new double[start.length];
+            double[] added = new double[start.length];
+            for (int k = 0; k < start.length; k++) {
+                boolean position = k % width < dimension;
+                double[] weights = !position ? v : end ? x : at[i];
+                without[k] += position ? h * (end ? p : pAt[i]) * start[k + dimension] : 0;
+                expected[k] = without[k] + (end ? (kept[position ? 0 : 1] - 1) * start[k] : 0);
+                added[k] = 1;
+                for (int j = 0; j < v.length; j++) {
+                    expected[k] += position ? h * h * weights[j] * accelerations[j][k + dimension]
+                            : h * weights[j] * accelerations[j][k];
+                }
+                if (!position && !end) {                // half of the kicks may be made
+                    expected[k] = found[k];
+                }
             }
-            misfit = Math.max(misfit, Math.abs(expected - last[k]));
+            all.add(EntryComparison.of(expected, without, start, added, found));
         }
-        return misfit;
+        return all;
     }
 }

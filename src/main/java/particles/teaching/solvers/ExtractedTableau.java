@@ -1,6 +1,7 @@
 package particles.teaching.solvers;
 
 import deSolvers.DESolver;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -70,43 +71,55 @@ record ExtractedTableau(double h, double[][] a, double[] b, double[] c, double e
         return Arrays.stream(state, 1, 1 + stages).map(x -> x / size).toArray();
     }
 
+    /** @return whether the state is evaluated and stays where it was */
+    boolean isStill() {
+        return stages() > 0 && everSet && Arrays.stream(b).allMatch(weight -> weight == 0);
+    }
+
     int stages() {
         return b.length;
     }
 
     /**
-     * Makes a step with numbers that use all digits of a double, and compares it with the result by these coefficients.
+     * Makes a step with numbers that use all digits of a double, and compares all states that the solver sets with
+     * those by these coefficients.
      *
      * @param solver a new solver
      * @param size   the size of the derivatives
-     * @return by entry, the difference relative to the numbers that are added; NaN where the solver left the entry as
-     * it was
+     * @return the comparisons of the states of the evaluations, then that of the new state; empty if the number of
+     *         evaluations is another one
      */
-    double[] misfit(DESolver solver, double size) {
+    List<EntryComparison> compare(DESolver solver, double size) {
         Random random = new Random(2003);
-        double[] start = random.doubles(SIZE, 1, 2).toArray();
+        double[] start = random.doubles(SIZE, 1, 2).map(x -> x * Math.min(1, size)).toArray();
         double[][] slopes = new double[Probe.MOST_EVALUATIONS][];
         for (int j = 0; j < slopes.length; j++) {
             slopes[j] = random.doubles(SIZE, -size, size).toArray();
         }
         Probe probe = new Probe(start, START, (j, dSdt) -> System.arraycopy(slopes[j], 0, dSdt, 0, SIZE));
         solver.stepState(probe, h);
-        double[] found = probe.state();
-        double[] misfit = new double[SIZE];
-        if (probe.recorded().size() != stages()) {
-            Arrays.fill(misfit, 1);
-            return misfit;
-        }
-        for (int k = 0; k < SIZE; k++) {
-            double expected = kept * start[k];
-            double added = Math.abs(start[k]);
-            for (int j = 0; j < stages(); j++) {
-                expected += b[j] * slopes[j][k];
-                added += Math.abs(b[j] * slopes[j][k]);
+        List<EntryComparison> all = new ArrayList<>();
+        if (probe.recorded().size() == stages()) {
+            for (int i = 0; i < stages(); i++) {
+                all.add(compare(start, 1, a[i], slopes, probe.recorded().get(i).state()));
             }
-            double difference = Math.abs(found[k] - expected) / added;
-            misfit[k] = difference > 1e-12 && found[k] == start[k] ? Double.NaN : difference;
+            all.add(compare(start, kept, b, slopes, probe.state()));
         }
-        return misfit;
+        return all;
+    }
+
+    private static EntryComparison compare(double[] start, double kept, double[] weights, double[][] slopes,
+            double[] found) {
+        double[] expected = new double[SIZE];
+        double[] added = new double[SIZE];
+        for (int k = 0; k < SIZE; k++) {
+            expected[k] = kept * start[k];
+            added[k] = Math.abs(start[k]);
+            for (int j = 0; j < weights.length; j++) {
+                expected[k] += weights[j] * slopes[j][k];
+                added[k] += Math.abs(weights[j] * slopes[j][k]);
+            }
+        }
+        return EntryComparison.of(expected, start, start, added, found);
     }
 }

@@ -82,7 +82,7 @@ final class ImplicitFormula {
         } else if (!meant.fault.isEmpty()) {
             findings.add(new Finding(Kind.TIME, meant.fault));
         }
-        loose(meant, maker).ifPresent(findings::add);
+        new UnreadMethod(maker).unstable().or(() -> loose(meant, maker)).ifPresent(findings::add);
         return Optional.of(new Diagnosis("This is " + meant.name + (findings.isEmpty() ? "."
                 : " but for what is wrong below."),
                 findings));

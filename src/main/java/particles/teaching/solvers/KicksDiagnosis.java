@@ -76,7 +76,7 @@ final class KicksDiagnosis {
                     && (promise.get().whole() || known.order < promise.get().order())) {
                 findings.add(instead(known, promise.get()));
             }
-            return new Diagnosis("This is " + known.name + ".", findings);
+            return new Diagnosis("This is " + known.name + ".", findings, known.order);
         }
         double order = measured.getAsDouble();
         List<Known> meant = ALL.stream().filter(known -> promise.map(name -> name.allows(known.name, known.order))

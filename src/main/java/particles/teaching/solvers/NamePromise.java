@@ -3,6 +3,7 @@ package particles.teaching.solvers;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * The method that the name of a solver's class promises.
@@ -11,8 +12,9 @@ import java.util.Optional;
  * @param order   the lowest order of all methods that it can stand for
  * @param methods the methods that it can stand for; empty for all of that order
  * @param whole   whether the name contains nothing else: RichardsonEuler need not be Euler
+ * @param adapts  whether the name promises step-size control
  */
-record NamePromise(String says, int order, List<String> methods, boolean whole) {
+record NamePromise(String says, int order, List<String> methods, boolean whole, boolean adapts) {
     static final String EULER = "the Euler method";
     static final String MIDPOINT = "the midpoint method";
     static final String HEUN = "Heun's method";
@@ -29,10 +31,12 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
 
     private static final List<String> IMPLICIT = List.of(BACKWARD_EULER, IMPLICIT_MIDPOINT, TRAPEZOID);
 
-    /** Words in a name that say nothing about the method. */
+    /** Words in a name that say nothing about the method; a letter and digits before it number an exercise. */
     private static final String NOISE =
-            "my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|good|new|scheme"
-            + "|explicit|forward|classical|classic|standard|slides?|particles?|\\d";
+            "^[a-z]\\d+|my|solver|stepper|integrator|method|rule|step|the|mine|own|fixed|test|good|newton|new|scheme"
+            + "|task|exercise|question|homework|assignment|aufgabe|version|verfahren|explicit|forward|classical|classic"
+            + "|standard|slides?|particles?|\\d";
+    private static final Pattern ADAPTS = Pattern.compile("adapt|stepdoubling|stepsizecontrol|variablestep");
 
     private record Row(String says, int order, List<String> methods, List<String> words) {
         Row(String says, int order, String words, String... methods) {
@@ -67,6 +71,8 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
             new Row("velocity or position Verlet", 2, "verlet velocityverlet positionverlet stormerverlet "
             + "stoermerverlet leapfrog kickdriftkick driftkickdrift stormer"
                     + " stoermer", VERLET, POSITION_VERLET),
+            new Row("velocity Verlet", 2, "leapfrogkdk", VERLET),
+            new Row("position Verlet", 2, "leapfrogdkd", POSITION_VERLET),
             new Row("Ruth's method of order 3", 3, "ruth ruth3"),
             new Row("a symplectic method of order 4", 4, "yoshida forestruth ruth4 candyrozmus pefrl"),
             new Row("an Adams method of order 2", 2, "ab2 adamsbashforth2 adams2"),
@@ -97,11 +103,13 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
                 }
             }
         }
+        boolean adapts = ADAPTS.matcher(lower).find();
         if (best == null) {
-            return Optional.empty();
+            return adapts ? Optional.of(new NamePromise("a method with step-size control", 1, List.of(), false, true))
+                    : Optional.empty();
         }
         boolean whole = isNoise(lower, longest) || isNoise(lower, longest + "s");      // Heun's method
-        return Optional.of(new NamePromise(best.says, best.order, best.methods, whole));
+        return Optional.of(new NamePromise(best.says, best.order, best.methods, whole, adapts));
     }
 
     private static boolean isNoise(String name, String but) {
@@ -116,6 +124,11 @@ record NamePromise(String says, int order, List<String> methods, boolean whole) 
     /** @return the meaning of the name, with the order */
     String saysWithOrder() {
         return says + (says.contains("order") ? "" : ", of order " + order);
+    }
+
+    /** @return whether the name stands for a method that uses derivatives or states of earlier steps */
+    boolean remembers() {
+        return says.startsWith("an Adams method of") || says.startsWith("a BDF method");
     }
 
     /** @return whether the name stands for implicit methods only */

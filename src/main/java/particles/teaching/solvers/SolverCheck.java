@@ -4,13 +4,14 @@ import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
 import particles.teaching.StudentFailure;
+import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.NonlinearOscillators;
 import particles.teaching.sources.Springs;
 import particles.teaching.sources.WindyOscillators;
@@ -25,22 +26,20 @@ public final class SolverCheck {
     private static final double SHORT = 1.0 / 16;
     /** No power of 2, so that a clock in float arithmetic shows. */
     private static final double TENTH = 0.1;
-    /** So small that an adaptive method accepts its first step. */
-    private static final double TINY = StrictMath.pow(2, -40);
-    /** Below this order the error does not go to 0; Euler measures 0.97 to 1.03. */
-    private static final double LOWEST_ORDER = 0.7;
-    private static final double HALF_AN_ORDER = 0.5;
-    /** Adaptive methods have an error that does not follow deltaT, and a small one. */
+    private static final double ROUNDING = 1e-13;
+    private static final int LATER_STEPS = 6;
+    private static final double KICKS_ROUNDING = 1e-12;
     private static final double SMALL_ERROR = 1e-4;
 
     private final Supplier<DESolver> maker;
     private final Optional<NamePromise> promise;
+    private final AccuracyCheck accuracy;
     private final List<Finding> findings = new ArrayList<>();
-    private Optional<OrderMeasurement> measured = Optional.empty();
 
     private SolverCheck(Supplier<DESolver> maker, String className) {
         this.maker = maker;
         promise = NamePromise.of(className);
+        accuracy = new AccuracyCheck(maker, promise);
     }
 
     /**
@@ -83,17 +82,28 @@ public final class SolverCheck {
                     : tableau(1).or(this::kicks).or(() -> ImplicitFormula.of(maker, promise)).orElseGet(this::measured);
             identity = diagnosis.identity();
             findings.addAll(diagnosis.findings());
-            findings.addAll(SolverContract.check(maker, multistep));
             if (!isWrong()) {
-                clock().ifPresent(findings::add);
+                promised(diagnosis, remembers).ifPresent(findings::add);
             }
-            if (!isWrong() && remembers) {
-                afterContract(multistep).ifPresent(findings::add);
+            findings.addAll(SolverContract.check(maker, remembers, multistep));
+            if (!isWrong()) {
+                clock().or(() -> remembers ? afterContract(multistep) : accuracy.held(diagnosis))
+                        .ifPresent(findings::add);
             }
         } catch (RuntimeException e) {
             findings.add(new Finding(Kind.FAILURE, "stepState ends in an exception: " + StudentFailure.describe(e)));
         }
         return new SolverVerdict(identity, firstMistake(), multistep);
+    }
+
+    /** Whether it is a method of the kind that its name says. */
+    private Optional<Finding> promised(Diagnosis diagnosis, boolean remembers) {
+        return promise.filter(name -> name.remembers() && !remembers).map(name -> name.says() + ", as its name says,"
+                + " uses derivatives or states of earlier steps; each step of this solver is the one that a new solver"
+                + " makes, and nothing of earlier steps is used").or(() -> promise.filter(name -> name.adapts()
+                && diagnosis.order() > 0).map(name -> "the name promises step-size control, and all steps are made with"
+                + " one step size: is the error estimate always 0? Is it compared with the tolerance, and the sub-step"
+                + " repeated when it is larger?")).map(text -> new Finding(Kind.METHOD, text));
     }
 
     private static SolverVerdict stopped(String identity, Kind kind, String text) {
@@ -108,13 +118,6 @@ public final class SolverCheck {
     private List<Finding> firstMistake() {
         Optional<Finding> first = findings.stream().filter(Finding::isWrong).findFirst();
         return findings.stream().filter(finding -> !finding.isWrong() || finding == first.get()).distinct().toList();
-    }
-
-    private OrderMeasurement order() {
-        if (measured.isEmpty()) {
-            measured = Optional.of(OrderMeasurement.lowest(maker));
-        }
-        return measured.get();
     }
 
     private boolean repeats() {
@@ -169,11 +172,10 @@ public final class SolverCheck {
      * reset in time.
      */
     private Optional<Finding> afterContract(boolean multistep) {
-        double order = order().order();
         Optional<Finding> begins = multistep ? MultistepReading.of(maker).flatMap(reading
-                -> reading.poorBeginning(order))
-                : Optional.empty();
-        return begins.or(this::poorOrder);
+                -> reading.poorBeginning(accuracy.order())) : Optional.empty();
+        return begins.or(() -> accuracy.poorOrder(() -> firstSubStep(finding -> true)
+                .or(() -> BackwardDifferences.wrong(maker).map(text -> new Finding(Kind.METHOD, text)))));
     }
 
     private static String identity(boolean multistep) {
@@ -182,15 +184,18 @@ public final class SolverCheck {
     }
 
     private Optional<Diagnosis> tableau(double size) {
-        return new TableauReading(maker, promise, () -> order().order()).diagnosis(size);
+        return new TableauReading(maker, promise, accuracy::order).diagnosis(size);
     }
 
     private Optional<Diagnosis> kicks() {
         for (int dimension : new int[] {3, 1}) {
             try {
                 ExtractedKicks step = ExtractedKicks.of(maker.get(), H, dimension);
-                if (step.misfit(maker.get(), H, dimension) < 1e-12 && !step.left()) {
-                    return Optional.of(KicksDiagnosis.of(step, promise, () -> order().order(), keepsArea()));
+                List<EntryComparison> states = step.compare(maker.get(), H, dimension);
+                if (!states.isEmpty() && !states.get(states.size() - 1).isWithout(KICKS_ROUNDING) && !step.left()) {
+                    states.forEach(state -> state.leftOut("a state that is set", KICKS_ROUNDING)
+                            .ifPresent(findings::add));
+                    return Optional.of(KicksDiagnosis.of(step, promise, accuracy::order, keepsArea()));
                 }
             } catch (RuntimeException e) {
                 continue;                               // not this dimension, or no such method
@@ -208,65 +213,43 @@ public final class SolverCheck {
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
         UnreadMethod method = new UnreadMethod(maker);
-        return new Diagnosis(identity(false), clock().or(method::entryByEntry).or(this::layout).or(this::poorOrder)
-                .or(method::unstable).stream().toList());
+        return new Diagnosis(identity(false), clock().or(method::entryByEntry)
+                .or(() -> firstSubStep(finding -> finding.kind() != Kind.METHOD))
+                .or(accuracy::layout).or(method::uncontrolled).or(method::asymmetric).or(method::unstable)
+                .or(() -> accuracy.poorOrder(() -> firstSubStep(finding -> true))).stream().toList());
     }
 
-    /** Whether the clock ends where the step does. */
+    /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */
+    private Optional<Finding> firstSubStep(Predicate<Finding> which) {
+        return tableau(TableauReading.TINY).flatMap(found -> found.findings().stream().filter(Finding::isWrong)
+                .filter(which).findFirst());
+    }
+
+    /** Whether the clock ends where the step does, also in later steps. */
     private Optional<Finding> clock() {
         for (double h : new double[] {H, TENTH}) {
             WindyOscillators source = new WindyOscillators(1);
-            maker.get().stepState(source, h);
-            double end = source.getTime() / h;
-            if (!Formula.sameTime(end, 1)) {
-                return Optional.of(new Finding(Kind.TIME, end == 0 ? "the clock never moves: incTime(deltaT) is missing"
-                        : "the clock ends at " + Formula.time(end) + " after a step of deltaT = " + h
-                        + " s and has to end at t + deltaT" + (Math.abs(end - 1) < 1e-6
-                        && source.getTime() == (float) h ? ": it is moved in float arithmetic" : end > 1
-                        && source.error() < SMALL_ERROR ? ", and the state is where the clock is: the last sub-step has"
-                        + " to be cut to what is left of deltaT" : "")));
+            DESolver solver = maker.get();
+            for (int step = 0; step < LATER_STEPS; step++) {
+                double start = source.getTime();
+                solver.stepState(source, h);
+                double end = (source.getTime() - start) / h;
+                if (Math.abs(end - 1) > (step == 0 ? ROUNDING : LATER_STEPS * ROUNDING)) {
+                    return Optional.of(new Finding(Kind.TIME, wrongEnd(source, step, h, end)));
+                }
             }
         }
         return Optional.empty();
     }
 
-    private Optional<Finding> layout() {
-        OrderMeasurement two = OrderMeasurement.of(maker, () -> new WindyOscillators(2));
-        return order().order() >= LOWEST_ORDER && !(two.order() >= LOWEST_ORDER) && !(two.smallestError() < SMALL_ERROR)
-                ? Optional.of(new Finding(Kind.STATE, "with one particle the error goes to 0 with deltaT, with two it "
-                + "does not: the"
-                + " state is three positions and three velocities for each particle in turn, (x1, v1, x2, v2, ...), "
-                + "and not all"
-                + " positions and then all velocities")) : Optional.empty();
-    }
-
-    /** Whether the error goes to 0, and as fast as the class's name promises. */
-    private Optional<Finding> poorOrder() {
-        double order = order().order();
-        boolean vanishes = order >= LOWEST_ORDER || order().smallestError() < SMALL_ERROR;
-        boolean kept = Double.isNaN(order) || promise.isEmpty() || order > promise.get().order() - HALF_AN_ORDER;
-        if (vanishes && kept) {
-            return Optional.empty();
-        }
-        Optional<String> far = vanishes ? Optional.empty() : new UnreadMethod(maker).elsewhere();
-        Optional<Finding> cause = far.or(() -> BackwardDifferences.wrong(maker))
-                .map(text -> new Finding(Kind.METHOD, text))
-                .or(() -> tableau(TINY).flatMap(found -> found.findings().stream().filter(Finding::isWrong)
-                .findFirst()));
-        return cause.or(() -> Optional.of(new Finding(Kind.METHOD, vanishes ? "the measured order is "
-                + String.format(Locale.ROOT, "%.2f", order) + "; the name promises " + promise.get().saysWithOrder()
-                + ": compare the coefficients with those of the book, and the times of the "
-                + "stages"
-                : "the error does not go to 0 with deltaT: over the same time it is " + text(1) + " with deltaT = "
-                + text(0)
-                + " s. Check that each evaluation is at its own state and time, and that the weights add up to 1")));
-    }
-
-    /** @return the first, a middle and the last of the measured points */
-    private String text(int column) {
-        List<double[]> points = order().points();
-        return List.of(points.get(0), points.get(points.size() / 2), points.get(points.size() - 1)).stream()
-                .map(point -> Formula.number(point[column])).toList().toString().replaceAll("[\\[\\]]", "");
+    private static String wrongEnd(WindyOscillators source, int step, double h, double end) {
+        String when = step == 0 ? "" : "from step " + (step + 1) + " on ";
+        return when + (end == 0 ? "the clock never moves: incTime(deltaT) is missing"
+                : "the clock ends at " + Formula.time(end) + " after a step of deltaT = " + h
+                + " s and has to end at t + deltaT" + (Math.abs(end - 1) < 1e-6
+                && source.getTime() == (float) h ? ": it is moved in float arithmetic" : end > 1
+                && source.error() < SMALL_ERROR ? ", and the state is where the clock is: the last sub-step has"
+                + " to be cut to what is left of deltaT" : ""));
     }
 
     private long evaluations(double deltaT) {

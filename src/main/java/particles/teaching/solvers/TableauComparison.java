@@ -27,6 +27,7 @@ final class TableauComparison {
     private double[][] a;
     private double[] b;
     private double[] c;
+    private int order;
 
     /**
      * @param step     the step from which all was read
@@ -81,6 +82,7 @@ final class TableauComparison {
         String but = findings.stream().anyMatch(Finding::isWrong) ? " but for what is wrong below." : ".";
         if (exact.isPresent()) {
             KnownMethod method = exact.get();
+            order = method.order();
             boolean fits = promise.map(name -> name.allows(method.name(), method.order())
                     || !name.whole() && method.order() >= name.order()).orElse(true);
             if (!fits && end && clock) {
@@ -104,21 +106,27 @@ final class TableauComparison {
         return unknown(all, but);
     }
 
+    /** @return the order of the coefficients; 0 before they were compared */
+    int order() {
+        return order;
+    }
+
     /** Judges coefficients that are those of no known method by their order, and then looks for the nearest one. */
     private String unknown(List<MethodDifferences> all, String but) {
         int conditions = OrderConditions.order(a, b, c);
-        double order = conditions == 4 ? Math.max(4, Math.rint(measured.getAsDouble())) : conditions;
-        String name = "This is a Runge-Kutta method of order " + Formula.number(order) + " with " + b.length
+        order = conditions;
+        double full = conditions == 4 ? Math.max(4, Math.rint(measured.getAsDouble())) : conditions;
+        String name = "This is a Runge-Kutta method of order " + Formula.number(full) + " with " + b.length
                 + " evaluations a step; its coefficients are none that we know by name";
         MethodDifferences nearest = all.stream().filter(of -> promise.map(p -> p.allows(of.method().name(), of.method()
                 .order()))
                 .orElse(true)).min(Comparator.comparingInt(MethodDifferences::count))
                 .orElseGet(() -> all.stream().min(Comparator.comparingInt(MethodDifferences::count)).orElseThrow());
         boolean near = nearest.count() <= FEW || nearest.first().kind() == Kind.STATE;
-        boolean better = near && nearest.method().order() > order;
+        boolean better = near && nearest.method().order() > full;
         int wanted = promise.map(NamePromise::order).orElse(better ? nearest.method().order() : 1);
-        boolean pays = order >= 2 || order == 1 && isStableBeyondEuler();
-        if (order >= wanted && pays) {
+        boolean pays = full >= 2 || full == 1 && isStableBeyondEuler();
+        if (full >= wanted && pays) {
             return name + but;
         }
         if (near || promise.isPresent() && promise.get().whole() && nearest.method().stages() == b.length && b.length <=
@@ -129,7 +137,7 @@ final class TableauComparison {
         for (int i = 0; i < b.length; i++) {
             double sum = MethodDifferences.sum(a[i]);
             if (!Formula.same(sum, c[i])) {
-                wrong(Kind.METHOD, names().get(i) + " is evaluated at " + Formula.state(1, a[i], stepNames()) + " and "
+                wrong(Kind.TIME, names().get(i) + " is evaluated at " + Formula.state(1, a[i], stepNames()) + " and "
                         + Formula.time(c[i]) + ": the coefficients of a stage have to add up to that of its time, and "
                         + "make "
                         + Formula.number(sum) + " instead of " + Formula.number(c[i]));
@@ -137,7 +145,7 @@ final class TableauComparison {
             }
         }
         double sum = MethodDifferences.sum(b);
-        wrong(Kind.METHOD, Formula.same(sum, 1) ? "the order is " + Formula.number(order) + " with " + b.length
+        wrong(Kind.METHOD, Formula.same(sum, 1) ? "the order is " + Formula.number(full) + " with " + b.length
                 + " evaluations a step" + promise.map(p -> "; the name promises " + p.saysWithOrder()).orElse("")
                 + ": compare the coefficients and the weights with those of the book"
                 : "the weights of the new state add up to " + Formula.number(sum) + "; they have to add up to 1");

@@ -65,8 +65,9 @@ final class TableauDiagnosis {
         if (step.stages() == 0) {
             return new Diagnosis("It makes no step.", findings);
         }
-        String identity = new TableauComparison(step, a, b, c, promise, measured, findings).identity(end, clock);
-        return new Diagnosis(identity, findings);
+        TableauComparison comparison = new TableauComparison(step, a, b, c, promise, measured, findings);
+        String identity = comparison.identity(end, clock);
+        return new Diagnosis(identity, findings, comparison.order());
     }
 
     /** @return whether the clock can be compared further */

@@ -2,7 +2,6 @@ package particles.teaching.solvers;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -23,6 +22,8 @@ final class TableauReading {
     private static final double FLOAT_ROUNDING = 1e-3;
     /** Unusually large derivatives, to detect a solver that limits them. */
     private static final double LARGE = 1e3;
+    /** So small that an adaptive method accepts its first step. */
+    static final double TINY = StrictMath.pow(2, -40);
 
     private final Supplier<DESolver> maker;
     private final Optional<NamePromise> promise;
@@ -50,11 +51,19 @@ final class TableauReading {
             }
             Optional<ExtractedTableau> back = back(size);
             if (step.stages() != twice.stages() || back.stream().anyMatch(other -> step.stages() != other.stages())
-                    || step.wrongLengths().isEmpty() && !fits(step.misfit(maker.get(), size))) {
+                    || step.wrongLengths().isEmpty() && !fits(step.compare(maker.get(), size))) {
                 return Optional.empty();
             }
-            if (size == 1 && Arrays.stream(step.misfit(maker.get(), LARGE)).anyMatch(difference
-                    -> difference > FLOAT_ROUNDING)) {
+            if (size == 1 && step.isStill() && !ExtractedTableau.of(maker.get(), H, TINY).isStill()) {
+                return Optional.of(new Diagnosis("This is a method with step-size control.", List.of(new Finding(
+                        Kind.TIME, "with derivatives up to 1 the clock moves and the state stays, with tiny ones both"
+                        + " move: the clock may move only when a sub-step is accepted"))));
+            }
+            List<EntryComparison> large = size == 1 ? step.compare(maker.get(), LARGE) : List.of();
+            if (size == 1 && large.isEmpty()) {
+                return Optional.empty();                // more evaluations where more is to be done
+            }
+            if (size == 1 && last(large).largest() > FLOAT_ROUNDING) {
                 findings.add(new Finding(Kind.METHOD, "with derivatives up to " + Formula.number(LARGE)
                         + " the step is not the"
                         + " one that it makes with derivatives up to 1: something is cut off, or depends on the size"));
@@ -64,7 +73,7 @@ final class TableauReading {
             findings.addAll(diagnosis.findings());
             return Optional.of(diagnosis.identity().startsWith("This is the Euler method") && old
                     ? new Diagnosis("This is the Euler method.", List.of(KicksDiagnosis.oldVelocity()))
-                    : new Diagnosis(diagnosis.identity(), List.copyOf(findings)));
+                    : new Diagnosis(diagnosis.identity(), List.copyOf(findings), diagnosis.order()));
         } catch (RuntimeException e) {
             return Optional.empty();                    // adaptive, or it wants positions and velocities
         }
@@ -104,33 +113,24 @@ final class TableauReading {
     }
 
     /** Whether a step with random numbers agrees with the coefficients; some differences become findings. */
-    private boolean fits(double[] misfit) {
-        double largest = 0;
-        List<Integer> left = new ArrayList<>();
-        for (int k = 0; k < misfit.length; k++) {
-            if (Double.isNaN(misfit[k])) {
-                left.add(k);
-            } else {
-                largest = Math.max(largest, misfit[k]);
-            }
-        }
-        if (largest > FLOAT_ROUNDING || left.size() == misfit.length) {
+    private boolean fits(List<EntryComparison> states) {
+        if (states.isEmpty() || last(states).isWithout(FLOAT_ROUNDING)) {
             return false;
         }
-        if (!left.isEmpty()) {
-            boolean row = left.get(left.size() - 1) - left.get(0) == left.size() - 1 && left.size() > 2;
-            findings.add(new Finding(Kind.STATE, "entr" + (left.size() == 1 ? "y " : "ies ")
-                    + (row ? left.get(0) + " to " + left.get(left.size() - 1) : left.toString().replaceAll("[\\[\\]]",
-                    ""))
-                    + " of a state of " + misfit.length + " numbers stay" + (left.size() == 1 ? "s"
-                    : "") + " as it was: the loop over i has to go"
-                    + " from 0 to source.getStateSize() - 1"));
+        for (int i = 0; i < states.size() - 1; i++) {
+            states.get(i).leftOut("the trial state at evaluation " + (i + 1), FLOAT_ROUNDING).ifPresent(findings::add);
         }
+        last(states).leftOut("the new state", FLOAT_ROUNDING).ifPresent(findings::add);
+        double largest = last(states).largest();
         if (largest > DOUBLE_ROUNDING) {
             findings.add(new Finding(Kind.STATE, "digits get lost: the new state is off by " + Formula.number(largest)
                     + " of its size, as " + (largest < 1e-6 ? "in float arithmetic; all numbers have to be double"
                             : "if a number were rounded on the way; only what is printed may be")));
         }
         return true;
+    }
+
+    private static EntryComparison last(List<EntryComparison> states) {
+        return states.get(states.size() - 1);
     }
 }

@@ -8,14 +8,26 @@ import java.util.function.Supplier;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
+import particles.teaching.contract.SolverContract;
 import particles.teaching.sources.NonlinearOscillators;
 import particles.teaching.sources.Probe;
+import particles.teaching.sources.Springs;
 import particles.teaching.sources.StiffDecay;
 import particles.teaching.sources.WindyOscillators;
 
 /** Looks for mistakes of methods without fixed coefficients, in their evaluations and in the time that they reach. */
 final class UnreadMethod {
     private static final double H = 1.0 / 16;
+    /** Where nothing is symmetric in time (s). */
+    private static final double START = 0.5;
+    private static final double LONG = 4;
+    private static final int SHORT_STEPS = 16;
+    /** The motion is 1.5 wide. */
+    private static final double FAR = 10;
+    private static final double LITTLE = 1e-3;
+    private static final double MUCH = 100;
+    private static final double SWING = 0.5;
+    private static final double ALIKE = 1e-6;
     private static final int SIZE = 12;
     private static final int MOST = 4 * SIZE;
     /** A stiff decay may be damped little or not at all, but not grow. */
@@ -82,6 +94,67 @@ final class UnreadMethod {
         } catch (RuntimeException e) {
             return Optional.empty();                    // it refuses, which is no mistake
         }
+    }
+
+    /**
+     * @return the mistake of a method that makes sub-steps, more of them in a longer step, and is far less accurate in
+     *         one long step than in several short ones
+     */
+    Optional<Finding> uncontrolled() {
+        try {
+            WindyOscillators once = new WindyOscillators(1);
+            WindyOscillators often = new WindyOscillators(1);
+            once.startAt(START);
+            often.startAt(START);
+            maker.get().stepState(once, LONG);
+            int moves = once.timeMoves();
+            DESolver solver = maker.get();
+            for (int step = 0; step < SHORT_STEPS; step++) {
+                solver.stepState(often, LONG / SHORT_STEPS);
+            }
+            boolean subSteps = moves > often.timeMoves() / 2;
+            double error = once.error();
+            boolean far = error > FAR || error > LITTLE && error > MUCH * often.error();
+            return !subSteps || !far ? Optional.empty()
+                    : Optional.of(new Finding(Kind.METHOD, "sub-steps are made, and the error is still "
+                    + Formula.number(error) + " after a step of " + LONG + " s, and " + Formula.number(
+                    often.error()) + " after " + SHORT_STEPS + " steps over the same time: a sub-step with too large an"
+                    + " error has to be made again from the state before it, with a shorter length"));
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // too long a step for it
+        }
+    }
+
+    /**
+     * @return the mistake of a method that makes a spring swing otherwise in another entry of the state, or from the
+     *         other side
+     */
+    Optional<Finding> asymmetric() {
+        try {
+            double[] first = swing(0, 1);
+            double other = SolverContract.distance(first, swing(2, 1));
+            double mirrored = SolverContract.distance(first, swing(0, -1));
+            return other > ALIKE ? Optional.of(new Finding(Kind.METHOD, "two springs swing alike, one as the first"
+                    + " coordinate of a particle and one as the last, and after a step of " + SWING + " s they are "
+                    + Formula.number(other) + " apart: the error of a sub-step has to be the largest of all entries"))
+                    : mirrored > ALIKE ? Optional.of(new Finding(Kind.METHOD, "two springs start at 1 and at -1, and"
+                    + " after a step of " + SWING + " s one is not the mirror image of the other, but "
+                    + Formula.number(mirrored) + " off: an error may be negative, and its size counts, Math.abs"))
+                    : Optional.empty();
+        } catch (RuntimeException e) {
+            return Optional.empty();                    // too long a step for it
+        }
+    }
+
+    /** @return position and velocity of a spring after a step, times the sign of its start */
+    private double[] swing(int coordinate, double start) {
+        Springs springs = new Springs();
+        double[] state = new double[springs.getStateSize()];
+        state[coordinate] = start;
+        springs.setState(state);
+        maker.get().stepState(springs, SWING);
+        double[] after = springs.state();
+        return new double[] {start * after[coordinate], start * after[coordinate + 3]};
     }
 
     private long evaluations(int particles) {

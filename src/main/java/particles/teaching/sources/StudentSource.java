@@ -12,6 +12,7 @@ public abstract class StudentSource extends ReferenceProblem {
     private final List<Integer> wrongLengths = new ArrayList<>();
     private final List<double[]> evaluatedAt = new ArrayList<>();
     private int reads;
+    private int timeMoves;
 
     /** @param start the state at t = 0 */
     public StudentSource(double... start) {
@@ -42,9 +43,25 @@ public abstract class StudentSource extends ReferenceProblem {
         return reads;
     }
 
+    /** @return the first states at which the derivative was evaluated */
+    public final List<double[]> evaluatedAt() {
+        return evaluatedAt;
+    }
+
     /** @return whether the derivative was evaluated at this state */
     public final boolean hasEvaluated(double[] state) {
         return evaluatedAt.stream().anyMatch(at -> Arrays.equals(at, state));
+    }
+
+    /** @return how often the clock was moved */
+    public final int timeMoves() {
+        return timeMoves;
+    }
+
+    @Override
+    public void incTime(double deltaT) {
+        timeMoves++;
+        super.incTime(deltaT);
     }
 
     @Override

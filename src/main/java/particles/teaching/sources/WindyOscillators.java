@@ -18,7 +18,9 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         }
     }
 
-    private int failAt = -1;
+    /** Volatile, as the step that is to fail may run in another thread. */
+    private volatile int failFrom = Integer.MAX_VALUE;
+    private boolean failed;
     private boolean spoilt;
 
     /** @param particles the number of particles; six numbers each */
@@ -54,9 +56,14 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
         return wrongLengths().isEmpty() ? -1 : wrongLengths().get(0);
     }
 
-    /** @param evaluation the number of the evaluation, from 0, that is to fail */
-    public void failAtEvaluation(int evaluation) {
-        failAt = evaluation;
+    /** @param evaluation the number of the first evaluation, from 0, that is to fail */
+    public void failFromEvaluation(int evaluation) {
+        failFrom = evaluation;
+    }
+
+    /** @return whether an evaluation failed */
+    public boolean hasFailed() {
+        return failed;
     }
 
     /** Makes the derivative NaN from now on. */
@@ -76,7 +83,8 @@ public final class WindyOscillators extends StudentSource implements SecondOrder
 
     @Override
     protected void rates(double t, double[] s, double[] dSdt) {
-        if (evaluations() - 1 == failAt) {
+        if (evaluations() - 1 >= failFrom) {
+            failed = true;
             throw new Failure();
         }
         double field = 3 * StrictMath.cos(t);

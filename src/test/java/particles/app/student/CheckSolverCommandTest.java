@@ -39,12 +39,23 @@ class CheckSolverCommandTest {
         }
     }
 
-    /** Euler that gives up at one deltaT, after all of the contract was looked at. */
-    public static final class GivesUp extends DESolver {
+    /** Euler that crashes at one deltaT, after all of the contract was looked at. */
+    public static final class Crashes extends DESolver {
         @Override
         public void stepState(DEStateSource source, double deltaT) {
             if (deltaT == 1) {
-                throw new IllegalStateException("not with 1");
+                throw new IndexOutOfBoundsException("at 1");
+            }
+            new deSolvers.EulerSolver().stepState(source, deltaT);
+        }
+    }
+
+    /** Euler that refuses steps back and long ones. */
+    public static final class Refuses extends DESolver {
+        @Override
+        public void stepState(DEStateSource source, double deltaT) {
+            if (deltaT <= 0 || deltaT > 0.5) {
+                throw new IllegalArgumentException("deltaT has to be above 0 and at most 0.5 s, and is " + deltaT);
             }
             new deSolvers.EulerSolver().stepState(source, deltaT);
         }
@@ -121,12 +132,21 @@ class CheckSolverCommandTest {
 
     @Test
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
-        String screen = here(ExitCode.BAD_INPUT, GivesUp.class.getName(), folder);
-        assertTrue(screen.startsWith("GivesUp: wrong. This is the Euler method."), screen);
+        String screen = here(ExitCode.BAD_INPUT, Crashes.class.getName(), folder);
+        assertTrue(screen.startsWith("Crashes: wrong. This is the Euler method."), screen);
         String mistake = "while it was measured on springs, stepState ended in an exception:"
-                + " java.lang.IllegalStateException: not with 1, in GivesUp.";
+                + " java.lang.IndexOutOfBoundsException: at 1, in Crashes.";
         assertTrue(screen.contains("failure: " + mistake), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
+    }
+
+    @Test
+    void aSolverThatRefusesSomeStepsIsRight(@TempDir Path folder) throws IOException {
+        String screen = here(ExitCode.DONE, Refuses.class.getName(), folder);
+        assertTrue(screen.startsWith("Refuses: right. This is the Euler method."), screen);
+        assertTrue(screen.contains("note: it refuses a negative deltaT (deltaT has to be above 0"), screen);
+        String report = Files.readString(folder.resolve("report/checkSolver.md"));
+        assertTrue(report.contains("it refuses deltaT = 0") && report.contains("a step of 1 s is refused"), report);
     }
 
     @Test

@@ -182,7 +182,7 @@ class PlantedHabitsTest {
             }
             source.setState(s);
             source.incTime(deltaT);
-        }), "state: entries 3 to 23 of a state of 24 numbers stay as it was: the loop over i");
+        }), "state: entries 3 to 23 of 24 stay as they were in the new state: the loop has to");
     }
 
     @Test

@@ -118,7 +118,7 @@ class PlantedStateTest {
             }
             source.setState(state);
             source.incTime(deltaT);
-        }), "state: entry 23 of a state of 24 numbers stays as it was: the loop over i");
+        }), "state: entry 23 of 24 stays as it was in the new state: the loop has to");
     }
 
     @Test

@@ -1,9 +1,10 @@
-package particles.teaching.solvers;
+package particles.teaching.contract;
 
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
@@ -12,12 +13,12 @@ import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.sources.Probe;
 import particles.teaching.sources.WindyOscillators;
 
-/** Notes on a solver that are not mistakes: the sources that it refuses, and its behaviour when the source fails. */
+/** Notes on the sources that a solver refuses, and on its behaviour when the source fails. */
 final class SolverNotes {
     private static final double H = 1.0 / 16;
     private static final int MOST = 2000;
     private static final double TINY = 1e-12;
-    private static final double NAN_SECONDS = 0.5;
+    private static final double MOST_SECONDS = 0.5;
 
     private final Supplier<DESolver> maker;
     private final List<Finding> findings = new ArrayList<>();
@@ -50,18 +51,38 @@ final class SolverNotes {
         }
     }
 
+    /** A source that fails has to be heard of. */
     private void checkFailure() {
-        WindyOscillators source = new WindyOscillators(1);
-        double[] before = source.state();
-        source.failAtEvaluation(1);
-        try {
-            maker.get().stepState(source, H);
-        } catch (RuntimeException expected) {
-            if (SolverContract.distance(before, source.state()) != 0 || source.getTime() != 0) {
+        for (int evaluation = 0; evaluation < 2; evaluation++) {
+            WindyOscillators source = new WindyOscillators(1);
+            double[] before = source.state();
+            source.failFromEvaluation(evaluation);
+            Outcome<Boolean> outcome = guarded(source, () -> {
+                try {
+                    maker.get().stepState(source, H);
+                    return source.hasFailed();
+                } catch (RuntimeException expected) {
+                    return false;
+                }
+            });
+            if (outcome.value().isPresent() && outcome.value().get()) {
+                findings.add(new Finding(Kind.STATE, "the source threw an exception, and stepState returned as if"
+                        + " nothing had happened: do not catch it, so that the caller learns of it"));
+                return;
+            }
+            if (evaluation > 0 && (SolverContract.distance(before, source.state()) != 0 || source.getTime() != 0)
+                    && source.hasFailed()) {
                 note("when the source fails within a step, state and time stay where they were then;"
                         + " deSolvers.FixedStepSolver puts them back");
             }
         }
+    }
+
+    /** Runs with a time limit; afterwards a step that is still running ends at its next evaluation. */
+    private <T> Outcome<T> guarded(WindyOscillators source, Callable<T> step) {
+        Outcome<T> outcome = new GuardedRun(MOST_SECONDS).run(step);
+        source.failFromEvaluation(0);
+        return outcome;
     }
 
     /** The check puts a NaN in, and says so. */
@@ -69,7 +90,7 @@ final class SolverNotes {
         WindyOscillators source = new WindyOscillators(1);
         source.spoilDerivative();
         String from = "this check made the derivative NaN on purpose, and ";
-        Outcome<Optional<String>> outcome = new GuardedRun(NAN_SECONDS).run(() -> {
+        Outcome<Optional<String>> outcome = guarded(source, () -> {
             try {
                 maker.get().stepState(source, H);
                 return Optional.empty();

@@ -1,0 +1,133 @@
+package particles.teaching.contract;
+
+import deSolvers.DESolver;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import particles.teaching.Finding.Kind;
+import particles.teaching.Finding;
+import particles.teaching.Formula;
+import particles.teaching.StudentFailure;
+import particles.teaching.sources.WindyOscillators;
+
+/**
+ * Checks the rules that hold for every solver, whatever its formula: each step begins at the source's own state, and
+ * one solver may step any number of sources.
+ */
+public final class SolverContract {
+    private static final double H = 1.0 / 16;
+    private static final double ALIKE = 1e-2;
+    private static final int SOME = 40;
+    private static final int MANY = 200;
+
+    private final Supplier<DESolver> maker;
+    private final List<Finding> findings = new ArrayList<>();
+
+    private SolverContract(Supplier<DESolver> maker) {
+        this.maker = maker;
+    }
+
+    /**
+     * @param maker     makes a new solver
+     * @param remembers whether its steps differ from those of a new solver
+     * @param multistep whether it uses earlier steps as a method does
+     * @return its mistakes, and advice
+     */
+    public static List<Finding> check(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
+        SolverContract contract = new SolverContract(maker);
+        SolverMemory.mistake(maker, remembers, multistep)
+                .ifPresentOrElse(contract.findings::add, contract::checkMany);
+        contract.checkNegative();
+        contract.checkZero();
+        contract.findings.addAll(SolverNotes.of(maker));
+        return contract.findings;
+    }
+
+    private void note(String text) {
+        findings.add(new Finding(Kind.ADVICE, text));
+    }
+
+    private void wrong(String text) {
+        findings.add(new Finding(Kind.STATE, text));
+    }
+
+    /**
+     * A source much larger than that of a first example, of equal particles; smaller where the work in a step grows
+     * with the square of the size.
+     */
+    private void checkMany() {
+        WindyOscillators small = new WindyOscillators(1);
+        WindyOscillators larger = new WindyOscillators(4);
+        maker.get().stepState(small, H);
+        maker.get().stepState(larger, H);
+        int particles = larger.evaluations() > 2 * small.evaluations() ? SOME : MANY;
+        WindyOscillators source = new WindyOscillators(particles);
+        String text = "with a source of " + particles + " particles, " + 6 * particles + " numbers, ";
+        String cause = ": an array or a loop has a fixed length; source.getStateSize() has to be asked in every step";
+        source.startRecord();
+        try {
+            maker.get().stepState(source, H);
+        } catch (RuntimeException e) {
+            wrong(text + "stepState ends in " + StudentFailure.describe(e) + cause);
+            return;
+        }
+        List<double[]> states = new ArrayList<>(source.evaluatedAt());
+        states.add(source.state());
+        for (double[] state : states) {
+            for (int k = 0; k < state.length; k++) {
+                if (!(Math.abs(state[k] - state[k % 6]) <= ALIKE)) {    // differences for a Jacobian are smaller
+                    wrong(text + "entry " + k + " of a state is " + Formula.number(state[k]) + " and entry " + k % 6
+                            + " is " + Formula.number(state[k % 6]) + ", though all particles are alike" + cause);
+                    return;
+                }
+            }
+        }
+    }
+
+    /** Whether it steps backwards, or says that it does not. */
+    private void checkNegative() {
+        WindyOscillators source = new WindyOscillators(1);
+        double[] before = source.state();
+        try {
+            maker.get().stepState(source, -H);
+        } catch (RuntimeException e) {
+            note("it refuses a negative deltaT (" + e.getMessage() + ")");
+            return;
+        }
+        if (distance(before, source.state()) == 0) {
+            wrong("a step of negative deltaT does nothing, and says nothing: step backwards, or throw an exception "
+                    + "that says why not");
+        }
+    }
+
+    private void checkZero() {
+        WindyOscillators source = new WindyOscillators(1);
+        double[] before = source.state();
+        try {
+            maker.get().stepState(source, 0);
+        } catch (RuntimeException e) {
+            if (!StudentFailure.isRefusal(e)) {
+                throw e;
+            }
+            note("it refuses deltaT = 0 (" + e.getMessage() + "); the built-in solvers change nothing then");
+            return;
+        }
+        double change = distance(before, source.state());
+        if (change > 1e-12 && Double.isFinite(change)) {
+            wrong("a step of deltaT = 0 moves the state by " + Formula.number(change) + "; it has to change nothing");
+        } else if (!Double.isFinite(change)) {
+            wrong("a step of deltaT = 0 makes the state NaN or infinite; it has to change nothing. Is something "
+                    + "divided by deltaT?");
+        }
+    }
+
+    /** @return the largest difference of two entries; NaN if there is one */
+    public static double distance(double[] x, double[] y) {
+        double distance = 0;
+        for (int k = 0; k < x.length; k++) {
+            double d = Math.abs(x[k] - y[k]);
+            distance = d <= distance ? distance : d;    // NaN stays
+        }
+        return distance;
+    }
+}

@@ -1,0 +1,177 @@
+package particles.teaching.contract;
+
+import deSolvers.DESolver;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Supplier;
+import particles.teaching.Finding;
+import particles.teaching.Finding.Kind;
+import particles.teaching.sources.WindyOscillators;
+
+/**
+ * Looks for memory of earlier steps that is used where it must not be: a step from another place than that where the
+ * last step ended has to be the step of a new solver.
+ */
+final class SolverMemory {
+    private static final double H = 1.0 / 16;
+    /** Two runs of one method differ by rounding only: measured 0 for all of ours. */
+    private static final double SAME = 1e-9;
+    private static final int STEPS = 6;
+    private static final double LATER = 3;
+    private static final String FORGET = ". What is remembered of earlier steps may be used only while source, time, "
+            + "state and deltaT are what the last step left, and has to be forgotten in reset()";
+
+    private final Supplier<DESolver> maker;
+    private final boolean remembers;
+    private final boolean multistep;
+
+    private SolverMemory(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
+        this.maker = maker;
+        this.remembers = remembers;
+        this.multistep = multistep;
+    }
+
+    /**
+     * @param maker     makes a new solver
+     * @param remembers whether its steps differ from those of a new solver
+     * @param multistep whether it uses earlier steps as a method does
+     * @return the first mistake
+     */
+    static Optional<Finding> mistake(Supplier<DESolver> maker, boolean remembers, boolean multistep) {
+        SolverMemory memory = new SolverMemory(maker, remembers, multistep);
+        return memory.after("the state was set from outside, as a collision does,", (solver, source) -> {
+            double[] moved = source.state();
+            Arrays.setAll(moved, k -> moved[k] + 1);
+            source.setState(moved);
+        }).or(() -> memory.after("the clock was set from outside,", (solver, source) -> source.incTime(LATER)))
+                .or(() -> memory.after("reset() was called, as it is when the forces change,", (solver, source)
+                        -> solver.reset()))
+                .or(memory::otherSizes).or(memory::turns).or(memory::objects).or(memory::changedDeltaT)
+                .map(text -> new Finding(Kind.STATE, text));
+    }
+
+    /** Makes steps and a change from outside; the next step has to be that of a new solver. */
+    private Optional<String> after(String changed, BiConsumer<DESolver, WindyOscillators> change) {
+        WindyOscillators source = new WindyOscillators(2);
+        DESolver solver = maker.get();
+        for (int step = 0; step < STEPS; step++) {
+            solver.stepState(source, H);
+        }
+        change.accept(solver, source);
+        double[] start = source.state();
+        double[] expected = fresh(source);
+        source.startRecord();
+        solver.stepState(source, H);
+        if (isSame(expected, source)) {
+            return Optional.empty();
+        }
+        return Optional.of(changed + " and the step afterwards " + (multistep
+                ? "still uses the steps before it" + FORGET
+                : source.readStates() == 0 ? "does not start there: an array is kept from the step before. getState has"
+                + " to be called in every step, and the arrays filled anew"
+                : !source.hasEvaluated(start) ? "begins with a derivative that was kept from the step before, as none"
+                + " is asked for at the new state. It may be kept only while state and time are what the last step left"
+                : "is not the one that a new solver makes: something is kept from the step before" + FORGET));
+    }
+
+    /** @return the state after a step that a new solver makes from the same place, on a copy of the source */
+    private double[] fresh(WindyOscillators source) {
+        WindyOscillators twin = source.copy();
+        maker.get().stepState(twin, H);
+        return twin.state();
+    }
+
+    private static boolean isSame(double[] expected, WindyOscillators source) {
+        return SolverContract.distance(expected, source.state()) <= SAME;
+    }
+
+    private Optional<String> otherSizes() {
+        DESolver solver = maker.get();
+        int last = 3;
+        for (int pairs : new int[] {3, 6, 3, 1}) {
+            WindyOscillators source = new WindyOscillators(pairs);
+            double[] start = source.state();
+            double[] expected = fresh(source);
+            String text = "the solver stepped a source of " + 6 * last + " numbers and then one of " + 6 * pairs
+                    + ", and ";
+            String cause = ": the size is cached from the first source. source.getStateSize() has to be asked in every "
+                    + "step";
+            try {
+                solver.stepState(source, H);
+            } catch (IndexOutOfBoundsException | NegativeArraySizeException e) {
+                return Optional.of(text + "ended in " + e + cause);
+            }
+            if (source.wrongLength() >= 0) {
+                return Optional.of(text + "handed it an array of " + source.wrongLength() + cause);
+            }
+            if (Arrays.equals(start, source.state()) && source.getTime() == 0) {
+                return Optional.of(text + "the second one stays as it was: the first source is kept in a field. Each"
+                        + " step has to use the source that it is given");
+            }
+            if (!isSame(expected, source)) {
+                return Optional.of(text + "the second step is not what a new solver makes" + cause);
+            }
+            last = pairs;
+        }
+        return Optional.empty();
+    }
+
+    private Optional<String> turns() {
+        DESolver solver = maker.get();
+        WindyOscillators one = new WindyOscillators(2);
+        WindyOscillators two = new WindyOscillators(2);
+        two.incTime(LATER);
+        for (int round = 0; round < 4; round++) {
+            for (WindyOscillators source : List.of(one, two)) {
+                double[] expected = fresh(source);
+                solver.stepState(source, H);
+                if (!isSame(expected, source)) {
+                    return Optional.of("two sources of the same size are stepped in turn, and one disturbs the other:"
+                            + " something is kept from the step before (an array that is not filled anew, a derivative"
+                            + " that is not asked for again)");
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** A search for an impact steps with a solver of its own, in between. */
+    private Optional<String> objects() {
+        WindyOscillators alone = new WindyOscillators(1);
+        WindyOscillators one = alone.copy();
+        WindyOscillators two = alone.copy();
+        two.incTime(LATER);
+        DESolver solver = maker.get();
+        DESolver first = maker.get();
+        DESolver second = maker.get();
+        for (int step = 0; step < STEPS; step++) {
+            solver.stepState(alone, H);
+        }
+        for (int step = 0; step < STEPS; step++) {
+            first.stepState(one, H);
+            second.stepState(two, H);
+        }
+        return isSame(alone.state(), one) ? Optional.empty() : Optional.of("two solvers of this class step in turn,"
+                + " each its own source, and one disturbs the other: something is static, and shared by all of them");
+    }
+
+    /** The simulation shortens the last step before an event, so that deltaT changes from step to step. */
+    private Optional<String> changedDeltaT() {
+        DESolver solver = maker.get();
+        WindyOscillators source = new WindyOscillators(1);
+        for (double deltaT : new double[] {H, H, H / 4, H / 2}) {
+            WindyOscillators twin = source.copy();
+            maker.get().stepState(twin, deltaT);
+            boolean changed = source.getTime() > H;
+            solver.stepState(source, deltaT);
+            if (changed && !isSame(twin.state(), source)) {
+                return Optional.of("deltaT changes from one step to the next, and the step is not the one that a new"
+                        + " solver makes with it" + (remembers ? FORGET : ": deltaT of an earlier step is kept. It is"
+                        + " an argument of each call, and may differ in each"));
+            }
+        }
+        return Optional.empty();
+    }
+}
