@@ -26,7 +26,7 @@ import deSolvers.adaptive.AdaptiveSolver;
  * limit on the step for anything that decays or oscillates.<br>
  * <b>When to use</b> stiff systems to a stated accuracy, 1e-3 to 1e-10: the reference to compare others with. For
  * smooth motion {@code dormand-prince} is cheaper; for a large cloth that only has to look right, {@code
- * backward-euler}: one of 32 x 32 particles takes radau some seconds for each second of its fall.<br>
+ * backward-euler}: one of 32 x 32 particles takes radau about ten seconds for each second of its fall.<br>
  * <b>Source</b> E. Hairer, G. Wanner, <i>Solving Ordinary Differential Equations II</i>, 2nd ed., Springer 1996,
  * sections IV.5 and IV.8.
  */
