@@ -30,7 +30,7 @@ import picocli.CommandLine.Option;
  * A command that checks a student's class. The check runs in a process of its own, with a limit on its CPU time.
  */
 abstract class CheckCommand extends ProgramCommand {
-    private static final double SECONDS = 8;
+    private static final double SECONDS = 7;
 
     @Option(names = "--out", paramLabel = "FOLDER",
             description = "Where the report goes (default: build/out and the task's name).")

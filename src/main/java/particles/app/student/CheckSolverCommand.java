@@ -14,6 +14,8 @@ import particles.output.charts.Panel;
 import particles.output.report.Picture;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
+import particles.teaching.GuardedRun;
+import particles.teaching.GuardedRun.Outcome;
 import particles.teaching.solvers.SolverCheck;
 import particles.teaching.figures.SolverFigures;
 import particles.teaching.solvers.SolverVerdict;
@@ -26,6 +28,7 @@ import picocli.CommandLine.Option;
         description = "Checks a solver: which method it is, and what is wrong with it.")
 public final class CheckSolverCommand extends CheckCommand {
     static final String NAME = "checkSolver";
+    private static final double SECONDS_TO_MEASURE = 4;
 
     @Option(names = "--solver", paramLabel = "NAME", required = true,
             description = "A solver's name, or the class of your own.")
@@ -73,17 +76,18 @@ public final class CheckSolverCommand extends CheckCommand {
             return new Checked(name, verdict.identity(), verdict.findings(), new ResultPage(NAME, title, text,
                     List.of(), List.of()));
         }
-        SolverFigures figures;
-        try {
-            figures = SolverFigures.of(SolverCatalog.names().contains(solver) ? solver : name, maker, verdict);
-        } catch (RuntimeException e) {                  // thrown by the class itself; still report the findings
+        Outcome<SolverFigures> measured = new GuardedRun(SECONDS_TO_MEASURE).run(() -> SolverFigures.of(
+                SolverCatalog.names().contains(solver) ? solver : name, maker, verdict));
+        if (measured.failure().isPresent()) {           // of the class itself; still report the findings
             List<Finding> all = new ArrayList<>(verdict.findings());
             if (verdict.wrong().isEmpty()) {            // otherwise it follows from a mistake already reported
-                all.add(SolverFigures.failure(e));
+                all.add(new Finding(Kind.FAILURE, "while it was measured on springs: "
+                        + measured.failure().get().text()));
             }
             return new Checked(name, verdict.identity(), all, new ResultPage(NAME, title, paragraphs(all), List.of(),
                     List.of()));
         }
+        SolverFigures figures = measured.value().orElseThrow();
         List<Picture> pictures = new ArrayList<>();
         pictures.add(Picture.chart("order",
                 "The error after two seconds of x'' = -4x + 3 cos t; the slope is the order.",

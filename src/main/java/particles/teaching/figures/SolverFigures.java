@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import particles.teaching.Finding;
 import particles.teaching.StudentFailure;
 import particles.teaching.solvers.OrderMeasurement;
 import particles.teaching.solvers.SolverVerdict;
@@ -76,12 +75,6 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                         "time (s)", "|energy / first energy - 1|", false, true, energies),
                 new ChartData("Error against work", "evaluations of the derivative", "error after 8 s", true, true,
                         work));
-    }
-
-    /** @return the finding for an exception that the solver threw while it was measured */
-    public static Finding failure(RuntimeException thrown) {
-        return new Finding(Finding.Kind.FAILURE, "while it was measured on springs, stepState ended in an exception: "
-                + StudentFailure.describe(thrown));
     }
 
     private static Series series(String name, Mark mark, List<double[]> points) {

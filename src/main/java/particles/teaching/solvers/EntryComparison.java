@@ -2,7 +2,7 @@ package particles.teaching.solvers;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 
@@ -42,18 +42,24 @@ record EntryComparison(List<Integer> left, double largest, int size) {
         return left.size() == size || !(largest <= rounding);
     }
 
-    /** @return the mistake if a loop left out some entries and the others agree, up to the rounding */
-    Optional<Finding> leftOut(String what, double rounding) {
-        if (left.isEmpty() || isWithout(rounding)) {
-            return Optional.empty();
-        }
+    /**
+     * @param states the comparisons of the states of the evaluations, then that of the new state
+     * @return the mistakes of loops that left out some entries, where the others agree up to the rounding
+     */
+    static List<Finding> leftOut(List<EntryComparison> states, double rounding) {
+        return IntStream.range(0, states.size()).filter(i -> !states.get(i).left.isEmpty()
+                && !states.get(i).isWithout(rounding)).mapToObj(i -> new Finding(Kind.STATE, states.get(i).text()
+                + (i == states.size() - 1 ? "the new state" : "the trial state at evaluation " + (i + 1))
+                + ": the loop has to reach all entries, from 0 to source.getStateSize() - 1")).toList();
+    }
+
+    private String text() {
         boolean one = left.size() == 1;
         int last = left.get(left.size() - 1);
         boolean row = last - left.get(0) == left.size() - 1 && left.size() > 2;
         String numbers = row ? left.get(0) + " to " + last : left.stream().limit(MOST_SHOWN).toList().toString()
                 .replaceAll("[\\[\\]]", "") + (left.size() > MOST_SHOWN ? "..." : "");
-        return Optional.of(new Finding(Kind.STATE, (one ? "entry " : "entries ") + numbers + " of " + size + (one
-                ? " stays as it was in " : " stay as they were in ") + what
-                + ": the loop has to reach all entries, from 0 to source.getStateSize() - 1"));
+        return (one ? "entry " : "entries ") + numbers + " of " + size + (one ? " stays as it was in "
+                : " stay as they were in ");
     }
 }

@@ -45,6 +45,8 @@ final class KicksDiagnosis {
             new Known("Ruth's method of order 3", "the method", 3, new double[] {1, -2.0 / 3, 2.0 / 3}, -1.0 / 24,
             3.0 / 4,
                     7.0 / 24),
+            new Known("Ruth's method of order 3, the velocity first", "the method", 3,
+                    new double[] {0, 2.0 / 3, -2.0 / 3, 1}, 7.0 / 24, 3.0 / 4, -1.0 / 24),
             new Known("Yoshida's method of order 4", "the method", 4, new double[] {0, W, 1 - 2 * W, W}, W / 2,
                     (1 - W) / 2,
                     (1 - W) / 2, W / 2),
@@ -66,17 +68,27 @@ final class KicksDiagnosis {
         ExtractedKicks step = found.merged();
         List<Finding> findings = new ArrayList<>();
         if (!Formula.sameTime(step.end(), 1)) {
-            findings.add(new Finding(Kind.TIME, step.end() == 0 ? "the clock never moves: incTime(deltaT) is missing"
+            findings.add(Formula.same(step.end(), step.p()) ? new Finding(Kind.METHOD, "the parts of the step add up"
+                    + " to " + Formula.number(step.p()) + " deltaT, and have to add up to deltaT: compare their lengths"
+                    + " and signs with those of the book") : new Finding(Kind.TIME, step.end() == 0
+                    ? "the clock never moves: incTime(deltaT) is missing"
                     : "the clock ends at " + Formula.time(step.end()) + " and has to end at t + deltaT"));
+        }
+        if (!Formula.same(step.kept()[0], 1) || !Formula.same(step.kept()[1], 1)) {
+            boolean position = Formula.same(step.kept()[1], 1);
+            findings.add(new Finding(Kind.STATE, "the new " + (position ? "position has " : "velocity has ")
+                    + Formula.number(step.kept()[position ? 0 : 1]) + (position ? " x in it instead of x" : " v in it"
+                    + " instead of v: a factor is damping, which the equation does not have")));
         }
         Optional<Known> exact = ALL.stream().filter(known -> differences(known, step).isEmpty()).findFirst();
         if (exact.isPresent()) {
             Known known = exact.get();
+            String identity = "This is " + known.name + (findings.isEmpty() ? "." : " but for what is wrong below.");
             if (promise.isPresent() && !promise.get().allows(known.name, known.order)
                     && (promise.get().whole() || known.order < promise.get().order())) {
                 findings.add(instead(known, promise.get()));
             }
-            return new Diagnosis("This is " + known.name + ".", findings, known.order);
+            return new Diagnosis(identity, findings, known.order);
         }
         double order = measured.getAsDouble();
         List<Known> meant = ALL.stream().filter(known -> promise.map(name -> name.allows(known.name, known.order))
@@ -94,19 +106,16 @@ final class KicksDiagnosis {
                     + (keepsArea ? " symplectic," : "") + " with " + step.v().length
                     + " accelerations a step; its coefficients are none that we know by name.", findings);
         }
-        if (near || promise.isPresent() && promise.get().whole() && nearest.v.length == step.v().length
-                && nearest.v.length < 3) {
+        if (near || promise.isPresent() && promise.get().whole() && nearest.v.length == step.v().length) {
             findings.add(differences.get(0));
             return new Diagnosis("This is nearest to " + nearest.name + ", but for what is wrong below.", findings);
         }
+        int count = step.v().length;
         findings.add(new Finding(Kind.METHOD, "the measured order is " + String.format(Locale.ROOT, "%.2f", order)
-                + " with "
-                + step.v().length + " accelerations a step"
-                + promise.map(name -> "; the name promises " + name.saysWithOrder())
-                .orElse("") + ": the new velocity is "
-                + formula("v", step.v(), 1, " deltaT") + (promise.isPresent() && nearest.v.length == step.v().length
-                ? "; " + nearest.name + " has " + formula("v", nearest.v, 1, " deltaT")
-                : "; compare the coefficients with those of the book")));
+                + " with " + count + (count == 1 ? " acceleration" : " accelerations") + " a step"
+                + promise.map(name -> "; the name promises " + name.saysWithOrder()).orElse("")
+                + ": the new velocity is " + formula("v", step.v(), 1, " deltaT")
+                + "; compare the coefficients with those of the book"));
         return new Diagnosis("This is a method of one's own, but for what is wrong below.", findings);
     }
 
@@ -146,7 +155,8 @@ final class KicksDiagnosis {
                 found.add(new Finding(Kind.METHOD, "acceleration a" + (j + 1)
                         + " is taken at a position that has moved "
                         + Formula.number(step.pAt()[j]) + " v deltaT; " + known.authority + " says "
-                        + Formula.number(known.pAt[j])));
+                        + Formula.number(known.pAt[j]) + (step.pAt()[j] == 0
+                        ? ": set the state with the new position before getStateDerivative" : "")));
             }
             if (!Formula.sameTime(step.c()[j], known.pAt[j]) && step.end() != 0) {
                 found.add(new Finding(Kind.TIME, "acceleration a" + (j + 1) + " is evaluated at "
@@ -157,11 +167,6 @@ final class KicksDiagnosis {
         }
         compare("velocity", "v", v, Arrays.copyOf(known.v, stages), 1, known, found, " deltaT");
         compare("position", "x", x, Arrays.copyOf(known.x, stages), step.p(), known, found, " deltaT^2");
-        if (!Formula.same(step.kept()[0], 1) || !Formula.same(step.kept()[1], 1)) {
-            found.add(new Finding(Kind.STATE, "the new position and velocity have " + Formula.number(step.kept()[0])
-                    + " x and "
-                    + Formula.number(step.kept()[1]) + " v in them instead of x and v"));
-        }
         return found;
     }
 
@@ -182,6 +187,9 @@ final class KicksDiagnosis {
             return ": the old velocity moves the position by " + Formula.number(p) + " v deltaT";
         }
         double sum = MethodDifferences.sum(expected);
+        if (position && sum != 0 && MethodDifferences.same(found, new double[found.length])) {
+            return ": 1/2 is 0 in Java, as both are whole numbers, and 0.5 is meant";
+        }
         if (Formula.same(MethodDifferences.sum(found), -sum)) {
             return ": the sign is wrong";
         }

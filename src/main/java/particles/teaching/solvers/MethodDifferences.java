@@ -10,6 +10,8 @@ import particles.teaching.Formula;
 
 /** The differences between measured coefficients and those of a known method, each in a sentence. */
 final class MethodDifferences {
+    private static final double FLOAT_ROUNDING = 1e-6;
+
     private final KnownMethod method;
     private final double[][] a;
     private final double[] b;
@@ -54,6 +56,13 @@ final class MethodDifferences {
     /** @return the number of stages that differ in number, state or time; wrong weights count once */
     int count() {
         return count;
+    }
+
+    /** @return the number of weights that differ, to choose among methods that differ in the weights only */
+    int wrongWeights() {
+        double[] expected = Arrays.copyOf(method.weights(), Math.max(b.length, method.stages()));
+        double[] weights = Arrays.copyOf(b, expected.length);
+        return (int) IntStream.range(0, expected.length).filter(j -> !Formula.same(weights[j], expected[j])).count();
     }
 
     /** @return one mistake that explains all differences, or else the first of them */
@@ -133,7 +142,7 @@ final class MethodDifferences {
                     : slope(i - 1) + " again");
         }
         if (i > 0 && sum(a[i]) == 0) {
-            return ": nothing is added to s; 1/2 is 0 in Java, as both are whole numbers, and 0.5 is meant";
+            return ": nothing is added to s; " + wholeNumbers(expected);
         }
         if (i > 0 && same(a[i], plus(expected, a[i - 1]))) {
             return ": go back to the start s before adding";
@@ -141,8 +150,17 @@ final class MethodDifferences {
         return factorHint(a[i], expected);
     }
 
-    /** A row that is a multiple of the right one. */
+    private static String wholeNumbers(double[] expected) {
+        String fraction = Arrays.stream(expected).map(Math::abs).mapToObj(Formula::number)
+                .filter(number -> number.contains("/")).findFirst().orElse("1/2");
+        return fraction + " is 0 in Java, as both are whole numbers, and " + fraction.replace("/", ".0/") + " is meant";
+    }
+
+    /** A row that is a multiple of the right one, or that one in float. */
     private static String factorHint(double[] found, double[] expected) {
+        if (IntStream.range(0, found.length).allMatch(j -> Math.abs(found[j] - expected[j]) < FLOAT_ROUNDING)) {
+            return ": only the first seven digits are right, as in float arithmetic; all numbers have to be double";
+        }
         for (double factor : new double[] {-1, 2, 0.5, -0.5, -2}) {
             double[] scaled = Arrays.stream(expected).map(x -> factor * x).toArray();
             if (same(found, scaled)) {
@@ -209,7 +227,7 @@ final class MethodDifferences {
     private String weightHint(double[] weights, double[] expected) {
         int last = weights.length - 1;
         if (last > 0 && Math.abs(sum(weights)) == 0 && Arrays.stream(weights).allMatch(w -> w == 0)) {
-            return ": no evaluation is in it; 1/6 is 0 in Java, as both are whole numbers, and 1.0/6 is meant";
+            return ": no evaluation is in it; " + wholeNumbers(expected);
         }
         if (last > 0 && method.stages() == b.length && Formula.same(weights[last], 1) && Formula.same(sum(weights), 1)
                 && expected[last] != 1) {

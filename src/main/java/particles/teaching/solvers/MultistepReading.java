@@ -3,11 +3,13 @@ package particles.teaching.solvers;
 import deSolvers.DESolver;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import particles.teaching.Finding;
 import particles.teaching.Finding.Kind;
 import particles.teaching.Formula;
@@ -87,20 +89,62 @@ record MultistepReading(double[] weights, double[] times) {
         if (order() >= weights.length) {
             return Optional.empty();
         }
+        Optional<Finding> stale = stale();
+        if (stale.isPresent()) {
+            return stale;
+        }
         double sum = Arrays.stream(weights).sum();
-        String formula = Arrays.stream(adamsWeights()).mapToObj(Formula::number).collect(Collectors.joining(", "));
+        String formula = Arrays.stream(adamsWeights(times)).mapToObj(Formula::number).collect(Collectors.joining(", "));
         return Optional.of(new Finding(Kind.METHOD, "the weights of a step are " + text() + (Math.abs(sum - 1) > SAME
                 ? ", which add up to " + Formula.number(sum) + " and not to 1" : ", which make a method of order "
                 + order())
                 + "; the Adams method with these evaluations has " + formula));
     }
 
+    /** The weights of an Adams method with derivatives of other times, as those kept are not shifted as they age. */
+    private Optional<Finding> stale() {
+        int n = weights.length;
+        Integer[] byAge = IntStream.range(0, n).boxed().sorted(Comparator.comparingDouble(j -> -times[j]))
+                .toArray(Integer[]::new);
+        double[] aged = Arrays.stream(byAge).mapToDouble(j -> weights[j]).toArray();
+        List<String> found = Arrays.stream(byAge).map(j -> Formula.time(times[j])).toList();
+        for (int count = n; count <= HIGHEST; count++) {
+            for (int newest = 0; newest < 2; newest++) {
+                int latest = newest;
+                double[] right = IntStream.range(0, count).mapToDouble(j -> latest - j).toArray();
+                if (isGrouped(aged, adamsWeights(right))) {
+                    return Optional.of(new Finding(Kind.METHOD, "the weights are those of the Adams method of order "
+                            + count + ", and its derivatives are those at " + String.join(", ", found) + " instead of "
+                            + Arrays.stream(right).mapToObj(Formula::time).collect(Collectors.joining(", "))
+                            + ": an old one is kept too long, or twice. In each step the oldest is dropped, then the"
+                            + " others move by one place, the oldest of them first"));
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** Whether each weight is the sum of one or several neighbouring weights of a formula. */
+    private static boolean isGrouped(double[] found, double[] formula) {
+        int next = 0;
+        for (double weight : found) {
+            double sum = 0;
+            do {
+                if (next == formula.length) {
+                    return false;
+                }
+                sum += formula[next++];
+            } while (Math.abs(sum - weight) > SAME);
+        }
+        return next == formula.length;
+    }
+
     /**
      * The weights that integrate all polynomials of lower degree exactly: a linear system, solved by Lagrange's
      * polynomials.
      */
-    private double[] adamsWeights() {
-        int n = weights.length;
+    private static double[] adamsWeights(double[] times) {
+        int n = times.length;
         double[] right = new double[n];
         for (int j = 0; j < n; j++) {
             double[] polynomial = {1};

@@ -60,8 +60,8 @@ public final class SolverCheck {
             if (!Double.isFinite(Arrays.stream(source.state()).sum())) {
                 return stopped("It makes no step.", Kind.STATE, "the new state is NaN or infinite although state and "
                         + "derivative"
-                        + " are finite: look for 0/0, the root of a negative number, or a division by something that "
-                        + "is 0");
+                        + " are finite: look for 0/0, the root of a negative number, a division by something that is 0,"
+                        + " or a matrix with a row of zeros");
             }
         } catch (RuntimeException e) {
             return stopped("It makes no step.", Kind.FAILURE, "stepState ends in an exception: "
@@ -193,8 +193,7 @@ public final class SolverCheck {
                 ExtractedKicks step = ExtractedKicks.of(maker.get(), H, dimension);
                 List<EntryComparison> states = step.compare(maker.get(), H, dimension);
                 if (!states.isEmpty() && !states.get(states.size() - 1).isWithout(KICKS_ROUNDING) && !step.left()) {
-                    states.forEach(state -> state.leftOut("a state that is set", KICKS_ROUNDING)
-                            .ifPresent(findings::add));
+                    findings.addAll(EntryComparison.leftOut(states, KICKS_ROUNDING));
                     return Optional.of(KicksDiagnosis.of(step, promise, accuracy::order, keepsArea()));
                 }
             } catch (RuntimeException e) {
@@ -215,8 +214,9 @@ public final class SolverCheck {
         UnreadMethod method = new UnreadMethod(maker);
         return new Diagnosis(identity(false), clock().or(method::entryByEntry)
                 .or(() -> firstSubStep(finding -> finding.kind() != Kind.METHOD))
-                .or(accuracy::layout).or(method::uncontrolled).or(method::asymmetric).or(method::unstable)
-                .or(() -> accuracy.poorOrder(() -> firstSubStep(finding -> true))).stream().toList());
+                .or(accuracy::layout)
+                .or(() -> accuracy.poorOrder(() -> firstSubStep(finding -> true).or(method::unstable)))
+                .or(method::uncontrolled).or(method::asymmetric).or(method::unstable).stream().toList());
     }
 
     /** A mistake in the first sub-step of an adaptive method, which it accepts where derivatives are tiny. */

@@ -20,6 +20,9 @@ final class TableauComparison {
     /** A method is nearest to a known one where no more stages and weights differ. */
     private static final int FEW = 2;
 
+    private static final Comparator<MethodDifferences> FEWEST = Comparator.comparingInt(MethodDifferences::count)
+            .thenComparingInt(MethodDifferences::wrongWeights);
+
     private final ExtractedTableau step;
     private final Optional<NamePromise> promise;
     private final DoubleSupplier measured;
@@ -120,8 +123,8 @@ final class TableauComparison {
                 + " evaluations a step; its coefficients are none that we know by name";
         MethodDifferences nearest = all.stream().filter(of -> promise.map(p -> p.allows(of.method().name(), of.method()
                 .order()))
-                .orElse(true)).min(Comparator.comparingInt(MethodDifferences::count))
-                .orElseGet(() -> all.stream().min(Comparator.comparingInt(MethodDifferences::count)).orElseThrow());
+                .orElse(true)).min(FEWEST)
+                .orElseGet(() -> all.stream().min(FEWEST).orElseThrow());
         boolean near = nearest.count() <= FEW || nearest.first().kind() == Kind.STATE;
         boolean better = near && nearest.method().order() > full;
         int wanted = promise.map(NamePromise::order).orElse(better ? nearest.method().order() : 1);

@@ -196,8 +196,11 @@ final class TableauDiagnosis {
         if (Formula.same(ratio, 0.5)) {
             return "the derivative is divided by deltaT; it has to be multiplied by deltaT";
         }
+        double constant = 2 * once - doubled;
+        boolean part = Formula.same(negative, 2 * constant - once);
         return Formula.same(ratio, 4) ? "deltaT is multiplied in twice" : "with twice the deltaT it moves "
-                + Formula.number(ratio) + " times as far";
+                + Formula.number(ratio) + " times as far" + (part ? ", as a part of it is not multiplied by deltaT: are"
+                + " brackets missing?" : "");
     }
 
     private List<String> names() {

@@ -117,10 +117,7 @@ final class TableauReading {
         if (states.isEmpty() || last(states).isWithout(FLOAT_ROUNDING)) {
             return false;
         }
-        for (int i = 0; i < states.size() - 1; i++) {
-            states.get(i).leftOut("the trial state at evaluation " + (i + 1), FLOAT_ROUNDING).ifPresent(findings::add);
-        }
-        last(states).leftOut("the new state", FLOAT_ROUNDING).ifPresent(findings::add);
+        findings.addAll(EntryComparison.leftOut(states, FLOAT_ROUNDING));
         double largest = last(states).largest();
         if (largest > DOUBLE_ROUNDING) {
             findings.add(new Finding(Kind.STATE, "digits get lost: the new state is off by " + Formula.number(largest)

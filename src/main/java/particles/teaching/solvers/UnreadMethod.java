@@ -34,6 +34,7 @@ final class UnreadMethod {
     private static final double GROWS = 1.5;
     /** Times that are tried, in parts of deltaT: all tenths, eighths and twelfths are among them. */
     private static final int PARTS = 120;
+    private static final double NEARLY = 0.03;
     private static final double MUCH_BETTER = 0.05;
 
     private final Supplier<DESolver> maker;
@@ -82,15 +83,20 @@ final class UnreadMethod {
     /** @return the mistake of a method that solves with a matrix and is not stable; empty if it is stable */
     Optional<Finding> unstable() {
         try {
-            if (evaluations(2) < evaluations(1) + SIZE / 2) {
-                return Optional.empty();                // no matrix of differences
+            if (!solvesWithMatrix()) {
+                return Optional.empty();
             }
-            StiffDecay decay = new StiffDecay();
-            maker.get().stepState(decay, 1);
-            return decay.size() <= GROWS ? Optional.empty() : Optional.of(new Finding(Kind.METHOD, "it evaluates the"
-                    + " derivative once more for each entry, as methods that solve with a matrix do, and is not stable"
-                    + " as they are: a step of 1 s multiplies y in y' = -" + Formula.number(StiffDecay.RATE) + " y by "
-                    + Formula.number(decay.size()) + ". Check the signs in the matrix, such as I - deltaT J"));
+            for (double deltaT : new double[] {1, 0.5 / StiffDecay.RATE}) {
+                StiffDecay decay = new StiffDecay();
+                maker.get().stepState(decay, deltaT);
+                if (!(decay.size() <= GROWS)) {
+                    return Optional.of(new Finding(Kind.METHOD, "it evaluates the derivative once more for each entry,"
+                            + " as methods that solve with a matrix do, and is not stable as they are: a step of "
+                            + deltaT + " s multiplies y in y' = -" + Formula.number(StiffDecay.RATE) + " y by "
+                            + Formula.number(decay.size()) + ". Check the signs in the matrix, such as I - deltaT J"));
+                }
+            }
+            return Optional.empty();
         } catch (RuntimeException e) {
             return Optional.empty();                    // it refuses, which is no mistake
         }
@@ -176,11 +182,19 @@ final class UnreadMethod {
         for (int part = 0; part <= 2 * PARTS; part++) {
             best = error(source, part) < error(source, best) ? part : best;
         }
+        double place = (double) best / PARTS;
+        double simple = Math.rint(2 * place) / 2;
+        place = Math.abs(simple - place) < NEARLY ? simple : place;     // the method's own error moves it
         return error(source, best) > MUCH_BETTER * here ? Optional.empty() : Optional.of("after a step of " + H
-                + " s the state is that of " + Formula.time((double) best / PARTS) + ": either the weights add up to "
-                + Formula.number((double) best / PARTS) + " and not to 1, or " + (best > PARTS
-                ? "a sub-step too many is made (count them with an int, as sums of fractions are rounded)"
-                : "a part of the step is missing"));
+                + " s the state is that of " + Formula.time(place) + ": either the weights add up to "
+                + Formula.number(place) + " and not to 1, or " + (best < PARTS ? "a part of the step is missing"
+                : solvesWithMatrix() ? "deltaT stands where deltaT/2 is meant"
+                : "a sub-step too many is made (count them with an int, as sums of fractions are rounded)"));
+    }
+
+    /** Whether the derivative is evaluated once more for each entry, as for a matrix of differences. */
+    private boolean solvesWithMatrix() {
+        return evaluations(2) >= evaluations(1) + SIZE / 2;
     }
 
     private static double error(WindyOscillators source, int part) {

@@ -8,6 +8,8 @@ import java.util.List;
 /** A source for a student's solver: it records arrays of a wrong length, and uses the part of them that fits. */
 public abstract class StudentSource extends ReferenceProblem {
     private static final int MOST_RECORDED = 4;
+    /** A right adaptive solver needs 100,000 in its longest measurement. */
+    private static final long MOST_EVALUATIONS = 2_000_000;
 
     private final List<Integer> wrongLengths = new ArrayList<>();
     private final List<double[]> evaluatedAt = new ArrayList<>();
@@ -72,6 +74,10 @@ public abstract class StudentSource extends ReferenceProblem {
 
     @Override
     public void getStateDerivative(double[] dSdt) {
+        if (evaluations() == MOST_EVALUATIONS) {
+            throw new IllegalStateException("the derivative was evaluated " + MOST_EVALUATIONS
+                    + " times: an endless loop");
+        }
         if (evaluatedAt.size() < MOST_RECORDED) {
             evaluatedAt.add(state());
         }

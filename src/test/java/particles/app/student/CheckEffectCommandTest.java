@@ -229,7 +229,7 @@ class CheckEffectCommandTest {
     @Tag("slow")
     @Test
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
-        assertFailure("it did not come back within 8 s: an endless loop, in Loops.addForces, line ", Loops.class,
+        assertFailure("it did not come back within 7 s: an endless loop, in Loops.addForces, line ", Loops.class,
                 folder);
     }
 

@@ -134,7 +134,7 @@ class CheckSolverCommandTest {
     void anExceptionWhileItIsMeasuredLosesNothingThatWasFoundOut(@TempDir Path folder) throws IOException {
         String screen = here(ExitCode.BAD_INPUT, Crashes.class.getName(), folder);
         assertTrue(screen.startsWith("Crashes: wrong. This is the Euler method."), screen);
-        String mistake = "while it was measured on springs, stepState ended in an exception:"
+        String mistake = "while it was measured on springs: it ends in an exception:"
                 + " java.lang.IndexOutOfBoundsException: at 1, in Crashes.";
         assertTrue(screen.contains("failure: " + mistake), screen);
         assertTrue(Files.readString(folder.resolve("report/checkSolver.md")).contains("- **failure**: " + mistake));
@@ -171,7 +171,7 @@ class CheckSolverCommandTest {
     void anEndlessLoopEndsTheCheckAndNotTheRun(@TempDir Path folder) throws IOException, InterruptedException {
         assertTrue(failure(Loops.class,
                 folder).startsWith(
-                "failure: it did not come back within 8 s: an endless loop, in Loops.stepState, line "));
+                "failure: it did not come back within 7 s: an endless loop, in Loops.stepState, line "));
     }
 
     @Test
