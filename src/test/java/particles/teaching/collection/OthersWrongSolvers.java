@@ -65,7 +65,7 @@ final class OthersWrongSolvers {
                     }
                 }),
                 wrong("SymplecticEulerSolver", "is Euler", "old velocity", RightSolvers::euler),
-                wrong("Yoshida4Solver", "two digits swapped", "Yoshida's method of order 4 has", (source, h) -> {
+                wrong("Yoshida4Solver", "two digits swapped", "1.315 v deltaT; the method says 1.351", (source, h) -> {
                     double w = 1.3152071919596783;
                     for (double part : new double[] {w, 1 - 2 * w, w}) {
                         OthersRightSolvers.closingKick(source, part * h, 1e-15);

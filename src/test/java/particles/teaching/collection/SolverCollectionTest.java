@@ -34,7 +34,8 @@ class SolverCollectionTest {
 
     @Test
     void noRightSolverIsAccused() {
-        List<Specimen> all = Stream.concat(RightSolvers.all().stream(), OthersRightSolvers.all().stream()).toList();
+        List<Specimen> all = Stream.of(RightSolvers.all(), OthersRightSolvers.all(), StrangersSolvers.allRight())
+                .flatMap(List::stream).toList();
         List<String> accused = new ArrayList<>();
         for (Specimen specimen : all) {
             List<String> found = wrong(specimen);
@@ -42,15 +43,15 @@ class SolverCollectionTest {
                 accused.add(line(specimen, found));
             }
         }
-        assertTrue(all.size() >= 90, all.size() + " right solvers");
+        assertTrue(all.size() >= 120, all.size() + " right solvers");
         assertTrue(accused.isEmpty(), accused.size() + " of " + all.size() + " accused:\n" + String.join("\n",
                 accused));
     }
 
     @Test
     void wrongSolversAreCaughtAndTheCauseIsNamed() {
-        List<Specimen> all = Stream.of(WrongFormulas.all(), WrongHabits.all(), OthersWrongSolvers.all())
-                .flatMap(List::stream).toList();
+        List<Specimen> all = Stream.of(WrongFormulas.all(), WrongHabits.all(), OthersWrongSolvers.all(),
+                StrangersSolvers.allWrong()).flatMap(List::stream).toList();
         List<String> accepted = new ArrayList<>();
         List<String> misnamed = new ArrayList<>();
         for (Specimen specimen : all) {
@@ -61,10 +62,10 @@ class SolverCollectionTest {
                 misnamed.add(line(specimen, found));
             }
         }
-        assertTrue(all.size() >= 120, all.size() + " wrong solvers");
+        assertTrue(all.size() >= 190, all.size() + " wrong solvers");
         String table = all.size() + " wrong, accepted " + accepted.size() + ":\n" + String.join("\n", accepted)
                 + "\nother or several causes " + misnamed.size() + ":\n" + String.join("\n", misnamed);
-        // measured: none accepted, all 140 causes named; the collections were at hand while the check was mended
+        // measured: none accepted, all 198 causes named; all collections were at hand while the check was mended
         assertTrue(accepted.isEmpty() && misnamed.size() <= 0.05 * all.size(), table);
     }
 }
