@@ -8,8 +8,8 @@ package deSolvers;
  * goes on. Arrays belong to the caller and are exactly {@link #getStateSize()} long; these methods copy them and keep
  * no reference.
  *
- * <p>Source: COMPSCI 715 (2003), slide "DEStateSource". Of that slide only the calls in the slide "Euler Solver Code"
- * survive; {@link #getStateSize()} and {@link #getTime()} are therefore this project's choice.
+ * <p>Source: COMPSCI 715 (2003), slide "DEStateSource". That slide is lost; the slide "Euler Solver Code" shows four
+ * of the methods in use. {@link #getStateSize()} and {@link #getTime()} are this project's choice.
  */
 public interface DEStateSource {
 

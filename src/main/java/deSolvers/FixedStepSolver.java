@@ -39,10 +39,10 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
                 if (asksForLastStep) {
-                    lastStep.keep(guarded, s);          // before finish, which hands the array over
+                    lastStep.keep(guarded, s);          // before finish, which may keep the array
                 }
             }
-            arrays.replaceFirst(guarded.finish(s));
+            arrays.replaceFirst(guarded.finish(s));     // and returns another in its place
         }
     }
 

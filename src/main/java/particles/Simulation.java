@@ -53,7 +53,7 @@ public final class Simulation {
     /**
      * Adds a rule.
      *
-     * @param rule called before and after every step, after the rules added earlier
+     * @param rule called before and after every step; rules act in the order in which they were added
      */
     public void addRule(Rule rule) {
         rules.add(rule);
@@ -144,15 +144,16 @@ public final class Simulation {
             rule.beforeStep(system, h);
         }
         double end = system.getTime() + h;
-        boolean observed = eventSteps.areLookedFor() || notifier.isInterested(end + ROUNDING * deltaT);
+        boolean wanted = eventSteps.areLookedFor() || notifier.isInterested(end + ROUNDING * deltaT);
+        boolean recorded;
         try {
-            observed = eventSteps.move(h, observed);
+            recorded = eventSteps.move(h, wanted);
         } catch (DESolverException e) {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);
         }
         steps++;
-        if (observed) {
+        if (recorded) {
             notifier.reportMotion(eventSteps.getMotion());
         }
         boolean changed = false;

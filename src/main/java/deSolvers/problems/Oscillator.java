@@ -20,7 +20,7 @@ public final class Oscillator extends SecondOrderProblem {
      * @param v0    velocity at t = 0
      */
     public Oscillator(double omega, double x0, double v0) {
-        super(1, x0, v0);                               // 1 position, then 1 velocity
+        super(1, x0, v0);                               // dimension d = 1, x, v
         this.omega = omega;
         this.x0 = x0;
         this.v0 = v0;

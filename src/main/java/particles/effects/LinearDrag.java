@@ -46,7 +46,7 @@ public final class LinearDrag extends AirDrag {
         }
     }
 
-    /** The same c at every speed; with {@code quadraticDrag} it grows. */
+    /** F = -c w with the same c at every speed; quadraticDrag has c |w| in its place. */
     @Override
     double coefficientAt(double speed) {
         return c;

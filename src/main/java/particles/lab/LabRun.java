@@ -39,7 +39,7 @@ public final class LabRun {
         simulation.addObserver(history);
         simulation.addObserver(ledger);
         simulation.addObserver(new Recorder());
-        simulation.addObserver(new NumericalErrorLimit(history, ledger, scene.energyScale()));
+        simulation.addObserver(new NumericalErrorLimit(history, ledger, scene.energyEstimate()));
         simulation.start();
     }
 

@@ -40,7 +40,7 @@ final class SceneFacts {
         facts.put("deltaT", scene.description().deltaT());
         scene.description().tolerances().ifPresent(given -> facts.put("tolerance", given.relative()));
         facts.put("duration", scene.description().duration());
-        facts.put("energyScale", scene.energyScale());
+        facts.put("energyScale", scene.energyEstimate());
         facts.put("energies", energies);
         facts.put("limits", limits(scene));
         scene.camera().ifPresent(camera -> facts.put("camera", camera(camera)));

@@ -24,12 +24,12 @@ import particles.view.SpringView;
  * @param look        the render options
  * @param output      the files to write
  * @param phase       the phase-space plot, if the scene has one
- * @param energyScale the estimated energy (J); a run whose kinetic energy exceeds {@code blowUpFactor} times this value
- *                    is ended
+ * @param energyEstimate the estimated energy (J); a run whose kinetic energy exceeds {@code blowUpFactor} times this
+ *                    value is ended
  */
 public record Scene(SceneDescription description, Simulation simulation, ParticleSystem system, DESolver solver,
                     SpringView springs, Scenery scenery, Optional<Camera> camera, RenderOptions look,
-                    OutputDescription output, Optional<Phase> phase, double energyScale) {
+                    OutputDescription output, Optional<Phase> phase, double energyEstimate) {
 
     /**
      * The coordinate shown by the phase-space plot.

@@ -119,9 +119,9 @@ public final class SceneBuilder {
         scene.rules().forEach(rule -> rule.kind().build(rule.values(), assembly));
 
         DESolver solver = solvers.get();
-        double scale = EnergyScale.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
+        double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, solver, scene.deltaT(), scene.duration(),
-                scene.blowUpFactor() * scale);
+                scene.blowUpFactor() * estimate);
         if (!assembly.surfaces().isEmpty()) {
             RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.surfaces());
             system.addReaction(contacts);
@@ -137,7 +137,7 @@ public final class SceneBuilder {
                 .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis(),
                         plot.about()));
         return new Scene(scene, simulation, system, solver, springs, assembly.scenery(surfaces), scene.camera(),
-                scene.look(), scene.output(), phase, scale);
+                scene.look(), scene.output(), phase, estimate);
     }
 
     /** Effects are built in the order of the catalogue, students' own ones last. */

@@ -97,7 +97,7 @@ class EverySolverOnEverySceneTest {
         Simulation simulation = scene.simulation();
         simulation.addObserver(energy);
         simulation.addObserver(books);
-        simulation.addObserver(new NumericalErrorLimit(energy, books, scene.energyScale()));
+        simulation.addObserver(new NumericalErrorLimit(energy, books, scene.energyEstimate()));
         double most = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
         long before = 0;
         try {

@@ -146,8 +146,8 @@ class BrokenScenesTest {
                                 + " each other"),
                 added("shapes:\n  - rope: {start: [0, 0, 0], end: [1, 0, 0], particles: 5, mass: 1, "
                         + "fixed: [strat, \"rope[9]\"]}\n",
-                        "x.yaml:9:77: unknown part 'strat'; did you mean 'start'? known: start, end, or an id of a "
-                                + "particle of the shape, such as rope[0] or cloth[3,4]"),
+                        "x.yaml:9:77: unknown part 'strat'; did you mean 'start'? known: start, end, or the id of a "
+                                + "particle of the shape, such as ID[0] in a rope, ID[3,4] in a cloth"),
                 added("shapes:\n  - cloth: {corner: [0, 1, 0], across: [1, 0, 0], down: [2, 0, 0], "
                         + "columns: 3, rows: 3, mass: 1}\n",
                         "x.yaml:9:5: 'cloth' has no extent in one direction: its particles would lie on top of"

@@ -89,22 +89,22 @@ class SceneBuilderTest {
     /** Each of the three sources alone, from closed forms: g = 9.81, m = 2, T = 2. */
     @Test
     void theEnergyScaleIsTheLargestSourceOfMotion() {
-        assertEquals(2 * 9.81 * (3 + 9.81 * 4 / 2), build(TWO + "effects: [gravity]\n").energyScale(), 1e-12);
+        assertEquals(2 * 9.81 * (3 + 9.81 * 4 / 2), build(TWO + "effects: [gravity]\n").energyEstimate(), 1e-12);
         assertEquals(2 * 25 / 2.0, build(TWO + "effects: [drag: {coefficient: 1}, wind: {mean: [3, 0, 0], "
-                + "gust: [0, 2, 0]}]\n").energyScale(), 1e-12);
+                + "gust: [0, 2, 0]}]\n").energyEstimate(), 1e-12);
         assertEquals(7 * 4 / 2.0, build(TWO + "springs: [{from: bob, to: tom, stiffness: 7, restLength: 1}]\n")
-                .energyScale(), 1e-12);
+                .energyEstimate(), 1e-12);
         assertEquals(2 * 16 / 2.0, build(BOB.replace("mass: 2", "mass: 2, velocity: [0, 0,"
-                + " 4]")).energyScale(), 1e-12);
+                + " 4]")).energyEstimate(), 1e-12);
     }
 
     @Test
     void aSceneWhereNothingMovesHasAScaleToo() {
-        assertEquals(2 * 1.5 * 1.5 / 2, build(TWO).energyScale(), 1e-12, "3 m in 2 s");
-        assertEquals(2 * 0.5 * 0.5 / 2, build(BOB).energyScale(), 1e-12, "no extent: 1 m in 2 s");
-        assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyScale());
-        assertTrue(build(BOB, new Overrides().with("duration", "0", "-P")).energyScale() > 0);
-        assertEquals(1e3 * build(BOB).energyScale(), build(BOB + "blowUpFactor:"
+        assertEquals(2 * 1.5 * 1.5 / 2, build(TWO).energyEstimate(), 1e-12, "3 m in 2 s");
+        assertEquals(2 * 0.5 * 0.5 / 2, build(BOB).energyEstimate(), 1e-12, "no extent: 1 m in 2 s");
+        assertEquals(1, build(BOB.replace("mass: 2", "fixed: true")).energyEstimate());
+        assertTrue(build(BOB, new Overrides().with("duration", "0", "-P")).energyEstimate() > 0);
+        assertEquals(1e3 * build(BOB).energyEstimate(), build(BOB + "blowUpFactor:"
                 + " 1e3\n").simulation().getEnergyLimit(), 1e-9);
     }
 

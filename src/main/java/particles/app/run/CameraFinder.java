@@ -94,7 +94,7 @@ public final class CameraFinder {
         /** @param extent an observer that is called before this one */
         Limits(Scene scene, Extent extent) {
             this.extent = extent;
-            mostEnergy = MOST_ENERGY * scene.energyScale();
+            mostEnergy = MOST_ENERGY * scene.energyEstimate();
             mostEvaluations = MOST_PARTICLE_EVALUATIONS / scene.system().getParticles().count();
         }
 

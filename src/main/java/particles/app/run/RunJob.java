@@ -88,7 +88,7 @@ final class RunJob {
                 }
                 observers.add(progress);
                 observers.add(new StopObserver(stop));
-                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyScale()));
+                observers.add(new NumericalErrorLimit(observers.energy(), observers.books(), scene.energyEstimate()));
                 early = simulateOrDiscard(scene, folder, observers);
             }
             Summary summary = new Summary(SceneName.of(file).whole(), hash, scene, observers.energy(),

@@ -73,6 +73,10 @@ final class Summary {
             lines.add("warning: the numerical error is " + Math.round(100 * error) + " % of the energy; do not trust"
                     + " this motion. Try a smaller deltaT or another solver.");
         }
+        if (error > LARGE_ERROR && damped) {
+            lines.add("warning: numerical damping took " + Math.round(100 * error) + " % of the energy; a smaller"
+                    + " deltaT loses less.");
+        }
         return lines;
     }
 

@@ -165,6 +165,6 @@ public final class EnergyDrift {
         Scene reference = SceneRun.build(scene, setting, scene.duration());
         Outcome outcome = SceneRun.run(reference, MOST_EVALUATIONS, List.of(history));
         double scale = history.getScale();
-        return outcome.failure().isEmpty() && scale > 0 ? scale : reference.energyScale();
+        return outcome.failure().isEmpty() && scale > 0 ? scale : reference.energyEstimate();
     }
 }

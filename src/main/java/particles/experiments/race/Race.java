@@ -159,7 +159,7 @@ public final class Race {
             throw new SimulationException(outcome.endTime(), -1, "no race without a reference (" + REFERENCE + "): "
                     + outcome.failure().get(), null);
         }
-        return energy.getScale() > 0 ? energy.getScale() : built.energyScale();
+        return energy.getScale() > 0 ? energy.getScale() : built.energyEstimate();
     }
 
     private Lane lane(Match match, double rate, double scale, List<double[]> reference, Extent extent,

@@ -167,8 +167,8 @@ public final class RaceCharts {
         }
         return new DataTable("race", race.scene() + ", " + work(race), List.of(DataTable.column("solver"),
                 DataTable.column("deltaT (s)"), new DataTable.Column("tolerance", 2), DataTable.column("evaluations"),
-                new DataTable.Column("time (ms)", 3), new DataTable.Column("distance, mean (m)", 3),
+                new DataTable.Column("time (ms)", 3), new DataTable.Column("distance, rms (m)", 3),
                 new DataTable.Column("at the end (m)", 3), new DataTable.Column("largest energy error / scale", 3),
-                new DataTable.Column("left at (s)", 3), DataTable.column("why")), rows);
+                new DataTable.Column("left the race at (s)", 3), DataTable.column("why")), rows);
     }
 }

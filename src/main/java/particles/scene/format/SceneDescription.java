@@ -35,7 +35,7 @@ import particles.view.RenderOptions;
  * @param camera       the camera, if it gives one
  * @param look         the render options
  * @param output       the files to write
- * @param blowUpFactor the factor by which the kinetic energy may exceed the scene's energy scale
+ * @param blowUpFactor the factor by which the kinetic energy may exceed the energy estimated for the scene
  * @param threads      the number of threads that evaluate forces, if given
  * @param places       the places of solver, deltaT and duration
  */

@@ -21,7 +21,7 @@ import particles.spec.WholeNumberType;
 /** A kind of shape that a scene can name, with its keys and particle positions; {@link #ALL} lists them. */
 public abstract class ShapeKind extends Kind {
     private static final TextType OWN_ID = TextType.of(
-            "an id of a particle of the shape, such as rope[0] or cloth[3,4]",
+            "the id of a particle of the shape, such as ID[0] in a rope, ID[3,4] in a cloth",
             "^[^\\s\\[\\],\"'\\x00-\\x1f\\x7f]{1,60}\\[[0-9]+(,[0-9]+)*\\]$");
     private static final WholeNumberType COUNT = new WholeNumberType(2, 1_000_000);
 

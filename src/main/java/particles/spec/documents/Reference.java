@@ -52,8 +52,8 @@ public final class Reference {
         lines.add("| --- | --- | --- | --- |");
         for (Key<?> key : mapping.keys()) {
             String standard = key.required() ? "*required*" : key.defaultJson().map(Reference::written).orElse("");
-            lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + key.sentence()
-                    + " |");
+            String meaning = key.sentence().replace("|", "\\|");
+            lines.add("| `" + key.name() + "` | " + values(key.type()) + " | " + standard + " | " + meaning + " |");
         }
         mapping.keys().forEach(key -> tellWithin(key.type(), heading));
     }

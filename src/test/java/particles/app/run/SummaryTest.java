@@ -51,9 +51,10 @@ class SummaryTest {
     @ValueSource(strings = {"backward-euler", "linearised-euler"})
     void energyLostByABackwardEulerMethodIsNumericalDamping(String solver) throws IOException {
         List<String> lines = lines(solver, 0.1, 10);
-        assertEquals(4, lines.size(), lines.toString());
+        assertEquals(5, lines.size(), lines.toString());
         assertEquals("numerical error: at most 0.315 J (0.63 of the energy scale, 0.5 J), by numerical damping",
                 lines.get(3));
+        assertEquals("warning: numerical damping took 63 % of the energy; a smaller deltaT loses less.", lines.get(4));
     }
 
     @Test

@@ -25,8 +25,8 @@ import particles.scene.parts.SceneAssembly;
  * particle would cross the scene once during the run, the sum of m (L/T)&sup2;/2 with L the scene's extent, or 1 m if
  * that is 0. Fixed particles do not count, except for H and L; if all are fixed it is 1 J.
  */
-final class EnergyScale {
-    private EnergyScale() {
+final class EnergyEstimate {
+    private EnergyEstimate() {
     }
 
     /**
