@@ -21,11 +21,28 @@ final class BackwardDifferences {
     private static final double FITS = 1e-7;
     private static final double SAME = 1e-4;
 
+    private record Formulas(double[] found, double[] right) {
+        boolean isRight() {
+            return isSame(found, right);
+        }
+    }
+
     private BackwardDifferences() {
     }
 
     /** @return the mistake in the coefficients; empty if there is none, or it is no such formula */
     static Optional<String> wrong(Supplier<DESolver> maker) {
+        return read(maker).filter(formula -> !formula.isRight()).map(formula -> "the new state solves new = "
+                + text(formula.found) + "; the formula of order " + (formula.right.length - 1) + " is new = "
+                + text(formula.right));
+    }
+
+    /** @return whether its steps solve the equation of such a formula */
+    static boolean isRight(Supplier<DESolver> maker) {
+        return read(maker).filter(Formulas::isRight).isPresent();
+    }
+
+    private static Optional<Formulas> read(Supplier<DESolver> maker) {
         List<double[]> states = new ArrayList<>();
         NonlinearOscillators source = new NonlinearOscillators(3);
         DESolver solver = maker.get();
@@ -49,8 +66,7 @@ final class BackwardDifferences {
             columns[n - 1] = Arrays.stream(slope).map(x -> H * x).toArray();
             double[] found = leastSquares(columns, next);
             if (misfit(columns, found, next) < FITS) {
-                return isSame(found, right) ? Optional.empty() : Optional.of("the new state solves new = "
-                        + text(found) + "; the formula of order " + (n - 1) + " is new = " + text(right));
+                return Optional.of(new Formulas(found, right));
             }
         }
         return Optional.empty();

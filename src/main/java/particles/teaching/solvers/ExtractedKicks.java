@@ -110,16 +110,17 @@ record ExtractedKicks(double[] x, double[] v, double p, double[][] at, double[] 
     /**
      * Makes a step with random numbers, and compares all states that the solver sets with those by these coefficients.
      *
+     * @param size the size of the accelerations
      * @return the comparisons of the positions at the evaluations, then that of the new state; empty if the number of
      *         evaluations is another one
      */
-    List<EntryComparison> compare(DESolver solver, double h, int dimension) {
+    List<EntryComparison> compare(DESolver solver, double h, int dimension, double size) {
         Random random = new Random(2003);
         int width = 2 * dimension;
         double[] start = random.doubles(BLOCKS * width, 1, 2).toArray();
         double[][] accelerations = new double[Probe.MOST_EVALUATIONS][];
         for (int j = 0; j < accelerations.length; j++) {
-            accelerations[j] = random.doubles(start.length, -1, 1).toArray();
+            accelerations[j] = random.doubles(start.length, -size, size).toArray();
         }
         Probe probe = new SecondOrderProbe(start, dimension, START, (j, dSdt) -> System.arraycopy(accelerations[j], 0,
                 dSdt, 0, dSdt.length));

@@ -31,6 +31,9 @@ public final class SolverCheck {
     private static final double KICKS_ROUNDING = 1e-12;
     private static final double SMALL_ERROR = 1e-4;
 
+    private static final String MULTISTEP = "This is a method that uses earlier steps (a multistep method).";
+    private static final String UNREAD = "This is a method without fixed coefficients, adaptive or implicit.";
+
     private final Supplier<DESolver> maker;
     private final Optional<NamePromise> promise;
     private final AccuracyCheck accuracy;
@@ -93,7 +96,7 @@ public final class SolverCheck {
         } catch (RuntimeException e) {
             findings.add(new Finding(Kind.FAILURE, "stepState ends in an exception: " + StudentFailure.describe(e)));
         }
-        return new SolverVerdict(identity, firstMistake(), multistep);
+        return new SolverVerdict(identity, firstMistake(), identity.equals(MULTISTEP));
     }
 
     /** Whether it is a method of the kind that its name says. */
@@ -164,7 +167,7 @@ public final class SolverCheck {
         if (multistep) {
             MultistepReading.of(maker).flatMap(MultistepReading::wrongWeights).ifPresent(found::add);
         }
-        return new Diagnosis(identity(multistep), found);
+        return new Diagnosis(multistep || BackwardDifferences.isRight(maker) ? MULTISTEP : UNREAD, found);
     }
 
     /**
@@ -178,11 +181,6 @@ public final class SolverCheck {
                 .or(() -> BackwardDifferences.wrong(maker).map(text -> new Finding(Kind.METHOD, text)))));
     }
 
-    private static String identity(boolean multistep) {
-        return multistep ? "This is a method that uses earlier steps (a multistep method)."
-                : "This is a method without fixed coefficients, adaptive or implicit.";
-    }
-
     private Optional<Diagnosis> tableau(double size) {
         return new TableauReading(maker, promise, accuracy::order).diagnosis(size);
     }
@@ -191,8 +189,10 @@ public final class SolverCheck {
         for (int dimension : new int[] {3, 1}) {
             try {
                 ExtractedKicks step = ExtractedKicks.of(maker.get(), H, dimension);
-                List<EntryComparison> states = step.compare(maker.get(), H, dimension);
-                if (!states.isEmpty() && !states.get(states.size() - 1).isWithout(KICKS_ROUNDING) && !step.left()) {
+                List<EntryComparison> states = step.compare(maker.get(), H, dimension, 1);
+                boolean adapts = step.compare(maker.get(), H, dimension, TableauReading.LARGE).isEmpty();
+                boolean fits = !states.isEmpty() && !states.get(states.size() - 1).isWithout(KICKS_ROUNDING);
+                if (fits && !adapts && !step.left()) {
                     findings.addAll(EntryComparison.leftOut(states, KICKS_ROUNDING));
                     return Optional.of(KicksDiagnosis.of(step, promise, accuracy::order, keepsArea()));
                 }
@@ -212,7 +212,8 @@ public final class SolverCheck {
     /** The diagnosis of a method whose coefficients cannot be read. */
     private Diagnosis measured() {
         UnreadMethod method = new UnreadMethod(maker);
-        return new Diagnosis(identity(false), clock().or(method::entryByEntry)
+        return new Diagnosis(UNREAD, clock()
+                .or(method::entryByEntry)
                 .or(() -> firstSubStep(finding -> finding.kind() != Kind.METHOD))
                 .or(accuracy::layout)
                 .or(() -> accuracy.poorOrder(() -> firstSubStep(finding -> true).or(method::unstable)))

@@ -21,7 +21,7 @@ final class TableauReading {
     /** Below this it may be float arithmetic, with roundings of 6e-8, or numbers that are rounded to a few decimals. */
     private static final double FLOAT_ROUNDING = 1e-3;
     /** Unusually large derivatives, to detect a solver that limits them. */
-    private static final double LARGE = 1e3;
+    static final double LARGE = 1e3;
     /** So small that an adaptive method accepts its first step. */
     static final double TINY = StrictMath.pow(2, -40);
 
