@@ -217,7 +217,7 @@ public final class SceneStability {
         }
         return new Limit(solver, predicted, Double.POSITIVE_INFINITY, predictedGrowth, Double.NaN,
                 String.format(Locale.ROOT, "%slongest tried: %.3g s",
-                        solver.adaptive() ? "chooses its own sub-steps; " : "", done));
+                        solver.adaptive() ? "chooses its own sub-steps; " : "", done).replaceAll("e[+]0?", "e"));
     }
 
     /** A mode by the particle that moves most in it. */
