@@ -39,10 +39,10 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
                 if (asksForLastStep) {
-                    lastStep.keep(guarded, s);          // before finish, which may keep the array
+                    lastStep.keep(guarded, s);          // before finish, which may keep s for the source
                 }
             }
-            arrays.replaceFirst(guarded.finish(s));     // and returns another in its place
+            arrays.replaceFirst(guarded.finish(s));     // another array, if finish keeps s
         }
     }
 

@@ -60,7 +60,7 @@ public final class Simulation {
     }
 
     /**
-     * Adds a rule that can end a step early, at the exact time of an event such as an impact.
+     * Adds a rule that divides a step at the exact times of events such as impacts.
      *
      * @param rule         the rule; called before and after every step like any other
      * @param searchSolver a second solver of the same kind as the run's, for the trial steps that locate events: they
@@ -144,10 +144,10 @@ public final class Simulation {
             rule.beforeStep(system, h);
         }
         double end = system.getTime() + h;
-        boolean wanted = eventSteps.areLookedFor() || notifier.isInterested(end + ROUNDING * deltaT);
+        boolean recordMotion = eventSteps.areLookedFor() || notifier.isInterested(end + ROUNDING * deltaT);
         boolean recorded;
         try {
-            recorded = eventSteps.move(h, wanted);
+            recorded = eventSteps.move(h, recordMotion);        // calls solver.stepState; in pieces if there are events
         } catch (DESolverException e) {
             int particle = e.getEntry() < 0 ? -1 : e.getEntry() / Particles.STRIDE;
             throw new SimulationException(e.getTime(), particle, e.getMessage(), e);

@@ -83,7 +83,7 @@ public final class DriftCharts {
                 + " J",
                 List.of(DataTable.column("solver"), DataTable.column("deltaT (s)"), DataTable.column("tolerance"),
                         new DataTable.Column("end drift", 3), new DataTable.Column("largest", 3),
-                        new DataTable.Column("slope (1/s)", 3), DataTable.column("kind"),
+                        new DataTable.Column("slope (1/s)", 3), DataTable.column("error over time"),
                         DataTable.column("evaluations"),
                         new DataTable.Column("time (s)", 2), DataTable.column("why it ended")), rows)
                 .withoutEmptyColumns();

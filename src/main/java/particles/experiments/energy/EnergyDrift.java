@@ -45,7 +45,7 @@ public final class EnergyDrift {
          * Damping, driving or impacts change the energy. The error then fades with the motion or follows it. Only its
          * size says something about the solver, not its growth.
          */
-        EXCHANGING("damped or driven"),
+        EXCHANGING("not judged: damped or driven scene"),
         /** The run failed. */
         FAILED("failed");
 

@@ -231,8 +231,7 @@ public final class LectureFigures {
                 DataTable.column("steps"), DataTable.column("evaluations"), new DataTable.Column("amplitude", 7),
                 new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8), new DataTable.Column("|R|^2N", 8),
                 new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
-        return new DataTable("figures", "Amplitude, energy and phase after the last step: measured, and from R(ih)",
-                columns,
-                rows);
+        return new DataTable("figures", "Amplitude, energy and phase after N steps of h = deltaT: measured, and from"
+                + " R(i h), the factor of a step", columns, rows);
     }
 }

@@ -88,7 +88,7 @@ record StabilityFigures(List<List<Object>> rows, Optional<ChartData> region, Opt
         List<List<Object>> rows = new ArrayList<>();
         if (!subStep && !plane.springs && !multistep && trial.noise() < CLEAN) {
             StabilityFunction.of(maker, trial.noise())
-                    .ifPresent(r -> rows.add(List.of("R(z), by which a step multiplies y in y' = lambda y",
+                    .ifPresent(r -> rows.add(List.of("R(z), factor of a step in y' = lambda y, z = lambda deltaT",
                     r.text(), r.owner().isEmpty() ? "z is deltaT lambda" : r.owner())));
         }
         StabilityLimit damping = plane.ofDamping();

@@ -129,9 +129,9 @@ record StabilityFunction(double[] above, double[] below) {
                 exponential &= Formula.same(above[k] * factorial, 1);
             }
             List<String> owners = List.of("", "that of the Euler method",
-                    "that of the midpoint method, and of all of order 2 with two evaluations",
-                    "that of all methods of order 3 with three evaluations",
-                            "that of RK4, and of all of order 4 with four evaluations");
+                    "the same for all methods of order 2 with two evaluations, such as midpoint",
+                    "the same for all methods of order 3 with three evaluations",
+                    "the same for all methods of order 4 with four evaluations, such as RK4");
             return exponential && above.length <= owners.size() ? owners.get(above.length - 1) : "";
         }
         double theta = -below[1];
