@@ -74,8 +74,8 @@ final class Summary {
                     + " this motion. Try a smaller deltaT or another solver.");
         }
         if (error > LARGE_ERROR && damped) {
-            lines.add("warning: numerical damping took " + Math.round(100 * error) + " % of the energy; a smaller"
-                    + " deltaT loses less.");
+            lines.add("warning: numerical damping took " + Math.round(100 * error) + " % of the energy scale; a"
+                    + " smaller deltaT loses less.");
         }
         return lines;
     }

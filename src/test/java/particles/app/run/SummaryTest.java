@@ -54,7 +54,8 @@ class SummaryTest {
         assertEquals(5, lines.size(), lines.toString());
         assertEquals("numerical error: at most 0.315 J (0.63 of the energy scale, 0.5 J), by numerical damping",
                 lines.get(3));
-        assertEquals("warning: numerical damping took 63 % of the energy; a smaller deltaT loses less.", lines.get(4));
+        assertEquals("warning: numerical damping took 63 % of the energy scale; a smaller deltaT loses less.",
+                lines.get(4));
     }
 
     @Test
