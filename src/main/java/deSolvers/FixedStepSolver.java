@@ -39,10 +39,10 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
                 if (asksForLastStep) {
-                    lastStep.keep(guarded, s);          // before finish, which may keep s for the source
+                    lastStep.keep(guarded, s);          // now: finish may give s to a source that swaps arrays
                 }
             }
-            arrays.replaceFirst(guarded.finish(s));     // another array, if finish keeps s
+            arrays.replaceFirst(guarded.finish(s));     // then this is another one
         }
     }
 

@@ -32,8 +32,8 @@ public final class EnergyLedger implements Observer {
      */
     private static final double RESOLVED = 0.5;
     /**
-     * Or by this part of the largest kinetic energy so far: where a motion turns round, little work is done, and the
-     * rules differ by much of it.
+     * Or by this part of the largest kinetic energy so far, or of the energy of motion and springs at the step's start:
+     * where a motion turns round, little work is done, and the rules differ by much of it.
      */
     private static final double LITTLE = 0.01;
 
@@ -120,7 +120,7 @@ public final class EnergyLedger implements Observer {
             double work = (trapezoid + 2 * (t1 - t0) * account.power.at(system, middle, half)) / 3;     // Simpson's
             double difference = Math.abs(work - trapezoid);
             if (difference > RESOLVED * Math.max(Math.abs(work), Math.abs(trapezoid))
-                    && difference > LITTLE * largestKinetic) {
+                    && difference > LITTLE * Math.max(largestKinetic, internalEnergy(motion))) {
                 if (!meanKnown) {
                     findMeanVelocities(motion);
                     meanKnown = true;
@@ -145,6 +145,17 @@ public final class EnergyLedger implements Observer {
         }
         energy = after;
         powersKnown = false;
+    }
+
+    /** The energy of motion and of the forces between particles at the start of a motion (J). */
+    private static double internalEnergy(Motion motion) {
+        double energy = motion.getSystem().getKineticEnergy(motion.getStartState());
+        for (Effect effect : motion.getSystem().getEffects()) {
+            if (effect.getTraits().contains(Trait.INTERNAL)) {
+                energy += effect.getPotentialEnergy(motion.getStartState(), motion.getStartTime());
+            }
+        }
+        return energy;
     }
 
     /** Finds the positions in the middle, with the mean velocities of the motion: displacement divided by time. */

@@ -144,6 +144,7 @@ public final class Simulation {
             rule.beforeStep(system, h);
         }
         double end = system.getTime() + h;
+        // a motion is the path within a step; it is recorded only if an event search or an observer needs it
         boolean recordMotion = eventSteps.areLookedFor() || notifier.isInterested(end + ROUNDING * deltaT);
         boolean recorded;
         try {

@@ -1,5 +1,6 @@
 package particles;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import deSolvers.DESolver;
@@ -14,12 +15,14 @@ import java.util.function.Supplier;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.PropertyDefaults;
 import net.jqwik.api.Provide;
 import net.jqwik.api.ShrinkingMode;
 import particles.RandomSystem.Ball;
+import particles.RandomSystem.Spring;
 import particles.effects.Gravity;
 import particles.effects.LinearDrag;
 import particles.effects.Wind;
@@ -154,6 +157,21 @@ class LawsOnRandomSystemsTest {
         Assume.that(shortestLength(any) > 0.3);
         double unexplained = energyError(any, DELTA_T / 2);
         assertTrue(unexplained < 2e-4, "unexplained: " + unexplained + " J");
+    }
+
+    /**
+     * Stretched springs hold 9 J, and one damper changes its direction in the first step, in which it takes 4e-4 J:
+     * measured 7.9e-7 J off. Compared with the kinetic energy of 0.04 J alone, that looked like a jump over a decay,
+     * and the ledger was 2e-4 J off.
+     */
+    @Example
+    void theLedgerBalancesAReleaseFromRest() {
+        RandomSystem released = new RandomSystem(List.of(new Ball(0.1, new Vector3(0, 0, 0.5), Vector3.ZERO),
+                new Ball(0.1, Vector3.ZERO, Vector3.ZERO), new Ball(0.1, new Vector3(0.5, 0, 0), Vector3.ZERO),
+                new Ball(0.1, new Vector3(0, 1.43, 0), new Vector3(0, 0.43, 0))), List.of(
+                new Spring(0, 2, 3.65, 0.88, 0.02), new Spring(0, 3, 33.91, 0, 1.49),
+                new Spring(2, 0, 85.84, 0.2, 0.74)));
+        assertEquals(0, energyError(released, DELTA_T / 2), 4e-6);
     }
 
     private static double shortestLength(RandomSystem any) {

@@ -72,7 +72,7 @@ public record StabilityLimit(double value, double growth) {
         }
         if (value == 0) {
             return Double.isNaN(growth) ? "always grows"
-                    : growth < ROUND_OFF ? "always grows: below 1e-12 a step"
+                    : growth < ROUND_OFF ? "no growth above 1e-12 a step"
                     : String.format(Locale.ROOT, "always grows: %.2e a step", growth).replace("e-0", "e-");
         }
         return value == Double.POSITIVE_INFINITY ? "unbounded" : String.format(Locale.ROOT, "%.4f", value);
