@@ -102,18 +102,22 @@ final class OwnScenes {
               - {from: d, to: e}
             """;
 
+    /** Its foot is on the ground, its top at a wall. */
+    static final String LADDER = """
+            particles:
+              - {id: foot, position: [0.6, 0, 0], mass: 1}
+              - {id: top, position: [0, 0.8, 0], mass: 1}
+            rods:
+              - {from: foot, to: top}
+            """;
+
     private static final Map<String, String> OTHERS = Map.ofEntries(
             Map.entry("trammel of Archimedes", TRAMMEL), Map.entry("chain of four rods", CHAIN),
             Map.entry("rigid body, one rod too many", RIGID + """
             impact: exact
             rules:
               - ground: {height: 0.5, restitution: 0.3, friction: {law: coulomb, coefficient: 0.3}}
-            """), Map.entry("ladder on a rough floor", """
-            particles:
-              - {id: foot, position: [0.6, 0, 0], mass: 1}
-              - {id: top, position: [0, 0.8, 0], mass: 1}
-            rods:
-              - {from: foot, to: top}
+            """), Map.entry("ladder on a rough floor", LADDER + """
             rules:
               - plane: {point: [0, 0, 0], normal: [0, 1, 0], restitution: 0, friction: {law: coulomb, coefficient: 0.2}}
               - plane: {point: [0, 0, 0], normal: [1, 0, 0], restitution: 0}

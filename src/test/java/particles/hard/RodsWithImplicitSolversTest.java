@@ -32,12 +32,7 @@ class RodsWithImplicitSolversTest {
               - {from: bead, to: bob}
             """;
 
-    private static final String LADDER = HEAD + """
-            particles:
-              - {id: foot, position: [0.6, 0, 0], mass: 1}
-              - {id: top, position: [0, 0.8, 0], mass: 1}
-            rods:
-              - {from: foot, to: top}
+    private static final String LADDER = HEAD + OwnScenes.LADDER + """
             rules:
               - plane: {point: [0, 0, 0], normal: [0, 1, 0], restitution: 0}
               - plane: {point: [0, 0, 0], normal: [1, 0, 0], restitution: 0}
