@@ -30,6 +30,8 @@ final class FittedChart extends JFreeChart {
     /** Axes whose ranges differ by less than this factor have equal units. */
     private static final double ALIKE = 1.34;
     private static final int TRIALS = 6;
+    /** The part of the width for a line of the title; JFreeChart measures otherwise, and breaks none of these again. */
+    private static final double NARROWER = 0.95;
 
     private final String title;
     private final transient List<EndLabels> labels = new ArrayList<>();
@@ -106,7 +108,7 @@ final class FittedChart extends JFreeChart {
         if (equalUnits || tellsUnits) {
             fitUnits(area);
         }
-        breakTitle(g, area.getWidth() - getPadding().getLeft() - getPadding().getRight());
+        breakTitle(g, NARROWER * (area.getWidth() - getPadding().getLeft() - getPadding().getRight()));
         super.draw(g, area, anchor, seen);
         setPadding(padding);
         PlotRenderingInfo plots = seen.getPlotInfo();

@@ -19,6 +19,7 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.entity.TitleEntity;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.data.Range;
 import org.junit.jupiter.api.Test;
@@ -51,6 +52,35 @@ class FittedChartTest {
         XYPlot plot = chart.getXYPlot();
         return area.getWidth() / plot.getDomainAxis().getRange().getLength()
                 / (area.getHeight() / plot.getRangeAxis().getRange().getLength());
+    }
+
+    /** Lines as wide as the page by our measure were broken again, with one word on a line of its own. */
+    @Test
+    void linesOfATitleAreBrokenOnce() {
+        ChartData data = new ChartData("dormand-prince: damping to 3.307, undamped springs to 0.9972; symplectic-euler"
+                + " and verlet stay nearest to the reference", "x", "y", false, false, ellipse(1).series());
+        double first = titleHeight(Charts.of(Panel.chart(data)), 3000);
+        double further = titleHeight(Charts.of(Panel.chart(new ChartData("a\nb", "x", "y", false, false,
+                data.series()))), 3000) - first;
+        for (int width = 250; width < 1000; width += 7) {
+            FittedChart chart = Charts.of(Panel.chart(data));
+            double lines = 1 + (titleHeight(chart, width) - first) / further;
+            String text = chart.getTitle().getText();
+            assertEquals(text.lines().count(), Math.round(lines), width + " pixels: " + text);
+        }
+    }
+
+    private static double titleHeight(FittedChart chart, int width) {
+        ChartRenderingInfo info = new ChartRenderingInfo();
+        Graphics2D g = new BufferedImage(width, 400, BufferedImage.TYPE_INT_RGB).createGraphics();
+        chart.draw(g, new Rectangle2D.Double(0, 0, width, 400), info);
+        g.dispose();
+        for (Object entity : info.getEntityCollection().getEntities()) {
+            if (entity instanceof TitleEntity title && title.getTitle() == chart.getTitle()) {
+                return title.getArea().getBounds2D().getHeight();
+            }
+        }
+        throw new AssertionError("no title");
     }
 
     /** Measured: within 1.5 %, since the labels of an axis change with its room; stretched, this ellipse is 5 to 1. */
