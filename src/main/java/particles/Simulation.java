@@ -121,8 +121,9 @@ public final class Simulation {
     /**
      * Makes one step.
      *
-     * @throws SimulationException if a number is no longer finite or the energy exceeds its limit; observers keep the
-     *         results so far
+     * @throws SimulationException if the solver fails, as on NaN or without convergence; if the energy exceeds its
+     *         limit; if impacts follow each other without end, or deltaT is too small to move the clock. Observers keep
+     *         the results so far
      */
     public void advance() {
         double left = endTime - system.getTime();

@@ -2,6 +2,7 @@ package particles.app.student;
 
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -47,9 +48,10 @@ public final class CheckEffectCommand extends CheckCommand {
             EffectLaw law = EffectSample.law(effect, new StudentClasses());
             Effect made = law.maker().apply(EffectSample.system().getParticles());
             findings = EffectCheck.check(law);
-            subject = made.getClass().getSimpleName();
-            String field = effect.equals("wind") || effect.equals("turbulence") ? ", in '" + effect + "'," : "";
-            identity = "The effect '" + made.getName() + "'" + field + " claims " + claims(made.getTraits()) + ".";
+            Optional<String> other = EffectSample.checkedThrough(effect);
+            subject = other.isPresent() ? effect : made.getClass().getSimpleName();
+            identity = other.map(name -> "It acts through '" + name + "', which then")
+                    .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + ".";
         } catch (NoSuchElementException | IllegalArgumentException e) {
             identity = Checked.NOT_CHECKED;
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));

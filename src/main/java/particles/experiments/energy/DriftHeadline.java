@@ -51,7 +51,7 @@ final class DriftHeadline {
     static String verdict(Drift drift) {
         return switch (drift.kind()) {
             case FAILED -> (drift.largest() > MANY_TIMES ? "blows up" : "stops") + " at t = "
-                    + two(drift.outcome().endTime()) + " s";
+                    + Digits.few(drift.outcome().endTime()) + " s";
             case SECULAR -> (drift.end() > 0 ? "gains " : "loses ") + part(size(drift));
             case BOUNDED -> "stays within " + part(size(drift));
             case ROUNDING -> "is exact to round-off";

@@ -1,25 +1,36 @@
 package particles.experiments.energy;
 
-import particles.EnergyLedger;
 import particles.Motion;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.Rule;
 
-/** Records a run's numerical energy error, and the energy that its forces and rules exchanged with the outside. */
+/**
+ * Records a run's numerical energy error, and the energy that its forces and rules exchanged with the outside. It ends
+ * a run that blows up when {@code gradle run} does.
+ */
 final class DriftRecorder implements Observer {
-    private final EnergyLedger ledger = new EnergyLedger();
+    private final EnergyHistory energy = new EnergyHistory();
+    private final EnergyLedgerRecorder ledger = new EnergyLedgerRecorder(1);
+    private final NumericalErrorLimit limit;
     private final ErrorCurve curve = new ErrorCurve();
     private double exchanged;
 
+    /** @param energyEstimate the scene's estimated energy (J) */
+    DriftRecorder(double energyEstimate) {
+        limit = new NumericalErrorLimit(energy, ledger, energyEstimate);
+    }
+
     @Override
     public void started(ParticleSystem system) {
+        energy.started(system);
         ledger.started(system);
         curve.add(system.getTime(), ledger.getNumericalError());
     }
 
     @Override
     public void moved(Motion motion) {
+        energy.moved(motion);
         ledger.moved(motion);
         curve.add(motion.getEndTime(), ledger.getNumericalError());
         for (double joules : ledger.getWork().values()) {
@@ -27,10 +38,12 @@ final class DriftRecorder implements Observer {
                 exchanged = Math.abs(joules);
             }
         }
+        limit.moved(motion);
     }
 
     @Override
     public void changed(ParticleSystem system, Rule rule) {
+        energy.changed(system, rule);
         ledger.changed(system, rule);
     }
 

@@ -119,7 +119,7 @@ public final class EnergyDrift {
 
     /** @param beside a further observer, which is called first */
     public static Drift measure(Scene built, Setting setting, double scale, List<? extends Observer> beside) {
-        DriftRecorder recorder = new DriftRecorder();
+        DriftRecorder recorder = new DriftRecorder(built.energyEstimate());
         List<Observer> observers = new ArrayList<>(beside);
         observers.add(recorder);
         Outcome outcome = SceneRun.run(built, MOST_EVALUATIONS, observers);

@@ -45,6 +45,7 @@ public final class SceneStability {
     private static final double SLOWEST = 1e-3;
     /** If the measured limit differs from the predicted one by this factor, it is not set by the modes of the start. */
     private static final double FAR_OFF = 1.5;
+    private static final String LEAVES_MODES = "the motion soon leaves the modes of its start";
     /** The part of the rk4 limit at which twins show the effect of the motion itself on a distance. */
     private static final double FINE = 0.5;
     private static final double RK4 = 2.8284;
@@ -98,7 +99,7 @@ public final class SceneStability {
             Limit limit = stability.limit(solver);
             synchronized (done) {
                 progress.reached((double) done.incrementAndGet() / solvers.size(),
-                        "the largest safe step of " + solver.label());
+                        "found the largest safe step of " + solver.label());
             }
             return limit;
         }).toList();
@@ -132,8 +133,11 @@ public final class SceneStability {
             return bisected(solver, predicted, predicted, theory.deciding());
         }
         Twins pair = twins.run(setting(solver, scene.deltaT()), most, PerturbationGrowth.STEPS);
-        return new Limit(solver, 0, 0, theory.factor(most, scene.deltaT()) - 1, pair.factor(motion(most)) - 1,
-                String.format(Locale.ROOT, "%s grows most", named(most)));
+        double growth = theory.factor(most, scene.deltaT()) - 1;
+        double measured = pair.factor(motion(most)) - 1;
+        boolean leaves = growth > StabilityLimit.ROUND_OFF && measured * FAR_OFF < growth;
+        return new Limit(solver, 0, 0, growth, measured,
+                (leaves ? LEAVES_MODES + ", where " : "") + named(most) + " grows most");
     }
 
     private Limit bisected(SolverChoice solver, double predicted, double start, Mode mode) {
@@ -167,7 +171,7 @@ public final class SceneStability {
         boolean agree = Math.max(predicted / measured, measured / predicted) < FAR_OFF;
         return new Limit(solver, predicted, measured, Double.NaN, Double.NaN, agree || Double.isNaN(predicted)
                 ? "set by " + named(mode)
-                : "the motion soon leaves the modes of its start");
+                : LEAVES_MODES);
     }
 
     private boolean isSafe(SolverChoice solver, double deltaT, Mode mode) {

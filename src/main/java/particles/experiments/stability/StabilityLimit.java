@@ -15,7 +15,7 @@ public record StabilityLimit(double value, double growth) {
     /** The least growth that counts, a few round-offs; that of bulirsch-stoer is 9e-14. */
     private static final double LEAST_GROWTH = 1e-14;
     /** A smaller growth shows that every step grows, but its digits are round-off. */
-    private static final double ROUND_OFF = 1e-12;
+    static final double ROUND_OFF = 1e-12;
     private static final double LARGEST = 1e6;
     private static final double FACTOR = 1.02;
     private static final double ACCURACY = 1e-9;

@@ -60,7 +60,7 @@ public final class EffectSample {
     /**
      * Creates an effect as a scene would, from the defaults of its keys and samples of required ones.
      *
-     * @param name      the effect's name in scenes; wind and turbulence are tried out through drag; or springs,
+     * @param name      the effect's name in scenes; wind and turbulence are checked through drag; or springs,
      *                  damped-springs, or a class of one's own
      * @param particles the particles
      * @param classes   finds the class
@@ -76,7 +76,7 @@ public final class EffectSample {
         Sample scene = new Sample(particles);
         kind.build(kind.keys().samples(), scene);
         if (scene.effects.isEmpty()) {                  // wind has no force of its own
-            kind.needs().stream().limit(1).flatMap(other -> named(other).stream())
+            checkedThrough(name).flatMap(EffectSample::named).stream()
                     .forEach(other -> other.build(other.keys().samples(), scene));
         }
         if (scene.effects.isEmpty()) {
@@ -98,6 +98,14 @@ public final class EffectSample {
         Object described = kind.keys().schema().get("properties");
         boolean signed = kind.keys().keys().stream().filter(Key::required).anyMatch(key -> !isPositive(described, key));
         return new EffectLaw(particles -> create(name, particles, classes), kind.sentence(), signed);
+    }
+
+    /**
+     * @param name the name of an effect, as for {@link #create}
+     * @return the effect through which an effect without a force of its own is checked, as wind through drag
+     */
+    public static Optional<String> checkedThrough(String name) {
+        return named(name).flatMap(kind -> kind.needs().stream().findFirst());
     }
 
     private static boolean isPositive(Object described, Key<?> key) {

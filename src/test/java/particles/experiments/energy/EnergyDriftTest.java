@@ -65,6 +65,19 @@ class EnergyDriftTest {
                 0.005);
     }
 
+    /** {@code gradle run -Pscene=16 -Psolver=euler} stops at t = 1.04 s for the same reason. */
+    @Test
+    void aBlowUpEndsWhenARunEndsIt() {
+        SceneDescription chain = SceneReader.read(Path.of("scenes/16-soft-chain.yaml"));
+        Drift drift = compare(chain, "euler", false).drifts().get(0);
+        assertEquals(Kind.FAILED, drift.kind());
+        assertEquals(26, drift.outcome().steps());
+        assertEquals(drift.outcome().endTime(), drift.time()[drift.time().length - 1]);
+        assertTrue(drift.largest() > 1000 && drift.largest() < 3000, drift.toString());
+        assertTrue(drift.outcome().failure().orElseThrow().startsWith("the numerical error is "), drift.toString());
+        assertEquals("blows up at t = 1.04 s", DriftHeadline.verdict(drift));
+    }
+
     @Test
     void dampingIsPhysicsAndNoDrift() {
         SceneDescription damped = SceneReader.read(Path.of("scenes/03-damped-spring.yaml"));

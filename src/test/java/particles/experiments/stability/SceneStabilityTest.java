@@ -66,6 +66,7 @@ class SceneStabilityTest {
         assertEquals(0, limit.predicted());
         assertEquals(1, limit.predictedGrowth() / growth, 1e-5, limit.toString());
         assertEquals(1, limit.measuredGrowth() / growth, 2e-3, limit.toString());
+        assertTrue(limit.note().endsWith(" grows most") && limit.note().startsWith("the mode of"), limit.toString());
         assertTrue(SceneStability.table(List.of(limit), 0.1).rows().get(0).get(1).toString()
                 .startsWith("always grows: 1.9"));
     }
@@ -147,6 +148,7 @@ class SceneStabilityTest {
         Limit limit = limits(scene("03"), "midpoint").get(0);
         assertEquals(1.389e-6, limit.predictedGrowth(), 1e-8);
         assertEquals(0, limit.measuredGrowth(), 2e-5, limit.toString());
+        assertTrue(limit.note().startsWith("the motion soon leaves the modes of its start"), limit.toString());
     }
 
     /** A skydiver at rest feels no drag that is quadratic: its derivative, by differences, is 1e-9 /s. */
