@@ -145,7 +145,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /**
      * Adds a reaction: constraint or contact forces.
      *
-     * @param reaction the reaction, evaluated after all effects and earlier reactions
+     * @param reaction the reaction, evaluated after all effects and earlier reactions; rods and wires also solve the
+     *                 contacts of their particles, both together
      */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);

@@ -13,7 +13,8 @@
  *     <li>the solver's {@link deSolvers.DESolver#stepState} asks for the derivative as often as its method needs;</li>
  *     <li>each time, {@link particles.ParticleSystem#getStateDerivative} has {@link particles.engine.ForceSum} add up
  *         the forces of every {@link particles.law.Effect} (gravity, springs, drag), and then of every
- *         {@link particles.law.Reaction}, which depend on that sum (contact, friction, rods);</li>
+ *         {@link particles.law.Reaction}, which depend on that sum (contact, friction, rods; where a particle has
+ *         both a rod and a contact, both are solved together);</li>
  *     <li>if an {@link particles.EventRule} sees an impact in the step, {@link particles.EventLocator} finds its exact
  *         time. The step is repeated up to there, the impact acts, and the rest of the step follows.</li>
  *     </ul></li>
