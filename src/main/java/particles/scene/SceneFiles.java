@@ -81,7 +81,7 @@ public final class SceneFiles {
 
     /** The message for a path that is not a scene. */
     private static String noFile(Path folder, Path typed) {
-        String quoted = Wording.quote(typed.toString());
+        String quoted = Wording.quoteWhole(typed.toString());
         if (Files.isDirectory(typed)) {
             return quoted + " is a folder; a scene is a file";
         }
@@ -90,7 +90,7 @@ public final class SceneFiles {
         }
         Path parent = typed.getParent();
         if (parent != null && !Files.isDirectory(parent)) {
-            return "there is no file " + quoted + ", as there is no folder " + Wording.quote(parent.toString());
+            return "there is no file " + quoted + ", as there is no folder " + Wording.quoteWhole(parent.toString());
         }
         List<String> names = list(folder).stream().map(file -> file.getFileName().toString()).toList();
         return "there is no file " + quoted + DidYouMean.nearest(typed.getFileName().toString(), names)

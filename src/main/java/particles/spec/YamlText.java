@@ -161,7 +161,7 @@ public final class YamlText {
             return "a tab; YAML is indented by spaces";
         }
         if (problem.startsWith("mapping values are not allowed")) {
-            return problem + inPart(e) + " (a text with a colon in it needs quotes around it)";
+            return "this ':' cannot stand here; a text with a colon needs quotes, or the line is indented too far";
         }
         if (problem.startsWith("expected ',' or '") && e.getContextMark().isPresent()) {
             String found = problem.substring(problem.indexOf("but got ") + "but got ".length());
@@ -169,6 +169,10 @@ public final class YamlText {
             return "the '" + open + "' of line " + (e.getContextMark().get().getLine() + 1) + " is not closed before "
                     + (found.equals("<stream end>") ? "the end" : "this '" + found + "'")
                     + (found.equals("[") ? " (an id such as cloth[3,4] needs quotes here)" : "");
+        }
+        if (problem.startsWith("expected <block end>")) {
+            return problem.endsWith("'<scalar>'") ? "a text continues after its closing quote"
+                    : "this line is not indented like the lines that it follows";
         }
         return problem + inPart(e);
     }

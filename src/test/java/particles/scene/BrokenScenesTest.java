@@ -245,8 +245,15 @@ class BrokenScenesTest {
                                 + " as {title: ..., teaches: ..., solver: ..., deltaT: ..., duration: ...}; keys: "
                                 + KEYS),
                 whole("title: A: B\n",
-                        "x.yaml:1:9: not valid YAML: mapping values are not allowed here (a text with a colon in it "
-                                + "needs quotes around it)"),
+                        "x.yaml:1:9: not valid YAML: this ':' cannot stand here; a text with a colon needs quotes, or "
+                                + "the line is indented too far"),
+                whole("title: a\n  solver: rk4\n",
+                        "x.yaml:2:9: not valid YAML: this ':' cannot stand here; a text with a colon needs quotes, or "
+                                + "the line is indented too far"),
+                whole("particles:\n  - {id: a}\n - {id: b}\n",
+                        "x.yaml:3:2: not valid YAML: this line is not indented like the lines that it follows"),
+                whole("title: \"a\" b\n",
+                        "x.yaml:1:12: not valid YAML: a text continues after its closing quote"),
                 whole("title: \"\"\nsolver: rk5\ndeltaT: 0\nduration: soon\n",
                         "x.yaml:1:1: the scene needs 'teaches': a text that is not empty",
                         "x.yaml:1:8: 'title' is the text ''; it has to be a text that is not empty",

@@ -57,24 +57,15 @@ class SceneFilesTest {
     @Test
     void theErrorForAnInvalidPathNamesTheReason() throws IOException {
         Path misspelt = folder.resolve("12-clth.yaml");
-        assertEquals("there is no file '" + misspelt + "'; did you mean '12-cloth.yaml'?", quotedInFull(misspelt));
+        assertEquals("there is no file '" + misspelt + "'; did you mean '12-cloth.yaml'?",
+                refusal(misspelt.toString()));
         Path nowhere = folder.resolve("no/a.yaml");
         assertEquals("there is no file '" + nowhere + "', as there is no folder '" + nowhere.getParent() + "'",
-                quotedInFull(nowhere));
-        assertEquals("'" + folder + "' is a folder; a scene is a file", quotedInFull(folder));
+                refusal(nowhere.toString()));
+        assertEquals("'" + folder + "' is a folder; a scene is a file", refusal(folder.toString()));
         assumeTrue(Files.exists(Path.of("/dev/null")));
         assertEquals("'/dev/null' is a device, a pipe or a socket; a scene is an ordinary file",
                 refusal("/dev/null"));
-    }
-
-    /** Quoted texts are cut after 37 characters, and folders of tests have longer names. */
-    private String quotedInFull(Path path) {
-        String line = refusal(path.toString());
-        for (Path cut : List.of(path, path.getParent())) {
-            String whole = cut.toString();
-            line = whole.length() > 40 ? line.replace(whole.substring(0, 37) + "...'", whole + "'") : line;
-        }
-        return line;
     }
 
     @Test

@@ -70,8 +70,8 @@ public final class CostExercise {
         Cost rough = costs.get(0);
         Cost fine = costs.get(costs.size() - 1);
         return String.format(Locale.ROOT,
-                "Higher order pays the more, the more precision is asked: midpoint costs %.2g times what RK4"
-                + " costs for an error of %s, and %.2g times for %s", (double) rough.midpoint() / rough.rk4(),
+                "The smaller the error, the more a higher order saves: midpoint costs %.2g times as much as RK4"
+                + " for an error of %s, and %.2g times as much for %s", (double) rough.midpoint() / rough.rk4(),
                 rough.error(),
                 (double) fine.midpoint() / fine.rk4(), Double.toString(fine.error()).replace(".0E", "e"));
     }

@@ -206,7 +206,7 @@ public final class LectureFigures {
     private static String growth(Result result) {
         double deltaT = result.figure().deltaT();
         return "\u00d7\u00a0" + few(result.amplitude()) + " in " + few(result.figure().steps() * deltaT)
-                + " s with " + few(deltaT) + " s";
+                + " s with deltaT = " + few(deltaT) + " s";
     }
 
     private static String few(double number) {

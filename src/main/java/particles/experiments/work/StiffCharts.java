@@ -103,10 +103,10 @@ public final class StiffCharts {
         most(sweeps, sweep -> !sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (explicit)"));
         most(sweeps, sweep -> sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (implicit)"));
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
-        String finding = parts.isEmpty() ? "What a stiff spring costs" : "Stability costs " + String.join(" or ",
-                parts);
+        String finding = parts.isEmpty() ? "What a stiff spring costs"
+                : "Evaluations for stability grow as " + String.join(" and ", parts);
         return never.isEmpty() ? finding
-                : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " never has it" : " never have it");
+                : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " is" : " are") + " never stable";
     }
 
     /** The largest exponent of these sweeps, as a power of k. */
@@ -125,15 +125,15 @@ public final class StiffCharts {
             Cost soft = sweep.costs().get(0);
             Cost stiff = sweep.costs().get(sweep.costs().size() - 1);
             rows.add(List.of(name(sweep), sweep.neverStable() ? "never: grows at any step"
-                    : sweep.solver().adaptive() ? "by its tolerance" : "from some step on", sweep.stableExponent(),
+                    : sweep.solver().adaptive() ? "by step-size control" : "with short steps", sweep.stableExponent(),
                     sweep.preciseExponent(), soft.toOnePercent(), stiff.toOnePercent(), stiff.vibrationLeft()));
         }
         return new DataTable("stiffness",
-                "Cost as a power of the stiffness, and evaluations for 1 % with the softest and the stiffest spring",
-                List.of(DataTable.column("solver"), DataTable.column("stable"), new DataTable.Column("exponent, stable",
-                3),
-                        new DataTable.Column("exponent, 1 %", 3), DataTable.column("softest"),
-                        DataTable.column("stiffest"),
-                        new DataTable.Column("vibration left", 2)), rows);
+                "Evaluations grow as a power of the stiffness: its exponent for stability and for an error of 1 %, and"
+                        + " the evaluations for 1 % with the softest and the stiffest spring",
+                List.of(DataTable.column("solver"), DataTable.column("stable"),
+                        new DataTable.Column("exponent, stability", 3), new DataTable.Column("exponent, 1 %", 3),
+                        DataTable.column("evaluations, softest"), DataTable.column("evaluations, stiffest"),
+                        new DataTable.Column("fast vibration, end/start", 2)), rows);
     }
 }

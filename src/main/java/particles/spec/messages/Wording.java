@@ -33,7 +33,15 @@ public final class Wording {
     public static String quote(String text) {
         String shown = text.codePointCount(0, text.length()) > LONGEST_QUOTE
                 ? text.substring(0, text.offsetByCodePoints(0, LONGEST_QUOTE - 3)) + "..." : text;
-        return "'" + oneLine(shown) + "'";
+        return quoteWhole(shown);
+    }
+
+    /**
+     * @param text a text that is of no use if it is cut, such as a path
+     * @return it in single quotes, with control characters replaced
+     */
+    public static String quoteWhole(String text) {
+        return "'" + oneLine(text) + "'";
     }
 
     /**

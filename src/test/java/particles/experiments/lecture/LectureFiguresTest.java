@@ -67,7 +67,8 @@ class LectureFiguresTest {
     void theFindingIsThatOfTheTable() {
         List<Result> results = LectureFigures.onSlides().stream().map(LectureFigures::run).toList();
         assertEquals("euler and midpoint spiral outwards, rk4 spirals inwards; how fast depends on the step: midpoint"
-                + " \u00d7\u00a03.41 in 11 s with 1 s, \u00d7\u00a01.06 in 500 s with 0.1 s",
+                + " \u00d7\u00a03.41 in 11 s with deltaT = 1 s, \u00d7\u00a01.06 in 500 s with"
+                + " deltaT = 0.1 s",
                 LectureFigures.finding(results));
         assertEquals("rk4 spirals inwards", LectureFigures.finding(results.subList(4, 7)));
     }

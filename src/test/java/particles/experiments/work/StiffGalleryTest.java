@@ -95,7 +95,8 @@ class StiffGalleryTest {
         assertEquals(List.of(solver), never.rows());
         assertEquals(ChartData.Mark.FAILURES, never.series().get(0).mark());
         assertEquals(6, never.series().get(0).x().length);
-        assertEquals("Stability costs k^0.50 (explicit); " + solver + " never has it", charts.get(0).title());
+        assertEquals("Evaluations for stability grow as k^0.50 (explicit); " + solver + " is never stable",
+                charts.get(0).title());
     }
 
     /** The 1 % is of the slow swing alone: the stiff spring adds a millionth of it, and is at rest but for that. */
