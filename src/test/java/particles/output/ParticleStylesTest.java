@@ -249,6 +249,11 @@ class ParticleStylesTest {
             trails.take(system, system.getOwnState(), 3, 0.01 * k, 2);
         }
         assertTrue(trails.samples()[0].time() <= 2.99 && trails.samples().length < 110, "the old ones are forgotten");
+        int regular = trails.samples().length;
+        for (int k = 0; k < 1000; k++) {
+            trails.takeCorner(system, 2);
+        }
+        assertEquals(125, trails.samples().length, "of which " + regular + " are regular");
         assertEquals(Double.POSITIVE_INFINITY, new TrailRecorder(0, 25).nextTime(),
                 "who wants no trails asks for no time");
     }

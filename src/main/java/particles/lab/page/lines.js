@@ -3,7 +3,7 @@ import * as THREE from 'three';
 
 const COMPRESSED = new THREE.Color(0x2166ac), AT_REST = new THREE.Color(0xc9c6c0);
 const STRETCHED = new THREE.Color(0xc4161c), ROD = new THREE.Color(0x6c7683);
-const MOST_COILS = 40, TRAIL_SAMPLES = 120, TRAIL_OPACITY = 0.85;
+const MOST_COILS = 40, TRAIL_SAMPLES = 600, TRAIL_OPACITY = 0.85;
 const Z = new THREE.Vector3(0, 0, 1), COIL = coil();
 
 /** A spring along z from 0 to 1, of radius 1, thin enough when it is stretched along z. */

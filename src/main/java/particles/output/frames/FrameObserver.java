@@ -78,10 +78,11 @@ public final class FrameObserver implements Observer, AutoCloseable {
         }
     }
 
-    /** Notes that springs may have torn and particles been born or removed: copies take them anew. */
+    /** Notes an impact, or that springs may have torn and particles been born or removed: copies take them anew. */
     @Override
     public void changed(ParticleSystem system, Rule rule) {
         structure++;
+        trails.takeCorner(system, structure);
     }
 
     @Override

@@ -8,16 +8,19 @@ import particles.ParticleSystem;
 import particles.law.Particles;
 import particles.output.painters.TrailSample;
 
-/** Records the positions of particles at regular times, for as long as trails are visible. */
+/** Records the positions of particles at regular times and at impacts, for as long as trails are visible. */
 public final class TrailRecorder {
     private static final int[] SAME = {};
     private static final TrailSample[] NONE = {};
     /** The number of samples from one frame to the next, and the most in a trail, enough for a smooth line. */
     private static final int PER_FRAME = 4;
-    private static final int MOST = 240;
+    private static final int MOST = 1000;
+    /** The largest number of samples at impacts, as a part of the regular ones. */
+    private static final double CORNERS = 0.25;
 
     private final double duration;
     private final double interval;
+    private final int mostWithCorners;
     private final Deque<TrailSample> samples = new ArrayDeque<>();
     private String[] ids = {};
     private int structure = -1;
@@ -30,6 +33,7 @@ public final class TrailRecorder {
     public TrailRecorder(double duration, double fps) {
         this.duration = duration;
         interval = Math.max(1 / (PER_FRAME * fps), duration / MOST);
+        mostWithCorners = (int) Math.ceil((1 + CORNERS) * duration / interval);
         next = duration > 0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
     }
 
@@ -61,6 +65,17 @@ public final class TrailRecorder {
             samples.removeFirst();
         }
         next = time + interval;
+    }
+
+    /**
+     * Takes a sample where paths turn, as at an impact, unless the trail has many of these already. Without it, a
+     * bounce would be cut off between two regular samples.
+     */
+    public void takeCorner(ParticleSystem system, int structure) {
+        if (samples.size() < mostWithCorners) {
+            next = system.getTime();
+            take(system, system.getOwnState(), system.getParticles().count(), system.getTime(), structure);
+        }
     }
 
     /** Particles by id: ids stay when indices change. */

@@ -31,9 +31,9 @@ public record MemoryEstimate(double particles, double springs, double bytes) {
     private static final double SAMPLES_WAITING = 14;
     /** From this number of particles on, the fill-in of an elimination grows with the logarithm of their number. */
     private static final double FEW = 10_000;
-    /** Trail samples per frame. */
+    /** Trail samples per frame; impacts add a quarter at most. */
     private static final double SAMPLES_PER_FRAME = 4;
-    private static final double MOST_SAMPLES = 240;
+    private static final double MOST_SAMPLES = 1000;
     private static final double MEGABYTE = 1 << 20;
 
     static MemoryEstimate of(SceneDescription scene) {

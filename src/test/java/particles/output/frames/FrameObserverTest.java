@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import particles.ParticleSystem;
+import particles.Rule;
 import particles.Simulation;
 import particles.SimulationException;
 import particles.law.Vector3;
@@ -70,9 +71,13 @@ class FrameObserverTest {
     }
 
     private static FrameRenderer renderer() {
+        return renderer(ParticleStyle.STANDARD);
+    }
+
+    private static FrameRenderer renderer(ParticleStyle style) {
         Camera camera = new Camera(new Vector3(0, 0, 9), Vector3.ZERO, new Vector3(0, 1, 0), false, 0, 10);
         RenderOptions look = new RenderOptions(Visibility.ALWAYS, Visibility.ALWAYS, 0.3, 0.1,
-                0x00ff00, 0, 0, 0, ParticleStyle.STANDARD);
+                0x00ff00, 0, 0, 0, style);
         return new FrameRenderer(new FrameSetup(camera, look, Scenery.NONE, "", ""), W, H, Optional.empty());
     }
 
@@ -106,6 +111,50 @@ class FrameObserverTest {
             }
             assertEquals(1, notes.closed);
         }
+    }
+
+    /**
+     * A fall from 3.24 m reaches y = 0 at t = 0.9 s, between two regular samples of the trail, at 0.75 s and 1 s, when
+     * it is at 0.99 m and 0.68 m.
+     */
+    @Test
+    void aTrailReachesTheBounce() {
+        ParticleSystem system = new ParticleSystem();
+        system.addParticle("ball", 1, new Vector3(-0.5, 3.24, 0), new Vector3(1, 0, 0), false);
+        system.addEffect(TestEffects.gravity(system, 8));
+        Simulation simulation = new Simulation(system, new RK4Solver(), 0.1, 1, Double.POSITIVE_INFINITY);
+        simulation.addRule(new Rule() {
+            @Override
+            public String getName() {
+                return "bounce";
+            }
+
+            @Override
+            public boolean afterStep(ParticleSystem moved, double deltaT) {
+                double[] s = moved.getOwnState();
+                boolean below = s[1] < 1e-6 && s[4] < 0;
+                s[4] = below ? -s[4] : s[4];
+                return below;
+            }
+        });
+        int[][] last = new int[1][];
+        ParticleStyle trail = new ParticleStyle(ParticleStyle.Kind.BALLS, List.of(0), 2, false);
+        try (FrameObserver frames = new FrameObserver(renderer(trail), 1, List.of(new FrameSink() {
+            @Override
+            public void add(int index, int[] rgb) {
+                last[0] = rgb.clone();
+            }
+
+            @Override
+            public void close() {
+            }
+        }))) {
+            simulation.addObserver(frames);
+            simulation.run();
+        }
+        int lowest = IntStream.range(0, last[0].length)
+                .filter(p -> (last[0][p] >> 8 & 255) > 30 + (last[0][p] & 255)).max().orElseThrow() / W;
+        assertEquals(H / 2.0, lowest, 2);
     }
 
     @Test
