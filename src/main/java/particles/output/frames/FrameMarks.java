@@ -94,7 +94,9 @@ final class FrameMarks {
             List<Rectangle2D> taken = new ArrayList<>(balls);
             taken.remove(k);
             labels.forEach(label -> taken.add(box(label)));
-            labels.add(label(state.label(labelled.get(k)), balls.get(k), taken, springs(state, labelled.get(k))));
+            List<Line2D> lines = springs(state, labelled.get(k));
+            lines.addAll(trail(state, labelled.get(k)));
+            labels.add(label(state.label(labelled.get(k)), balls.get(k), taken, lines));
         }
         return labels;
     }
@@ -111,11 +113,28 @@ final class FrameMarks {
         return lines;
     }
 
+    /** The trail of a particle, from its newest sample back in time. */
+    private List<Line2D> trail(FrameState state, int particle) {
+        List<Line2D> lines = new ArrayList<>();
+        int index = state.trailIndex.length == 0 ? particle : state.trailIndex[particle];
+        Optional<double[]> newer = Optional.empty();
+        for (int k = state.trail.length - 1; k >= 0 && index >= 0 && !state.fixed[particle]; k--) {
+            float[] places = state.trail[k].places();
+            Optional<double[]> older = place(places[3 * index], places[3 * index + 1], places[3 * index + 2]);
+            if (newer.isPresent() && older.isPresent()) {
+                lines.add(new Line2D.Double(newer.get()[0], newer.get()[1], older.get()[0], older.get()[1]));
+            }
+            newer = older;
+            index = state.trail[k].earlier(index);
+        }
+        return lines;
+    }
+
     /**
      * Places a label to the right of the ball, or else to its left, above or below: inside the picture and on free
-     * ground, if possible also beside the ball's own springs.
+     * ground, if possible also beside the ball's own springs and trail.
      */
-    private Label label(String text, Rectangle2D ball, List<Rectangle2D> taken, List<Line2D> springs) {
+    private Label label(String text, Rectangle2D ball, List<Rectangle2D> taken, List<Line2D> lines) {
         double width = font().getStringBounds(text, SMOOTH).getWidth();
         double right = ball.getMaxX() + 6 * unit;
         double left = ball.getX() - 6 * unit - width;
@@ -125,7 +144,7 @@ final class FrameMarks {
                 new Label(text, middle, ball.getY() - 14 * unit), new Label(text, middle, ball.getMaxY() + 26 * unit));
         List<Label> free = places.stream().filter(place -> place.x >= 0 && place.x + width < view.width)
                 .filter(place -> taken.stream().noneMatch(box(place)::intersects)).toList();
-        return free.stream().filter(place -> springs.stream().noneMatch(box(place)::intersectsLine)).findFirst()
+        return free.stream().filter(place -> lines.stream().noneMatch(box(place)::intersectsLine)).findFirst()
                 .or(() -> free.stream().findFirst()).orElse(places.get(right + width < view.width ? 0 : 1));
     }
 
@@ -165,9 +184,13 @@ final class FrameMarks {
         for (int c = 0; c < 3; c++) {
             at[c] = state.positions[3 * i + c] + (seconds > 0 ? seconds * state.velocities[3 * i + c] : 0);
         }
-        double depth = view.depth(at[0], at[1], at[2]);
+        return place(at[0], at[1], at[2]);
+    }
+
+    private Optional<double[]> place(double x, double y, double z) {
+        double depth = view.depth(x, y, z);
         double scale = view.scale(depth);
-        double[] place = {view.x(at[0], at[1], at[2], scale), view.y(at[0], at[1], at[2], scale), scale};
+        double[] place = {view.x(x, y, z, scale), view.y(x, y, z, scale), scale};
         boolean near = Math.abs(place[0]) < FARTHEST && Math.abs(place[1]) < FARTHEST;      // false for NaN
         return view.isInFront(depth) && near ? Optional.of(place) : Optional.empty();
     }

@@ -16,6 +16,7 @@ import particles.effects.springs.SpringForce;
 import particles.law.Vector3;
 import particles.output.painters.DrawnSizes;
 import particles.output.painters.FrameState;
+import particles.output.painters.TrailSample;
 import particles.output.raster.CameraProjection;
 import particles.view.Camera;
 import particles.view.ParticleMark;
@@ -137,6 +138,22 @@ class FrameMarksTest {
             state.to = new int[] {1};
             Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
             assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "place " + k + ": " + box);
+        }
+    }
+
+    /** A ball that came from the right, or from any other direction. */
+    @Test
+    void aLabelStandsClearOfTheTrailOfItsBall() {
+        ParticleStyle style = style(0, new ParticleMark("marked", OptionalInt.empty(), 0, "a label"));
+        FrameMarks marks = new FrameMarks(new CameraProjection(FRONT, W, H), style);
+        for (int k = 0; k < 24; k++) {
+            float x = (float) (3.5 * Math.cos(Math.PI * k / 12));
+            float y = (float) (3.5 * Math.sin(Math.PI * k / 12));
+            FrameState state = state(style, 0);
+            state.trail = new TrailSample[] {new TrailSample(0, new float[] {9, 9, 0, x, y, 0}, new int[0]),
+                new TrailSample(1, new float[] {9, 9, 0, 0, 0, 0}, new int[0])};
+            Rectangle2D box = marks.boxes(state, RADIUS / 2).get(0);
+            assertFalse(box.intersectsLine(160, 100, 160 + 20 * x, 100 - 20 * y), "direction " + k + ": " + box);
         }
     }
 
