@@ -2,8 +2,8 @@ package deSolvers;
 
 /**
  * The Euler method: one straight step along the derivative, s(t + h) = s(t) + h f(s(t), t).
- * {@link FixedStepSolver} reads the state before the step, and writes it back and moves the clock after it. (The
- * package {@code deSolvers} explains the symbols and the small table.)
+ * {@link FixedStepSolver} reads the state before the step; after it, it writes the state back and sets the clock to
+ * t + h. (The package {@code deSolvers} explains the symbols and the small table.)
  * <pre>
  *    0 |
  *   ---+---

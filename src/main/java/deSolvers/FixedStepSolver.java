@@ -29,7 +29,7 @@ public abstract class FixedStepSolver extends DESolver {
 
     /**
      * Reads the state, calls {@link #step}, writes the new state and sets the clock to t + deltaT. If anything fails,
-     * the transaction puts back the state and the time that it found.
+     * the {@link StepTransaction} puts back the state and the time that it found.
      */
     @Override
     public final void stepState(DEStateSource source, double deltaT) {
@@ -39,10 +39,10 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
                 if (asksForLastStep) {
-                    lastStep.keep(guarded, s);          // now: finish may give s to a source that swaps arrays
+                    lastStep.keep(guarded, s);          // before finish, which may swap s for the source's own array
                 }
             }
-            arrays.replaceFirst(guarded.finish(s));     // then this is another one
+            arrays.replaceFirst(guarded.finish(s));     // s, or the array received for it
         }
     }
 

@@ -145,8 +145,8 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /**
      * Adds a reaction: constraint or contact forces.
      *
-     * @param reaction the reaction, evaluated after all effects and earlier reactions; rods and wires also solve the
-     *                 contacts of their particles, both together
+     * @param reaction the reaction, evaluated after all effects and earlier reactions; rods and wires take over the
+     *                 contacts of their particles from {@code RestingContacts} and solve both as one system
      */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);

@@ -8,8 +8,8 @@ import java.util.List;
 import particles.law.Particles;
 
 /**
- * The simulation loop. Until the duration is over, it makes a step, shows it to the observers, applies the rules and
- * checks the energy limit. The last step is shortened to end exactly at the end.
+ * The simulation loop. Until the duration is over, it tells the rules that a step begins, makes the step, shows it to
+ * the observers, applies the rules and checks the energy limit. The last step is shortened to end exactly at the end.
  */
 public final class Simulation {
     /** The last step may be longer than deltaT by this fraction, to absorb round-off of the clock. */
@@ -32,7 +32,8 @@ public final class Simulation {
      * @param solver      its solver
      * @param deltaT      the time step (s), positive
      * @param duration    the duration of the run, from the system's present time (s), 0 or more
-     * @param energyLimit the kinetic energy above which the run counts as blown up (J), positive; may be infinite
+     * @param energyLimit the kinetic energy above which the run counts as blown up (J), positive; may be infinite. The
+     *                    observer {@code NumericalErrorLimit} ends most blow-ups of a scene earlier, by their error
      * @throws IllegalArgumentException if a number is out of its range
      */
     public Simulation(ParticleSystem system, DESolver solver, double deltaT, double duration, double energyLimit) {

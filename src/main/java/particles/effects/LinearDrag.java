@@ -7,8 +7,9 @@ import particles.spec.Values;
 
 /**
  * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air.
- * Wind acts on particles only through drag. The base class {@code AirDrag} computes v - u, the powers and the
- * derivatives; it acts on a range of particles at a time ({@link particles.law.PerParticleEffect}).
+ * Wind acts on particles only through drag, and then drag can drive them. The base class {@code AirDrag} computes
+ * v - u, the powers and the derivatives; it acts on a range of particles at a time
+ * ({@link particles.law.PerParticleEffect}).
  *
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".
  */

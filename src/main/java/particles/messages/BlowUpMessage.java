@@ -159,11 +159,11 @@ public final class BlowUpMessage {
         boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
         double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
         String what = byFixedPoint
-                ? "damping (c/m * deltaT is up to " + Digits.few(damping * deltaT) + "; the iteration of "
+                ? "damping (c/m * deltaT is at most " + Digits.few(damping * deltaT) + "; the iteration of "
                         + solver.name() + " converges well up to " + FIXED_POINT
-                : "vibration (|lambda| * deltaT is up to " + Digits.few(deltaT * rate(solver)) + "; the limit of "
+                : "vibration (|lambda| * deltaT is at most " + Digits.few(deltaT * rate(solver)) + "; the limit of "
                         + solver.name() + " is " + Digits.few(limit);
-        return "deltaT is up to " + Digits.few(times) + " times too long for the fastest " + what + spring + ")";
+        return "deltaT is at most " + Digits.few(times) + " times too long for the fastest " + what + spring + ")";
     }
 
     /** The fastest motion that counts for this solver (1/s): with damping, unless that is solved for apart. */

@@ -131,7 +131,7 @@ public final class SceneBuilder {
                 simulation.addRule(new ClampedImpacts(contacts));
             }
         }
-        scene.constraints().build(system, index, simulation, assembly);     // rods join the contacts of their particles
+        scene.constraints().build(system, index, simulation, assembly);     // rods take over their contacts
         assembly.rules().forEach(simulation::addRule);
         Optional<Scene.Phase> phase = scene.output().phase()
                 .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis(),

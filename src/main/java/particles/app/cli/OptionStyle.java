@@ -32,6 +32,14 @@ public enum OptionStyle {
     }
 
     /**
+     * @param name a task's name
+     * @return the task as the user types it
+     */
+    public String task(String name) {
+        return (this == GRADLE ? "gradle " : "desolver ") + name;
+    }
+
+    /**
      * @param found an option as the program received it, with or without =value
      * @return the option as the user typed it, without the value
      */

@@ -51,13 +51,18 @@ public final class CheckEffectCommand extends CheckCommand {
             Optional<String> other = EffectSample.checkedThrough(effect);
             subject = other.isPresent() ? effect : made.getClass().getSimpleName();
             identity = other.map(name -> "It acts through '" + name + "', which then")
-                    .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + ".";
+                    .orElse("The effect '" + made.getName() + "'") + " claims " + claims(made.getTraits()) + "."
+                    + changed(EffectSample.actingThrough(effect));
         } catch (NoSuchElementException | IllegalArgumentException e) {
             identity = Checked.NOT_CHECKED;
             findings = List.of(new Finding(Kind.FAILURE, String.valueOf(e.getMessage())));
         }
         return new Checked(subject, identity, findings, new ResultPage(NAME, subject + ": " + identity,
                 paragraphs(findings), List.of(), List.of()));
+    }
+
+    private static String changed(List<String> others) {
+        return others.isEmpty() ? "" : " With " + String.join(" or ", others) + " it claims less.";
     }
 
     private static String claims(Set<Effect.Trait> traits) {

@@ -24,7 +24,7 @@ public final class ExercisesCommand extends ProgramCommand {
         for (int number = 1; number <= all.size(); number++) {
             out.printf("%2d  %s%n", number, all.get(number - 1).title());
         }
-        out.println("the text with your own numbers: exercise " + style.option("number") + "=1 "
+        out.println("the text with your own numbers: " + style.task("exercise") + " " + style.option("number") + "=1 "
                 + style.option("student")
                 + "=YOUR-ID");
     }

@@ -2,6 +2,7 @@ package particles.experiments.energy;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -55,8 +56,14 @@ final class DriftHeadline {
             case SECULAR -> (drift.end() > 0 ? "gains " : "loses ") + part(size(drift));
             case BOUNDED -> "stays within " + part(size(drift));
             case ROUNDING -> "is exact to round-off";
-            case EXCHANGING -> part(size(drift));
+            case EXCHANGING -> sign(drift) + part(size(drift));
         };
+    }
+
+    /** Whether the largest error is a gain or a loss. */
+    private static String sign(Drift drift) {
+        double largest = Arrays.stream(drift.error()).boxed().max(Comparator.comparingDouble(Math::abs)).orElse(0.0);
+        return largest > 0 ? "+" : largest < 0 ? "\u2212" : "";
     }
 
     /** A part of the energy scale, in percent. */

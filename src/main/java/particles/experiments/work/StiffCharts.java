@@ -109,6 +109,10 @@ public final class StiffCharts {
                 : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " is" : " are") + " never stable";
     }
 
+    private static boolean unlimited(Sweep sweep) {
+        return sweep.solver().info().map(info -> info.imaginaryLimit() == Double.POSITIVE_INFINITY).orElse(false);
+    }
+
     /** The largest exponent of these sweeps, as a power of k. */
     private static Optional<String> most(List<Sweep> sweeps, Predicate<Sweep> which) {
         return sweeps.stream().filter(which).map(Sweep::stableExponent).filter(exponent -> !exponent.isNaN())
@@ -125,15 +129,17 @@ public final class StiffCharts {
             Cost soft = sweep.costs().get(0);
             Cost stiff = sweep.costs().get(sweep.costs().size() - 1);
             rows.add(List.of(name(sweep), sweep.neverStable() ? "never: grows at any step"
-                    : sweep.solver().adaptive() ? "by step-size control" : "with short steps", sweep.stableExponent(),
+                    : sweep.solver().adaptive() ? "by step-size control"
+                    : unlimited(sweep) ? "at any step" : "below its limit", sweep.stableExponent(),
                     sweep.preciseExponent(), soft.toOnePercent(), stiff.toOnePercent(), stiff.vibrationLeft()));
         }
         return new DataTable("stiffness",
                 "Evaluations grow as a power of the stiffness: its exponent for stability and for an error of 1 %, and"
-                        + " the evaluations for 1 % with the softest and the stiffest spring",
+                        + " the evaluations for 1 % with the softest and the stiffest spring. The last column is the"
+                        + " energy of the fast vibration in this run, which rk4 near its limit damps as well",
                 List.of(DataTable.column("solver"), DataTable.column("stable"),
                         new DataTable.Column("exponent, stability", 3), new DataTable.Column("exponent, 1 %", 3),
                         DataTable.column("evaluations, softest"), DataTable.column("evaluations, stiffest"),
-                        new DataTable.Column("fast vibration, end/start", 2)), rows);
+                        new DataTable.Column("fast-mode energy, end/start", 2)), rows);
     }
 }

@@ -108,6 +108,15 @@ public final class EffectSample {
         return named(name).flatMap(kind -> kind.needs().stream().findFirst());
     }
 
+    /**
+     * @param name the name of an effect
+     * @return the effects that have no force of their own and act through this one
+     */
+    public static List<String> actingThrough(String name) {
+        return EffectCatalog.ALL.stream().filter(kind -> kind.needs().stream().findFirst().equals(Optional.of(name)))
+                .map(EffectKind::name).toList();
+    }
+
     private static boolean isPositive(Object described, Key<?> key) {
         return described instanceof Map<?, ?> properties && properties.get(key.name()) instanceof Map<?, ?> schema
                 && schema.get("minimum") instanceof Number least && least.doubleValue() >= 0;

@@ -36,6 +36,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
     private static final int BEGINNING = 12;
     private static final long REFUSED = -1;
     private static final double BACK = 0.25;
+    private static final String THERE_AND_BACK = "distance from the start after a step of " + BACK + " and a step back";
     private static final double BLOWN_UP = 1e12;
     /** A smaller difference from 1 does not show in the eight digits of the table. */
     private static final double SHOWN = 5e-9;
@@ -160,7 +161,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
                 "relative to the energy at the start"));
         WindyOscillators there = new WindyOscillators(1);
         rows.add(accepts(maker.get(), there, BACK) && accepts(maker.get(), there, -BACK) ? back(there)
-                : List.of("distance from the start after a step and a step back", "-", "it refuses a step back"));
+                : List.of(THERE_AND_BACK, "-", "it refuses a step back"));
         return new DataTable("facts", "What it does", List.of(DataTable.column("property"), DataTable.column("value"),
                 DataTable.column("meaning")), rows);
     }
@@ -202,7 +203,7 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
         for (int k = 0; k < before.length; k++) {
             distance = Math.max(distance, Math.abs(after[k] - before[k]));
         }
-        return List.of("distance from the start after a step and a step back", text(distance), distance < 1e-12
-                ? "reversible: it ends where it began" : "not reversible");
+        return List.of(THERE_AND_BACK, text(distance), distance < 1e-12 ? "reversible: it ends where it began"
+                : "not reversible");
     }
 }

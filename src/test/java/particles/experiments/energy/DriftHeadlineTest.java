@@ -107,7 +107,7 @@ class DriftHeadlineTest {
         Drift driven = drift("verlet", t -> 1.7e-5 * t, 40);
         assertEquals(Kind.EXCHANGING, damped.kind());
         assertEquals(Kind.EXCHANGING, driven.kind());
-        assertEquals("Scene, numerical energy error: verlet 0.17 %; rk4 0.00018 %", headline(damped, driven));
+        assertEquals("Scene, numerical energy error: verlet +0.17 %; rk4 +0.00018 %", headline(damped, driven));
     }
 
     /** A curve that is nearly straight is called a drift without damping, and only a size with it. */
@@ -131,7 +131,7 @@ class DriftHeadlineTest {
     void dampedSpringRanksVerletBehindRk4() {
         Comparison comparison = EnergyDrift.compare(SceneReader.read(Path.of("scenes/03-damped-spring.yaml")),
                 SolverChoice.list("rk4,verlet"), false, (part, what) -> { });
-        assertEquals("A damped spring, numerical energy error: verlet 0.17 %; rk4 0.00018 %",
+        assertEquals("A damped spring, numerical energy error: verlet \u22120.17 %; rk4 +0.00018 %",
                 DriftCharts.finding(comparison));
     }
 }
