@@ -73,7 +73,7 @@ public final class DriftCharts {
         List<List<Object>> rows = new ArrayList<>();
         for (Drift drift : comparison.drifts()) {
             rows.add(List.of(drift.setting().solver().label(), drift.setting().deltaT(),
-                    drift.setting().tolerance().orElse(Double.NaN), drift.end(), drift.largest(), drift.slope(),
+                    drift.setting().tolerance().orElse(Double.NaN), drift.end(), drift.extreme(), drift.slope(),
                     drift.kind().words(), drift.outcome().evaluations(),
                     drift.outcome().seconds(),
                     drift.outcome().failure().orElse("")));

@@ -2,7 +2,6 @@ package particles.experiments.energy;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -62,8 +61,7 @@ final class DriftHeadline {
 
     /** Whether the largest error is a gain or a loss. */
     private static String sign(Drift drift) {
-        double largest = Arrays.stream(drift.error()).boxed().max(Comparator.comparingDouble(Math::abs)).orElse(0.0);
-        return largest > 0 ? "+" : largest < 0 ? "\u2212" : "";
+        return drift.extreme() > 0 ? "+" : drift.extreme() < 0 ? "\u2212" : "";
     }
 
     /** A part of the energy scale, in percent. */

@@ -1,6 +1,8 @@
 package particles.experiments.energy;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import particles.Observer;
@@ -74,8 +76,12 @@ public final class EnergyDrift {
      * @param outcome the outcome of the run
      */
     public record Drift(Setting setting, double[] time, double[] error, double end, double largest, double slope,
-            Kind kind,
-                        Outcome outcome) {
+            Kind kind, Outcome outcome) {
+
+        /** @return the error of the largest size, with its sign: above 0 if energy was gained */
+        public double extreme() {
+            return Arrays.stream(error).boxed().max(Comparator.comparingDouble(Math::abs)).orElse(0.0);
+        }
     }
 
     /**

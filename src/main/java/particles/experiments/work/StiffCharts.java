@@ -130,16 +130,19 @@ public final class StiffCharts {
             Cost stiff = sweep.costs().get(sweep.costs().size() - 1);
             rows.add(List.of(name(sweep), sweep.neverStable() ? "never: grows at any step"
                     : sweep.solver().adaptive() ? "by step-size control"
-                    : unlimited(sweep) ? "at any step" : "below its limit", sweep.stableExponent(),
-                    sweep.preciseExponent(), soft.toOnePercent(), stiff.toOnePercent(), stiff.vibrationLeft()));
+                    : unlimited(sweep) ? "at any step" : "below its limit", exponent(sweep.stableExponent()),
+                    exponent(sweep.preciseExponent()), soft.toOnePercent(), stiff.toOnePercent()));
         }
         return new DataTable("stiffness",
-                "Evaluations grow as a power of the stiffness: its exponent for stability and for an error of 1 %, and"
-                        + " the evaluations for 1 % with the softest and the stiffest spring. The last column is the"
-                        + " energy of the fast vibration in this run, which rk4 near its limit damps as well",
+                "Evaluations grow as k^exponent, where k is the stiffness: for stability, and for an error of 1 %."
+                        + " Then, the evaluations for 1 % with the softest and the stiffest spring",
                 List.of(DataTable.column("solver"), DataTable.column("stable"),
                         new DataTable.Column("exponent, stability", 3), new DataTable.Column("exponent, 1 %", 3),
-                        DataTable.column("evaluations, softest"), DataTable.column("evaluations, stiffest"),
-                        new DataTable.Column("fast-mode energy, end/start", 2)), rows);
+                        DataTable.column("evaluations, softest"), DataTable.column("evaluations, stiffest")), rows);
+    }
+
+    /** Two decimals: those after that come from the numbers of steps being whole. */
+    private static double exponent(double fitted) {
+        return Double.isNaN(fitted) ? fitted : Math.round(100 * fitted) / 100.0;
     }
 }
