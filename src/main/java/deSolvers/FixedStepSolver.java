@@ -39,10 +39,10 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
                 if (asksForLastStep) {
-                    lastStep.keep(guarded, s);          // before finish, which may swap s for the source's own array
+                    lastStep.keep(guarded, s);          // before finish, which hands s over
                 }
             }
-            arrays.replaceFirst(guarded.finish(s));     // s, or the array received for it
+            arrays.replaceFirst(guarded.finish(s));     // an ArrayStateSource gives its old array for s
         }
     }
 

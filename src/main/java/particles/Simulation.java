@@ -9,7 +9,8 @@ import particles.law.Particles;
 
 /**
  * The simulation loop. Until the duration is over, it tells the rules that a step begins, makes the step, shows it to
- * the observers, applies the rules and checks the energy limit. The last step is shortened to end exactly at the end.
+ * the observers that want it, applies the rules and checks the energy limit. The last step is shortened to end exactly
+ * at the end.
  */
 public final class Simulation {
     /** The last step may be longer than deltaT by this fraction, to absorb round-off of the clock. */

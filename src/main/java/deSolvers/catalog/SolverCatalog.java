@@ -63,7 +63,7 @@ public final class SolverCatalog {
                     "Three verlet steps in one, with order 4."),
             entry(BackwardEulerSolver::new, "backward-euler", BackwardEulerSolver.class,
                     1, "implicit", "2 to 8, tens with rods", UNLIMITED, UNLIMITED,
-                    "Damps vibrations too fast for the step."),
+                    "Damps vibrations that a step cannot resolve."),
             entry(LinearisedEulerSolver::new, "linearised-euler", LinearisedEulerSolver.class,
                     1, "implicit", "1", UNLIMITED, UNLIMITED,
                     "Backward Euler with one linear system a step; for cloth."),

@@ -158,12 +158,14 @@ public final class BlowUpMessage {
                 + particles.id(scene.springs().to(s)) + "'";
         boolean byFixedPoint = Double.isNaN(solver.realLimit()) && FIXED_POINT / damping < limit / rates.omega();
         double times = byFixedPoint ? deltaT * damping / FIXED_POINT : deltaT * rate(solver) / limit;
+        String kind = byFixedPoint ? "damping" : "vibration";
         String what = byFixedPoint
-                ? "damping (c/m * deltaT is at most " + Digits.few(damping * deltaT) + "; the iteration of "
+                ? "c/m * deltaT is at most " + Digits.few(damping * deltaT) + "; the iteration of "
                         + solver.name() + " converges well up to " + FIXED_POINT
-                : "vibration (|lambda| * deltaT is at most " + Digits.few(deltaT * rate(solver)) + "; the limit of "
+                : "|lambda| * deltaT is at most " + Digits.few(deltaT * rate(solver)) + "; the limit of "
                         + solver.name() + " is " + Digits.few(limit);
-        return "deltaT is at most " + Digits.few(times) + " times too long for the fastest " + what + spring + ")";
+        return "deltaT is too long for the fastest " + kind + ", by a factor of up to " + Digits.few(times) + " ("
+                + what + spring + ")";
     }
 
     /** The fastest motion that counts for this solver (1/s): with damping, unless that is solved for apart. */

@@ -102,7 +102,7 @@ public final class SceneBuilder {
     private static Scene build(SceneDescription scene, Supplier<DESolver> solvers) {
         ParticleSystem system = new ParticleSystem();
         SpringForce springs = new SpringForce(system.getParticles());
-        List<Surface> surfaces = addParticles(scene, system, springs);
+        List<Surface> cloths = addParticles(scene, system, springs);
         ParticleIndex index = new ParticleIndex(scene.particles(), scene.shapes());
         for (SpringDescription spring : scene.springs()) {
             double distance = index.position(spring.to()).minus(index.position(spring.from())).length();
@@ -122,7 +122,7 @@ public final class SceneBuilder {
         double estimate = EnergyEstimate.of(system, springs, assembly, Math.max(scene.duration(), scene.deltaT()));
         Simulation simulation = new Simulation(system, solver, scene.deltaT(), scene.duration(),
                 scene.blowUpFactor() * estimate);
-        if (!assembly.surfaces().isEmpty()) {
+        if (!assembly.surfaces().isEmpty()) {               // the ground and others to collide with
             RestingContacts contacts = new RestingContacts(system.getParticles(), assembly.surfaces());
             system.addReaction(contacts);
             if (scene.exactImpacts()) {
@@ -131,12 +131,12 @@ public final class SceneBuilder {
                 simulation.addRule(new ClampedImpacts(contacts));
             }
         }
-        scene.constraints().build(system, index, simulation, assembly);     // rods take over their contacts
+        scene.constraints().build(system, index, simulation, assembly);     // rods take over contacts
         assembly.rules().forEach(simulation::addRule);
         Optional<Scene.Phase> phase = scene.output().phase()
                 .map(plot -> new Scene.Phase(index.find(plot.particle()).orElseThrow(), plot.axis(),
                         plot.about()));
-        return new Scene(scene, simulation, system, solver, springs, assembly.scenery(surfaces), scene.camera(),
+        return new Scene(scene, simulation, system, solver, springs, assembly.scenery(cloths), scene.camera(),
                 scene.look(), scene.output(), phase, estimate);
     }
 

@@ -139,7 +139,7 @@ public final class RaceCommand extends ExperimentCommand {
             Result race = new Race(scene, solvers, count).run(pictures, (part, what) -> progress.reached(RUNS * part,
                     what));
             pictures.write(new ChartWriter(folder, format()), folder, SHEET, race,
-                    part -> progress.reached(RUNS + (1 - RUNS) * part, "the animation"));
+                    part -> progress.reached(RUNS + (1 - RUNS) * part, "drawing the animation"));
             return page(race, count);
         }
     }

@@ -70,9 +70,9 @@ public final class CostExercise {
         Cost rough = costs.get(0);
         Cost fine = costs.get(costs.size() - 1);
         return String.format(Locale.ROOT,
-                "The smaller the error, the more a higher order saves: midpoint costs %.2g times as much as RK4"
-                + " for an error of %s, and %.2g times as much for %s", (double) rough.midpoint() / rough.rk4(),
-                rough.error(),
+                "The lecture's exercise: the smaller the error, the more a higher order saves. Midpoint costs %.2g"
+                + " times as much as RK4 for an error of %s, and %.2g times as much for %s",
+                (double) rough.midpoint() / rough.rk4(), rough.error(),
                 (double) fine.midpoint() / fine.rk4(), Double.toString(fine.error()).replace(".0E", "e"));
     }
 
@@ -85,7 +85,7 @@ public final class CostExercise {
         costs.forEach(cost -> rows.add(List.of(cost.error(), cost.midpoint(), cost.rk4(),
                 (double) cost.midpoint() / cost.rk4())));
         return new DataTable("exercise",
-                "The lecture's exercise, always with midpoint and RK4: evaluations for similar accuracy",
+                "Evaluations for similar accuracy, always of midpoint and RK4; the report compares the chosen solvers",
                 List.of(DataTable.column("error"), DataTable.column("midpoint"), DataTable.column("rk4"),
                         new DataTable.Column("midpoint / rk4", 3)), rows);
     }

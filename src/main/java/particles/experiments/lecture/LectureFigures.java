@@ -232,6 +232,6 @@ public final class LectureFigures {
                 new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8), new DataTable.Column("|R|^2N", 8),
                 new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
         return new DataTable("figures", "Amplitude, energy and phase after N steps of h = deltaT: measured, and from"
-                + " R(i h), the factor of a step", columns, rows);
+                + " R(i h), the complex factor of a step", columns, rows);
     }
 }

@@ -256,11 +256,11 @@ public final class SceneStability {
                             : text(limit.measured(), limit.measuredGrowth()), ratio(limit), limit.note()));
         }
         return new DataTable("largest-safe-step",
-                "The largest safe deltaT (s). Runs differ from the modes of the start, because springs are not linear"
-                        + " in space; they miss growth below 0.6 % a step. Growth is given at the scene's deltaT, "
-                        + deltaT + " s",
-                List.of(DataTable.column("solver"), DataTable.column("predicted by modes"),
-                DataTable.column("measured on runs"), DataTable.column("measured/predicted"),
+                "The largest safe deltaT (s). Predicted: from the equations, linearised at the scene's start. Measured:"
+                        + " from runs; springs are linear in small motions only, so the two may differ. Growth: in a"
+                        + " step of the scene's deltaT, " + deltaT + " s",
+                List.of(DataTable.column("solver"), DataTable.column("predicted"),
+                DataTable.column("measured"), DataTable.column("measured/predicted"),
                 DataTable.column("remark")), rows);
     }
 

@@ -100,11 +100,12 @@ public final class StiffCharts {
      */
     public static String finding(List<Sweep> sweeps) {
         List<String> parts = new ArrayList<>();
-        most(sweeps, sweep -> !sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (explicit)"));
-        most(sweeps, sweep -> sweep.solver().implicit()).ifPresent(power -> parts.add(power + " (implicit)"));
+        most(sweeps, sweep -> !sweep.solver().implicit()).ifPresent(power -> parts.add("as " + power + " (explicit)"));
+        most(sweeps, sweep -> sweep.solver().implicit()).ifPresent(power -> parts.add((power.equals("k^0.0")
+                ? "hardly" : "as " + power) + " (implicit)"));
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
         String finding = parts.isEmpty() ? "What a stiff spring costs"
-                : "Evaluations for stability grow as " + String.join(" and ", parts);
+                : "Evaluations for stability grow " + String.join(", ", parts);
         return never.isEmpty() ? finding
                 : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " is" : " are") + " never stable";
     }
@@ -116,7 +117,7 @@ public final class StiffCharts {
     /** The largest exponent of these sweeps, as a power of k. */
     private static Optional<String> most(List<Sweep> sweeps, Predicate<Sweep> which) {
         return sweeps.stream().filter(which).map(Sweep::stableExponent).filter(exponent -> !exponent.isNaN())
-                .max(Comparator.naturalOrder()).map(exponent -> String.format(Locale.ROOT, "k^%.2f", exponent));
+                .max(Comparator.naturalOrder()).map(exponent -> String.format(Locale.ROOT, "k^%.1f", exponent));
     }
 
     /**
@@ -130,7 +131,8 @@ public final class StiffCharts {
             Cost stiff = sweep.costs().get(sweep.costs().size() - 1);
             rows.add(List.of(name(sweep), sweep.neverStable() ? "never: grows at any step"
                     : sweep.solver().adaptive() ? "by step-size control"
-                    : unlimited(sweep) ? "at any step" : "below its limit", exponent(sweep.stableExponent()),
+                    : unlimited(sweep) ? "at any step" : "below its limit",
+                    unlimited(sweep) ? Double.NaN : exponent(sweep.stableExponent()),
                     exponent(sweep.preciseExponent()), soft.toOnePercent(), stiff.toOnePercent()));
         }
         return new DataTable("stiffness",

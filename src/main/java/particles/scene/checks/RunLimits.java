@@ -22,7 +22,7 @@ public final class RunLimits {
         if (duration / deltaT > MOST_STEPS) {
             problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
                     + " s needs more than 1e10 steps of deltaT = " + Wording.number(deltaT)
-                    + " s, the most of a run");
+                    + " s; a run has no more");
         }
     }
 

@@ -33,7 +33,8 @@ final class AdaptiveStep extends NumericExercise {
                 + Draw.text(v) + " m/s. Take two steps of RK4 with deltaT = " + Draw.text(h)
                         + " s, and one of 2 deltaT from the same start; the"
                 + " difference of the two x is the error.\nWhich deltaT would make this error " + Draw.text(bound)
-                + " m? Assume that it grows with deltaT as the error of a single step does with a method of order 4.",
+                + " m? Assume that it grows with deltaT as the error of"
+                        + " a single step, not of a whole run, of a method of order 4.",
                 "s",
                 FOUR_DIGITS, next(h, factor, 1.0 / ERROR_ORDER), smallest, List.of(
                 new CommonMistake(next(h, factor, 1.0 / (ERROR_ORDER - 1)),

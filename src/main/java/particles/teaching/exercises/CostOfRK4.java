@@ -22,7 +22,7 @@ final class CostOfRK4 extends NumericExercise {
     private static final double HUNDRED = 100;
 
     CostOfRK4() {
-        super("UDOO: what midpoint costs against RK4", 6, 45,
+        super("What midpoint costs against RK4", 6, 45,
                 "For each method, write down how the error at the end goes with the number of steps; the frequency and "
                         + "the duration count too.");
     }

@@ -76,7 +76,7 @@ class GradeCommandTest {
     @Test
     void theListHasTwelve() {
         assertEquals(13, run(ExitCode.DONE, "exercises").lines().count());
-        assertTrue(run(ExitCode.DONE, "exercises").contains(" 5  UDOO: what midpoint costs against RK4"));
+        assertTrue(run(ExitCode.DONE, "exercises").contains(" 5  What midpoint costs against RK4"));
     }
 
     @Test

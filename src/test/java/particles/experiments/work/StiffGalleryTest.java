@@ -95,7 +95,7 @@ class StiffGalleryTest {
         assertEquals(List.of(solver), never.rows());
         assertEquals(ChartData.Mark.FAILURES, never.series().get(0).mark());
         assertEquals(6, never.series().get(0).x().length);
-        assertEquals("Evaluations for stability grow as k^0.50 (explicit); " + solver + " is never stable",
+        assertEquals("Evaluations for stability grow as k^0.5 (explicit); " + solver + " is never stable",
                 charts.get(0).title());
     }
 
