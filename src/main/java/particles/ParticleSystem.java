@@ -33,7 +33,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     private final List<Effect> effects = new ArrayList<>();
     private final List<Reaction> reactions = new ArrayList<>();
     private final ForceSum forces = new ForceSum(particles, effects, reactions);
-    private final Anchors anchors = new Anchors();
+    private final Anchors anchors = new Anchors();      // hides their places from solvers, shows them to forces
     private final ParticleJacobian jacobian = new ParticleJacobian(this, particles, forces, effects, reactions);
     private double[] state = {};
     private double time;

@@ -7,8 +7,8 @@ import particles.spec.Values;
 
 /**
  * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air.
- * Wind acts on particles only through drag, and then drag can drive them. The base class {@code AirDrag} computes
- * v - u, the powers and the derivatives; it acts on a range of particles at a time
+ * The effect {@code wind} has no force of its own: it acts through drag, which can then drive particles. The base
+ * class {@code AirDrag} computes v - u, the powers and the derivatives; it acts on a range of particles at a time
  * ({@link particles.law.PerParticleEffect}).
  *
  * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".

@@ -152,7 +152,7 @@ public final class SceneBuilder {
             system.addParticle(particle.id(), particle.mass(), particle.position(), particle.velocity(),
                     particle.fixed());
         }
-        List<Surface> surfaces = new ArrayList<>();
+        List<Surface> cloths = new ArrayList<>();
         for (ShapeDescription shape : scene.shapes()) {
             int first = system.getParticles().count();
             Lattice lattice = shape.lattice();
@@ -167,10 +167,10 @@ public final class SceneBuilder {
                         lattice.position(to).minus(lattice.position(from)).length(), damping));
             }
             if (shape.surface()) {
-                surfaces.add(LatticeSurface.of(lattice, first,
+                cloths.add(LatticeSurface.of(lattice, first,
                         shape.springs().stream().anyMatch(family -> family.sort() == SpringFamily.Sort.STRUCTURAL)));
             }
         }
-        return surfaces;
+        return cloths;
     }
 }

@@ -266,8 +266,8 @@ class BrokenScenesTest {
                         "x.yaml:1:1: the scene has no particle; add some under 'particles' or 'shapes'"),
                 whole("title: A\nteaches: B\nsolver: rk4\ndeltaT: 1e-9\nduration: 1e7\n"
                         + "particles: [{id: a, position: [0, 0, 0]}]\n",
-                        "x.yaml:5:11: a duration of 1e7 s needs more than 1e10 steps of deltaT = 1e-9 s; a"
-                                + " run has no more"),
+                        "x.yaml:5:11: a duration of 1e7 s is 1e16 steps of deltaT = 1e-9 s; a run"
+                                + " can have at most 1e10"),
                 added("wires:\n  - circle: {bead: bob, centre: [0, 1, 0], radius: 1}\n",
                         "x.yaml:9:20: 'bob' begins far off its wire; place it on the wire"),
                 added("wires:\n  - circle: {bead: bob, centre: [3, -3, 0], radius: 1}\n",

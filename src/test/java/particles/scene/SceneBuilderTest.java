@@ -77,8 +77,8 @@ class SceneBuilderTest {
                 refusal(new Overrides().with("solver", "rk44", "-Psolver")).get(0).replaceFirst(" known:.*", ""));
         assertEquals("-Psolver: no class or solver is called 'my.Solver';",
                 refusal(new Overrides().with("solver", "my.Solver", "-Psolver")).get(0).replaceFirst(" known .*", ""));
-        assertEquals(List.of("x.yaml:5:11: a duration of 2 s needs more than 1e10 steps of deltaT = 1e-11 s; a"
-                                + " run has no more"),
+        assertEquals(List.of("x.yaml:5:11: a duration of 2 s is 2e11 steps of deltaT = 1e-11 s; a run"
+                                + " can have at most 1e10"),
                 refusal(new Overrides().with("deltaT", "1e-11", "--deltaT")));
     }
 

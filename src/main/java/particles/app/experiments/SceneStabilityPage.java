@@ -62,8 +62,10 @@ final class SceneStabilityPage {
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {
         String limit = limits.stream().filter(known -> known.measured() > 0
                 && known.measured() < Double.POSITIVE_INFINITY).findFirst()
-                .map(known -> String.format(Locale.ROOT, ", and %s may step by %.3g s at most", known.solver().label(),
-                        known.predicted() > 0 ? Math.min(known.predicted(), known.measured()) : known.measured()))
+                .map(known -> String.format(Locale.ROOT, known.predicted() > 0 && known.predicted() <= known.measured()
+                        ? ", and %s may step by %.3g s at most" : ", and runs of %s are stable up to %.3g s",
+                        known.solver().label(), known.predicted() > 0
+                        ? Math.min(known.predicted(), known.measured()) : known.measured()))
                 .orElse("");
         return String.format(Locale.ROOT, "%s: the fastest mode has |lambda| = %.3g /s%s", scene.title(),
                 fastest.size(), limit);

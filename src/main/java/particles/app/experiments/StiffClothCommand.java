@@ -12,7 +12,7 @@ import picocli.CommandLine.Command;
 
 /** {@code gradle stiffCloth}: measures the cost of a frame of an ever stiffer cloth. */
 @Command(name = StiffClothCommand.NAME,
-        description = "Measures the time for a frame of ever stiffer cloth: RK4 against one step of backward Euler.")
+        description = "Times a frame of ever stiffer cloth: RK4 against backward Euler with one step a frame.")
 public final class StiffClothCommand extends ExperimentCommand {
     static final String NAME = "stiffCloth";
 

@@ -85,7 +85,7 @@ public final class CostExercise {
         costs.forEach(cost -> rows.add(List.of(cost.error(), cost.midpoint(), cost.rk4(),
                 (double) cost.midpoint() / cost.rk4())));
         return new DataTable("exercise",
-                "Evaluations for similar accuracy, always of midpoint and RK4; the report compares the chosen solvers",
+                "Evaluations that midpoint and RK4 need for the same error, whichever solvers were chosen",
                 List.of(DataTable.column("error"), DataTable.column("midpoint"), DataTable.column("rk4"),
                         new DataTable.Column("midpoint / rk4", 3)), rows);
     }

@@ -229,9 +229,10 @@ public final class LectureFigures {
         }
         List<DataTable.Column> columns = List.of(DataTable.column("solver"), new DataTable.Column("deltaT (s)", 6),
                 DataTable.column("steps"), DataTable.column("evaluations"), new DataTable.Column("amplitude", 7),
-                new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8), new DataTable.Column("|R|^2N", 8),
+                new DataTable.Column("|R|^N", 7), new DataTable.Column("energy", 8),
+                new DataTable.Column("|R|^(2N)", 8),
                 new DataTable.Column("phase error (rad)", 6), new DataTable.Column("N (arg R - h)", 6));
-        return new DataTable("figures", "Amplitude, energy and phase after N steps of h = deltaT: measured, and from"
-                + " R(i h), the complex factor of a step", columns, rows);
+        return new DataTable("figures", "Amplitude, energy and phase after N steps of h = deltaT, each measured and"
+                + " beside it by theory, where R(i h) is the complex factor of a step (omega = 1)", columns, rows);
     }
 }

@@ -101,11 +101,13 @@ public final class StiffCharts {
     public static String finding(List<Sweep> sweeps) {
         List<String> parts = new ArrayList<>();
         most(sweeps, sweep -> !sweep.solver().implicit()).ifPresent(power -> parts.add("as " + power + " (explicit)"));
-        most(sweeps, sweep -> sweep.solver().implicit()).ifPresent(power -> parts.add((power.equals("k^0.0")
-                ? "hardly" : "as " + power) + " (implicit)"));
+        most(sweeps, sweep -> sweep.solver().implicit() && !unlimited(sweep))
+                .ifPresent(power -> parts.add("as " + power + " (implicit)"));
+        boolean unlimited = sweeps.stream().anyMatch(StiffCharts::unlimited);
         List<String> never = sweeps.stream().filter(Sweep::neverStable).map(StiffCharts::name).toList();
-        String finding = parts.isEmpty() ? "What a stiff spring costs"
-                : "Evaluations for stability grow " + String.join(", ", parts);
+        String finding = (parts.isEmpty() ? "What a stiff spring costs"
+                : "Evaluations for stability grow " + String.join(", ", parts))
+                + (unlimited ? "; implicit solvers are stable at any step" : "");
         return never.isEmpty() ? finding
                 : finding + "; " + String.join(", ", never) + (never.size() == 1 ? " is" : " are") + " never stable";
     }

@@ -20,9 +20,9 @@ public final class RunLimits {
     public static void check(double deltaT, double duration, Map<Key<?>, Place> places,
             Problems problems) {
         if (duration / deltaT > MOST_STEPS) {
-            problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration)
-                    + " s needs more than 1e10 steps of deltaT = " + Wording.number(deltaT)
-                    + " s; a run has no more");
+            problems.add(places.get(SceneFormat.DURATION), "a duration of " + Wording.number(duration) + " s is "
+                    + Wording.rounded(duration / deltaT) + " steps of deltaT = " + Wording.number(deltaT)
+                    + " s; a run can have at most 1e10");
         }
     }
 

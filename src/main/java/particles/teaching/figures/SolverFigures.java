@@ -152,7 +152,8 @@ public record SolverFigures(DataTable facts, ChartData order, Optional<ChartData
             rows.add(List.of("a spring's amplitude, factor in a step of deltaT omega = 1", text(step.radius()),
                     amplitude(step.radius())));
             double area = step.determinant() - 1;
-            rows.add(List.of("areas in state space, factor in such a step", text(step.determinant()), small != large
+            rows.add(List.of("areas in state space, factor in a step of deltaT omega = 1",
+                    text(step.determinant()), small != large
                     ? "differs from 1 by what the tolerance allows" : Math.abs(area) > 1e-10
                     ? "not symplectic: areas " + (area > 0 ? "grow" : "shrink")
                     : "symplectic on the spring: areas are kept"));
