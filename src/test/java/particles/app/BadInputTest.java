@@ -69,7 +69,7 @@ class BadInputTest {
                 .replace("duration: 1\n", "duration: 2000\n"), "MiB of memory for 2000000001 particles");
         put("too much for the heap", HEAD.replace("rk4", "radau") + CLOTH.formatted("600", "600"),
                 "of memory for 360000 particles");
-        put("too many steps", (HEAD + BOB).replace("0.01", "1e-20"), "more than 1e10 steps");
+        put("too many steps", (HEAD + BOB).replace("0.01", "1e-20"), "a run can have at most 1e10");
         put("too many pictures", HEAD.replace("duration: 1", "duration: 1e6") + BOB + "output: {frameRate: 1000}\n",
                 "more than a million pictures");
         put("not UTF-8", new byte[] {'a', ':', ' ', (byte) 0xc3, (byte) 0x28}, "a byte here is not UTF-8");
