@@ -2,17 +2,16 @@ package deSolvers;
 
 /**
  * A source whose state is one array of doubles and whose derivative can be evaluated at any such array. Solvers that
- * know this type copy nothing: they evaluate at their own arrays and hand the new state over instead of copying it in.
- * The results have the same bits as through the plain {@link DEStateSource}. It pays for large systems, where copying
- * costs as much as the arithmetic of a stage.
+ * know this type evaluate at their own arrays, without a setState for each trial state. The results have the same bits
+ * as through the plain {@link DEStateSource}. It pays for large systems, where copying costs as much as the arithmetic
+ * of a stage.
  */
 public interface ArrayStateSource extends DEStateSource {
 
     /**
      * The array that holds the current state.
      *
-     * @return s itself, exactly {@link #getStateSize()} long; to be read only, valid until the state is set or handed
-     *         over
+     * @return s itself, exactly {@link #getStateSize()} long; to be read only, valid until the state is set
      */
     double[] getStateArray();
 
@@ -23,13 +22,4 @@ public interface ArrayStateSource extends DEStateSource {
      * @param dSdt  receives ds/dt; n long, another array than {@code state}
      */
     void getStateDerivative(double[] state, double[] dSdt);
-
-    /**
-     * Takes an array as the new state. The array belongs to the source from now on, and the array that held the state
-     * before belongs to the caller.
-     *
-     * @param state the new s; n long
-     * @return the array that held the state until now
-     */
-    double[] exchangeState(double[] state);
 }

@@ -39,10 +39,10 @@ public abstract class FixedStepSolver extends DESolver {
             if (deltaT != 0) {
                 step(guarded, s, deltaT);
                 if (asksForLastStep) {
-                    lastStep.keep(guarded, s);          // before finish, which may hand s over
+                    lastStep.keep(guarded, s);
                 }
             }
-            arrays.replaceFirst(guarded.finish(s));     // s, or what an ArrayStateSource gave for it
+            guarded.finish(s);
         }
     }
 

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * <pre>
  *     try (StepTransaction source = transaction.begin(client, deltaT)) {
  *         ...                                    // the method moves the source as it likes
- *         source.finish(newState);               // checked, handed over, clock at exactly t + deltaT
+ *         source.finish(newState);               // checked, set, clock at exactly t + deltaT
  *     }
  * </pre>
  * Between the two calls this object stands for the client and passes every call on. If the method ends without
@@ -88,31 +88,24 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     }
 
     /**
-     * Ends the step: checks that the new state is finite, hands it to the client and moves the clock to t + deltaT.
+     * Ends the step: checks that the new state is finite, gives it to the client and moves the clock to t + deltaT.
      * With deltaT = 0 the client is left exactly as it was found.
      *
-     * @param newState s(t + deltaT); n long; the client's from now on if it is an {@link ArrayStateSource}
-     * @return an array of the same length for the solver to use in its place
+     * @param newState s(t + deltaT); n long
      * @throws DESolverException if an entry is not finite; the client is then as it was found
      */
-    public double[] finish(double[] newState) {
+    public void finish(double[] newState) {
         if (deltaT == 0) {
             requireFiniteStart();
-            return newState;                            // close() restores the state and time
+            return;                                     // close() restores the state and time
         }
         int entry = FiniteCheck.firstNonFinite(newState);
         if (entry >= 0) {
             throw notFinite(entry, newState[entry]);
         }
-        SourceClock.moveToEnd(client, startTime, deltaT);   // first: it can be moved back, a state handed over cannot
-        double[] free = newState;
-        if (direct) {
-            free = ((ArrayStateSource) client).exchangeState(newState);
-        } else {
-            client.setState(newState);
-        }
+        SourceClock.moveToEnd(client, startTime, deltaT);   // first: close() can move it back, but not a state set
+        client.setState(newState);
         open = false;
-        return free;
     }
 
     /** Puts back what {@link #begin} found, unless {@link #finish} ended the step. */

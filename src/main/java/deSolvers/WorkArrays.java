@@ -29,11 +29,4 @@ final class WorkArrays {
         }
         return arrays[lent++];
     }
-
-    /** Puts another array in the place of the first one, which may have been given away. */
-    void replaceFirst(double[] array) {
-        if (arrays[0] != array) {
-            arrays[0] = array;
-        }
-    }
 }

@@ -250,29 +250,13 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
         anchors.hide(dSdt);
     }
 
+    /** The state array itself; with moving anchors a copy, in which their places are 0. */
     @Override
     public double[] getStateArray() {
-        trim();
-        return anchors.hiddenIn(state, state.length);
-    }
-
-    private void trim() {
         if (state.length != getStateSize()) {
             state = Arrays.copyOf(state, getStateSize());
         }
-    }
-
-    @Override
-    public double[] exchangeState(double[] state) {
-        if (state.length != getStateSize()) {
-            throw new IllegalArgumentException("a state of " + state.length + " doubles for a system of "
-                    + getStateSize());
-        }
-        trim();
-        double[] before = this.state;
-        this.state = state;
-        anchors.put(time, state);
-        return before;
+        return anchors.hiddenIn(state, state.length);
     }
 
     @Override

@@ -94,11 +94,7 @@ class ArrayStateSourceTest {
         assertThrows(DESolverException.class, () -> solver.stepState(system, 1e308));
         assertArrayEquals(before, system.getStateArray());
         assertEquals(time, system.getTime());
-        double[] own = system.getStateArray();
         solver.stepState(system, 0.01);
-        if (system.getStateArray() != own) {
-            own[7] = Double.NaN;                        // the solver owns it now; the system must not notice
-        }
         double[] after = system.getStateArray().clone();
         ParticleSystem again = net();
         DESolver other = SolverCatalog.create(name);
@@ -107,17 +103,5 @@ class ArrayStateSourceTest {
         other.reset();
         other.stepState(again, 0.01);
         assertArrayEquals(again.getStateArray(), after);
-    }
-
-    @Test
-    void exchangedArraysChangeOwner() {
-        ParticleSystem system = net();
-        double[] before = system.getStateArray();
-        double[] other = before.clone();
-        other[3] = 17;
-        assertEquals(before, system.exchangeState(other));
-        assertEquals(17, system.getStateArray()[3]);
-        assertNotSame(before, system.getStateArray());
-        assertThrows(IllegalArgumentException.class, () -> system.exchangeState(new double[5]));
     }
 }

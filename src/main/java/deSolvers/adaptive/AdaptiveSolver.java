@@ -147,7 +147,7 @@ public abstract class AdaptiveSolver extends DESolver {
             }
             cover(source, deltaT);
             lastStep.keep(source, state);
-            state = source.finish(state);
+            source.finish(state);
         }
     }
 

@@ -39,11 +39,6 @@ public abstract class AdaptiveContract extends DESolverContract {
         return true;
     }
 
-    @Override
-    protected boolean takesTheArray() {
-        return false;
-    }
-
     private double errorAfter(ReferenceProblem problem, double duration, double tolerance) {
         problem.startAt(0);
         createSolver(tolerance, tolerance).stepState(problem, duration);

@@ -11,11 +11,6 @@ class BackwardEulerSolverTest extends FixedStepContract {
     }
 
     @Override
-    protected boolean takesTheArray() {
-        return false;
-    }
-
-    @Override
     protected int order() {
         return 1;
     }

@@ -20,11 +20,6 @@ class ImplicitMidpointSolverTest extends FixedStepContract {
     }
 
     @Override
-    protected boolean takesTheArray() {
-        return false;
-    }
-
-    @Override
     protected int order() {
         return 2;
     }

@@ -4,7 +4,7 @@ import deSolvers.ArrayStateSource;
 
 /** A {@link SpySource} that is also an array source. */
 public final class ArraySpySource extends SpySource implements ArrayStateSource {
-    private double[] own;
+    private final double[] own;
 
     /** @param problem what is really stepped */
     public ArraySpySource(SecondOrderProblem problem) {
@@ -31,14 +31,5 @@ public final class ArraySpySource extends SpySource implements ArrayStateSource 
         problem().getStateDerivative(dSdt);
         problem().setState(own);
         spoil(dSdt);
-    }
-
-    @Override
-    public double[] exchangeState(double[] state) {
-        note(Call.EXCHANGE, null);
-        double[] before = own;
-        own = state;
-        problem().setState(own);
-        return before;
     }
 }

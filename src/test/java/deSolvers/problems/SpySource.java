@@ -13,8 +13,7 @@ import java.util.Map;
  */
 public class SpySource implements SecondOrderStateSource {
     /** The methods of a source. */
-    public enum Call { SIZE, GET_STATE, SET_STATE, DERIVATIVE, TIME, INC_TIME, DIMENSION, VELOCITY_ASKED, STATE_ARRAY,
-            EXCHANGE }
+    public enum Call { SIZE, GET_STATE, SET_STATE, DERIVATIVE, TIME, INC_TIME, DIMENSION, VELOCITY_ASKED, STATE_ARRAY }
 
     /** The exception of a planned failure. */
     public static final class Failure extends RuntimeException {

@@ -27,7 +27,7 @@ final class HandwrittenBaseline implements ArrayStateSource {
     private final double[] restLength;
     private final double[] damping;
     private final double[] inverseMass;
-    private double[] state;
+    private final double[] state;
     private double time;
 
     HandwrittenBaseline(ParticleSystem like, SpringView springs) {
@@ -136,13 +136,6 @@ final class HandwrittenBaseline implements ArrayStateSource {
     @Override
     public double[] getStateArray() {
         return state;
-    }
-
-    @Override
-    public double[] exchangeState(double[] state) {
-        double[] before = this.state;
-        this.state = state;
-        return before;
     }
 
     @Override
