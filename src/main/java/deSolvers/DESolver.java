@@ -38,8 +38,8 @@ public abstract class DESolver {
     public abstract void stepState(DEStateSource source, double deltaT);
 
     /**
-     * Discards all memory of earlier steps. The simulation calls it when the equations may have changed while the state
-     * did not. A solver without memory does nothing here.
+     * Discards all memory of earlier steps. The simulation calls it when a rule has changed something, since then
+     * the equations may differ while the state is the same. A solver without memory does nothing here.
      */
     public void reset() {
     }

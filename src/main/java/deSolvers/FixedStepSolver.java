@@ -33,7 +33,7 @@ public abstract class FixedStepSolver extends DESolver {
      */
     @Override
     public final void stepState(DEStateSource source, double deltaT) {
-        try (StepTransaction guarded = transaction.begin(source, deltaT)) {
+        try (StepTransaction guarded = transaction.begin(source, deltaT)) {     // guarded stands for the source
             double[] s = arrays.first(source.getStateSize());
             source.getState(s);
             if (deltaT != 0) {

@@ -145,8 +145,9 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /**
      * Adds a reaction: constraint or contact forces.
      *
-     * @param reaction the reaction, evaluated after all effects and earlier reactions; rods and wires take over the
-     *                 contacts of their particles from {@code RestingContacts} and solve both as one system
+     * @param reaction the reaction, evaluated after all effects and earlier reactions; if a particle on a rod or wire
+     *                 also touches a surface, the rods solve for both forces together, instead of
+     *                 {@code RestingContacts}
      */
     public void addReaction(Reaction reaction) {
         reactions.add(reaction);

@@ -124,8 +124,8 @@ public final class Simulation {
      * Makes one step.
      *
      * @throws SimulationException if the solver fails, as on NaN or without convergence; if the energy exceeds its
-     *         limit; if impacts follow each other without end, or deltaT is too small to move the clock. Observers keep
-     *         the results so far
+     *         limit; if impacts follow each other without end, or deltaT is too small to move the clock. Observers
+     *         keep the results so far; {@link #finish} need not be called
      */
     public void advance() {
         double left = endTime - system.getTime();

@@ -8,10 +8,10 @@ import particles.spec.Values;
 /**
  * Linear (viscous) air drag, the slides' "particle-air damping": F = -c (v - u), where u is the velocity of the air.
  * The effect {@code wind} has no force of its own: it acts through drag, which can then drive particles. The base
- * class {@code AirDrag} computes v - u, the powers and the derivatives; it acts on a range of particles at a time
- * ({@link particles.law.PerParticleEffect}).
+ * class {@code AirDrag} computes v - u, the powers and the derivatives. As a {@link particles.law.PerParticleEffect} it
+ * adds the forces on the particles {@code from} to {@code to - 1}: on all, or on the part of one thread.
  *
- * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)".
+ * <p>Source: COMPSCI 715 (2003), slide "Damping (cont'd)", "particle-air damping".
  */
 public final class LinearDrag extends AirDrag {
     private final double c;

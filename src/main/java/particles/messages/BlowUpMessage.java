@@ -163,7 +163,8 @@ public final class BlowUpMessage {
                 ? "c/m * deltaT is at most " + Digits.few(damping * deltaT) + "; the iteration of "
                         + solver.name() + " converges well up to " + FIXED_POINT
                 : "|lambda| * deltaT is at most " + Digits.few(deltaT * rate(solver)) + "; the limit of "
-                        + solver.name() + " is " + Digits.few(limit);
+                        + solver.name() + " is " + Digits.few(limit)
+                        + (Double.isNaN(solver.realLimit()) && damping > 0 ? ", less with damping" : "");
         return "deltaT is too long for the fastest " + kind + ", by a factor of up to " + Digits.few(times) + " ("
                 + what + spring + ")";
     }

@@ -32,7 +32,10 @@ import particles.spec.Chosen;
 import particles.spec.messages.Problems;
 import particles.view.Surface;
 
-/** Builds a simulation from a scene description. It creates only the effects and rules that the description names. */
+/**
+ * Builds a simulation from a scene description. It creates only the effects and rules that the description names, and
+ * what these need: a surface, such as the ground, brings a reaction for contacts and a rule for impacts.
+ */
 public final class SceneBuilder {
     private SceneBuilder() {
     }

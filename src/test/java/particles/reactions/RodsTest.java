@@ -133,7 +133,7 @@ class RodsTest {
     private static double[] afterOneSecond(int steps) {
         ParticleSystem system = chain(2, 60, 5);
         worstLength(system, new RK4Solver(), 1.0 / steps, steps);
-        return system.getOwnState().clone();
+        return system.getStateArray().clone();
     }
 
     private static double difference(double[] a, double[] b) {
@@ -250,7 +250,7 @@ class RodsTest {
         worstLength(expected, new RK4Solver(), 0.0025, 200);
         ParticleSystem system = chain(2, 60, 5);
         worstLength(system, SolverCatalog.create(name), 0.0025, 200);
-        double error = difference(expected.getOwnState(), system.getOwnState());
+        double error = difference(expected.getStateArray(), system.getStateArray());
         assertTrue(error <= bound && error > measured / 10, name + ": " + error);
     }
 

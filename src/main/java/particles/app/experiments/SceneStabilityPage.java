@@ -62,8 +62,7 @@ final class SceneStabilityPage {
     private static String title(SceneDescription scene, List<Limit> limits, Mode fastest) {
         String limit = limits.stream().filter(known -> known.measured() > 0
                 && known.measured() < Double.POSITIVE_INFINITY).findFirst()
-                .map(known -> String.format(Locale.ROOT, known.predicted() > 0 && known.predicted() <= known.measured()
-                        ? ", and %s may step by %.3g s at most" : ", and runs of %s are stable up to %.3g s",
+                .map(known -> String.format(Locale.ROOT, ", and %s is stable with steps up to deltaT = %.3g s",
                         known.solver().label(), known.predicted() > 0
                         ? Math.min(known.predicted(), known.measured()) : known.measured()))
                 .orElse("");

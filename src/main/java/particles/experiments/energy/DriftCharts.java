@@ -78,7 +78,7 @@ public final class DriftCharts {
                     drift.outcome().seconds(),
                     drift.outcome().failure().orElse("")));
         }
-        return new DataTable("drift", "Numerical energy error as a part of the energy scale, "
+        return new DataTable("drift", "Numerical energy error as a part of the energy scale of an accurate run, "
                 + new BigDecimal(comparison.scale()).round(new MathContext(4)).stripTrailingZeros().toPlainString()
                 + " J",
                 List.of(DataTable.column("solver"), DataTable.column("deltaT (s)"), DataTable.column("tolerance"),

@@ -51,8 +51,7 @@ public final class NumericalErrorLimit implements Observer {
         if (error > Math.max(rounding, MOST_GAIN * expected) && error > MOST_GAIN * (expected + putIn())) {
             find(motion);
             throw new NumericalErrorException(motion.getEndTime(), fastest, "the numerical error is "
-                    + Digits.few(error) + " J, over " + MOST_GAIN
-                    + " times the energy that the motion should have", true);
+                    + Digits.few(error) + " J, over " + MOST_GAIN + " times the rest of the energy", true);
         }
         if (Double.isNaN(passed) && isAboveScale(error)) {
             passed = motion.getEndTime();

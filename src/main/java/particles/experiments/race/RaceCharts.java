@@ -169,6 +169,6 @@ public final class RaceCharts {
                 DataTable.column("deltaT (s)"), new DataTable.Column("tolerance", 2), DataTable.column("evaluations"),
                 new DataTable.Column("time (ms)", 3), new DataTable.Column("distance, rms (m)", 3),
                 new DataTable.Column("at the end (m)", 3), new DataTable.Column("largest energy error / scale", 3),
-                new DataTable.Column("left the race at (s)", 3), DataTable.column("why")), rows);
+                new DataTable.Column("left the race at (s)", 3), DataTable.column("why")), rows).withoutEmptyColumns();
     }
 }

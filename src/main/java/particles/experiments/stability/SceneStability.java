@@ -47,7 +47,7 @@ public final class SceneStability {
     private static final double FAR_OFF = 1.5;
     /** Beyond this relative difference, the measured limit is that of a motion that is not small. */
     private static final double NEARLY = 0.01;
-    private static final String LEAVES_LINEAR = "; in such steps the forces are no longer linear";
+    private static final String LEAVES_LINEAR = "; the prediction holds for small motions only";
     private static final String LEAVES_MODES = "the motion soon leaves the modes of its start";
     /** The part of the rk4 limit at which twins show the effect of the motion itself on a distance. */
     private static final double FINE = 0.5;

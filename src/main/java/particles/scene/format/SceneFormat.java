@@ -77,7 +77,7 @@ public final class SceneFormat {
     public static final Key<Double> BLOW_UP_FACTOR = Key.withDefault("blowUpFactor", NumberType.positive(""), 1e6,
             "The run has blown up, and ends, when the kinetic energy is this many times the energy estimated for the"
                     + " scene before the run. Whatever this number is, gradle run also ends when the numerical error"
-                    + " is 1000 times the energy that the motion should have.");
+                    + " is 1000 times the rest of the energy.");
 
     public static final MappingType SCENE = MappingType.of("the scene", TITLE, TEACHES, SOLVER, DELTA_T, DURATION,
             PARTICLES,

@@ -66,7 +66,7 @@ class NumericalErrorLimitTest {
         assertTrue(e.isEarly());
         assertEquals(11, e.getTime());
         assertEquals(1, e.getParticle());
-        assertEquals("the numerical error is 1020 J, over 1000 times the energy that the motion should have",
+        assertEquals("the numerical error is 1020 J, over 1000 times the rest of the energy",
                 e.getMessage());
     }
 

@@ -102,6 +102,11 @@ class RaceTest {
         }
     }
 
+    private static Object cell(DataTable table, int row, String column) {
+        List<String> names = table.columns().stream().map(DataTable.Column::name).toList();
+        return table.rows().get(row).get(names.indexOf(column));
+    }
+
     @Test
     void whoLeavesIsShownAsSuch() {
         Result race = run(lasting(CHAIN, 4), "euler, verlet", 40, NOBODY);
@@ -118,11 +123,11 @@ class RaceTest {
             assertEquals(left, crosses.x()[0], 0.1, "within a frame");
         }
         DataTable table = RaceCharts.table(race);
-        assertEquals(left, table.rows().get(0).get(8));
+        assertEquals(left, cell(table, 0, "left the race at (s)"));
         double step = euler.match().setting().deltaT();
-        assertEquals(left / step, (Long) table.rows().get(0).get(3), 1, "evaluations until then, and not those of"
+        assertEquals(left / step, (Long) cell(table, 0, "evaluations"), 1, "evaluations until then, and not those of"
                 + " its share: " + euler.match().evaluations());
-        assertTrue(table.rows().get(0).get(9).toString().contains("went where the reference never comes near"));
+        assertTrue(cell(table, 0, "why").toString().contains("went where the reference never comes near"));
     }
 
     /** On the parabola of a stone three solvers are off by some 1e-14 m of 4 m, which says nothing about them. */
@@ -139,8 +144,8 @@ class RaceTest {
         Result race = run(CHAIN, "euler, midpoint, rk4, symplectic-euler, verlet", 240, NOBODY);
         String finding = RaceCharts.finding(race);
         assertTrue(finding.startsWith("symplectic-euler and verlet stay nearest to the reference; "), finding);
-        List<List<Object>> rows = RaceCharts.table(race).rows();
-        double ratio = (Double) rows.get(4).get(5) / (Double) rows.get(3).get(5);
+        DataTable table = RaceCharts.table(race);
+        double ratio = (Double) cell(table, 4, "distance, rms (m)") / (Double) cell(table, 3, "distance, rms (m)");
         assertEquals(1.051, ratio, 0.005);                      // measured 1.0511
     }
 
