@@ -219,6 +219,7 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
 
     @Override
     public void setState(double[] state) {
+        trim();
         System.arraycopy(state, 0, this.state, 0, getStateSize());
         anchors.put(time, this.state);
     }
@@ -254,10 +255,15 @@ public final class ParticleSystem implements SecondOrderStateSource, ArrayStateS
     /** The state array itself; with moving anchors a copy, in which their places are 0. */
     @Override
     public double[] getStateArray() {
+        trim();
+        return anchors.hiddenIn(state, state.length);
+    }
+
+    /** addParticle leaves room for more particles; in a large system a step needs that memory. */
+    private void trim() {
         if (state.length != getStateSize()) {
             state = Arrays.copyOf(state, getStateSize());
         }
-        return anchors.hiddenIn(state, state.length);
     }
 
     @Override
