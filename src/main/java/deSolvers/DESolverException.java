@@ -12,14 +12,14 @@ public class DESolverException extends RuntimeException {
     private final int entry;
 
     /**
-     * @param solver the solver that gives up
+     * @param solver the class of the solver that gives up
      * @param time   the time at which the step began (s)
      * @param deltaT the requested step (s)
      * @param entry  the index of the state's entry that shows the trouble, or -1 where no single one does
      * @param cause  the event and its likely cause, as text to follow a colon
      */
-    public DESolverException(DESolver solver, double time, double deltaT, int entry, String cause) {
-        super(solver.getClass().getSimpleName() + " at t = " + time + ", deltaT = " + deltaT + ": " + cause);
+    public DESolverException(Class<? extends DESolver> solver, double time, double deltaT, int entry, String cause) {
+        super(solver.getSimpleName() + " at t = " + time + ", deltaT = " + deltaT + ": " + cause);
         this.time = time;
         this.deltaT = deltaT;
         this.entry = entry;

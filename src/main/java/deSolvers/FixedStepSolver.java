@@ -13,7 +13,7 @@ package deSolvers;
  * Each call returns a separate work array, valid until the end of the step.
  */
 public abstract class FixedStepSolver extends DESolver {
-    private final StepTransaction transaction = new StepTransaction(this);
+    private final StepTransaction transaction = new StepTransaction(getClass());
     private final WorkArrays arrays = new WorkArrays();
     private final LastStep lastStep = new LastStep();
     private boolean asksForLastStep;

@@ -17,7 +17,7 @@ import java.util.Arrays;
  * <p>The new state is checked for NaN and infinity; if it has one, the message names the first cause.
  */
 public final class StepTransaction implements DEStateSource, AutoCloseable {
-    private final DESolver solver;
+    private final Class<? extends DESolver> solver;
     private DEStateSource client;
     private boolean hasArrays;                          // whether the client is an ArrayStateSource
     // whether the client still holds the start state in its own array
@@ -27,8 +27,8 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
     private double deltaT;
     private boolean open;
 
-    /** @param solver the solver whose steps these are, for its name in messages */
-    public StepTransaction(DESolver solver) {
+    /** @param solver the class whose steps these are, for its name in messages */
+    public StepTransaction(Class<? extends DESolver> solver) {
         this.solver = solver;
     }
 
@@ -230,7 +230,7 @@ public final class StepTransaction implements DEStateSource, AutoCloseable {
 
     @Override
     public String toString() {
-        return "a step of " + solver.getClass().getSimpleName() + " from t = " + startTime + " with "
+        return "a step of " + solver.getSimpleName() + " from t = " + startTime + " with "
                 + Arrays.toString(getStartState());
     }
 }

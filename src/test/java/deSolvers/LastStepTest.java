@@ -46,13 +46,13 @@ class LastStepTest {
         double[] state = new double[source.getStateSize()];
         source.getState(state);
         source.incTime(-deltaT);
-        StepTransaction step = new StepTransaction(new EulerSolver()).begin(source, deltaT);
+        StepTransaction step = new StepTransaction(EulerSolver.class).begin(source, deltaT);
         lastStep.keep(step, state);
         step.finish(state);
     }
 
     private static boolean continues(LastStep lastStep, DEStateSource source, double deltaT) {
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(source, deltaT)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(source, deltaT)) {
             return lastStep.continuesFrom(step);
         }
     }
@@ -129,7 +129,7 @@ class LastStepTest {
         LastStep lastStep = new LastStep();
         double[] state = {1, 2};
         source.incTime(-DELTA_T);
-        StepTransaction step = new StepTransaction(new EulerSolver()).begin(source, DELTA_T);
+        StepTransaction step = new StepTransaction(EulerSolver.class).begin(source, DELTA_T);
         lastStep.keep(step, state);
         step.finish(state);
         state[0] = 7;

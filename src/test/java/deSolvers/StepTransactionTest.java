@@ -86,7 +86,7 @@ class StepTransactionTest {
     @Test
     void aTransactionPassesCallsToItsSource() {
         Falling client = new Falling(2);
-        StepTransaction guard = new StepTransaction(new EulerSolver());
+        StepTransaction guard = new StepTransaction(EulerSolver.class);
         try (StepTransaction step = guard.begin(client, DELTA_T)) {
             assertSame(client, step.getClient());
             assertEquals(START, step.getStartTime());
@@ -112,7 +112,7 @@ class StepTransactionTest {
     void derivativesAreEvaluatedAtTheGivenState() {
         Falling client = new Falling(1);
         double[] dSdt = new double[1];
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(client, DELTA_T)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(client, DELTA_T)) {
             step.getStateDerivative(step.getStartState(), dSdt);
             step.getStateDerivative(new double[] {5}, dSdt);
             assertEquals(5, client.state[0]);
@@ -130,7 +130,7 @@ class StepTransactionTest {
     void theNewStateIsCopiedIntoTheClient(boolean arrays) {
         Falling client = arrays ? new FallingArrays(3) : new Falling(3);
         double[] next = filled(3, -1);
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(client, DELTA_T)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(client, DELTA_T)) {
             step.finish(next);
         }
         assertNotSame(next, client.state);
@@ -138,7 +138,7 @@ class StepTransactionTest {
         assertEquals(START + DELTA_T, client.time);
 
         Falling still = arrays ? new FallingArrays(3) : new Falling(3);
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(still, 0)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(still, 0)) {
             step.finish(next);
         }
         assertArrayEquals(new double[3], still.state);
@@ -148,7 +148,7 @@ class StepTransactionTest {
     @Test
     void anArrayIsCopiedBeforeASolverChangesIt() {
         FallingArrays client = new FallingArrays(64);
-        StepTransaction guard = new StepTransaction(new EulerSolver());
+        StepTransaction guard = new StepTransaction(EulerSolver.class);
         try (StepTransaction step = guard.begin(client, DELTA_T)) {
             assertSame(client.state, step.getStartState());
             step.setState(filled(64, 9));
@@ -179,7 +179,7 @@ class StepTransactionTest {
     private static void assertMessage(Falling client, double[] end, String part) {
         double[] before = client.state.clone();
         DESolverException e = assertThrows(DESolverException.class, () -> {
-            try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(client, DELTA_T)) {
+            try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(client, DELTA_T)) {
                 step.incTime(DELTA_T);
                 step.finish(end);
             }
@@ -193,7 +193,7 @@ class StepTransactionTest {
     @Test
     void aNonFiniteStateIsNamedInsteadOfItsDerivative() {
         Falling client = new Falling(3);
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(client, DELTA_T)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(client, DELTA_T)) {
             step.requireFinite(new double[3]);
             DESolverException e = assertThrows(DESolverException.class,
                     () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
@@ -201,7 +201,7 @@ class StepTransactionTest {
             assertEquals(1, e.getEntry());
         }
         client.state[2] = Double.NEGATIVE_INFINITY;
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(client, DELTA_T)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(client, DELTA_T)) {
             DESolverException e = assertThrows(DESolverException.class,
                     () -> step.requireFinite(new double[] {0, Double.NaN, 0}));
             assertTrue(e.getMessage().contains("entry 2 of the state is -Infinity before the step"), e.getMessage());

@@ -32,7 +32,7 @@ public abstract class AdaptiveSolver extends DESolver {
     private static final double MOST_GROWTH = 10;
 
     private final Tolerance tolerance;
-    private final StepTransaction transaction = new StepTransaction(this);
+    private final StepTransaction transaction = new StepTransaction(getClass());
     private final LastStep lastStep = new LastStep();
     private double[] state = {};
     private double[] newState = {};

@@ -14,6 +14,15 @@ public abstract class ReferenceProblem implements DEStateSource {
 
     /** @param start the state at t = 0; a copy is taken */
     protected ReferenceProblem(double... start) {
+        this(0, start);
+    }
+
+    /**
+     * @param time  the clock at the start (s)
+     * @param start the state at that time; a copy is taken
+     */
+    protected ReferenceProblem(double time, double[] start) {
+        this.time = time;
         this.start = start.clone();
         state = start.clone();
     }

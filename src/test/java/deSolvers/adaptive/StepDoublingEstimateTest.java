@@ -21,7 +21,7 @@ class StepDoublingEstimateTest {
         StepDoublingSolver solver = new StepDoublingSolver(0, 1);
         solver.resize(2);
         double[] newState = new double[2];
-        try (StepTransaction step = new StepTransaction(solver).begin(problem, 1)) {
+        try (StepTransaction step = new StepTransaction(solver.getClass()).begin(problem, 1)) {
             double[] exact = problem.exactState(1);
             double ratio = solver.attempt(step, new double[] {1, 0}, new double[] {re, im}, 0, 1, newState);
             return new Trial(ratio, Math.hypot(newState[0] - exact[0], newState[1] - exact[1]),

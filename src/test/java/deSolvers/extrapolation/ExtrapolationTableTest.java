@@ -25,7 +25,7 @@ class ExtrapolationTableTest {
         smoothings.resize(2);
         Column[] columns = new Column[OrderControl.COLUMNS];
         double[] error = new double[2];
-        try (StepTransaction step = new StepTransaction(new BulirschStoerSolver()).begin(problem, 1)) {
+        try (StepTransaction step = new StepTransaction(BulirschStoerSolver.class).begin(problem, 1)) {
             for (int j = 0; j < columns.length; j++) {
                 midpoint.cover(step, new double[] {1, 0}, new double[] {re, im}, 0, 1, OrderControl.substeps(j),
                         results.begin(j), smoothings.begin(j));

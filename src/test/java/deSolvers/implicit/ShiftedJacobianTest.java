@@ -37,7 +37,7 @@ class ShiftedJacobianTest {
         right[10] = 0;
         right[11] = 0;
         Arrays.fill(b, 18, 24, 0);
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(source, g)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(source, g)) {
             jacobian.setJacobian(step, state, slope, g, ShiftedJacobian.Kind.EXACT);
             assertTrue(jacobian.prepare(g) && jacobian.prepareComplex(0.6 * g, 0.8 * g));
             assertTrue(jacobian.solve(right, real, 1e-12) && jacobian.solveComplex(b, complex, 1e-12));
@@ -102,7 +102,7 @@ class ShiftedJacobianTest {
         pushing.getStateDerivative(slope);
         double[] b = new Random(1).doubles(180, -1, 1).toArray();
         double[] x = new double[180];
-        try (StepTransaction step = new StepTransaction(new EulerSolver()).begin(pushing, 0.01)) {
+        try (StepTransaction step = new StepTransaction(EulerSolver.class).begin(pushing, 0.01)) {
             system.setJacobian(step, state, slope, 0.01, ShiftedJacobian.Kind.PROJECTED);
             assertTrue(system.prepare(0.01) && system.solve(b, x, 1e-12));
         }

@@ -62,8 +62,7 @@ public class Probe extends StudentSource {
      * @param most   the number of evaluations after which it throws {@link TooManyEvaluations}
      */
     public Probe(double[] start, double time, Answer answer, int most) {
-        super(start);
-        super.incTime(time);
+        super(time, start);
         this.answer = answer;
         this.most = most;
     }

@@ -21,6 +21,14 @@ public abstract class StudentSource extends ReferenceProblem {
         super(start);
     }
 
+    /**
+     * @param time  the clock at the start (s)
+     * @param start the state at that time
+     */
+    public StudentSource(double time, double[] start) {
+        super(time, start);
+    }
+
     /** @return the lengths of arrays that were not as long as the state */
     public final List<Integer> wrongLengths() {
         return wrongLengths;
