@@ -1,6 +1,6 @@
 package particles;
 
-import java.util.Locale;
+import deSolvers.text.Digits;
 import particles.law.Particles;
 
 /**
@@ -23,9 +23,9 @@ record EnergyLimit(double joules) {
             return;
         }
         int fastest = fastest(system.getParticles(), state);
-        throw new BlowUpException(system.getTime(), fastest, String.format(Locale.ROOT,
-                "the kinetic energy is %.3g J, above the limit of %.3g J; the fastest particle is '%s'", energy, joules,
-                system.getParticles().id(fastest)).replaceAll("e\\+0?(?=\\d)", "e"));
+        throw new BlowUpException(system.getTime(), fastest, "the kinetic energy is " + Digits.few(energy)
+                + " J, above the limit of " + Digits.few(joules) + " J; the fastest particle is '"
+                + system.getParticles().id(fastest) + "'");
     }
 
     private static int fastest(Particles particles, double[] state) {

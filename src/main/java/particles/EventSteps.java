@@ -2,9 +2,9 @@ package particles;
 
 import deSolvers.DESolver;
 import deSolvers.DESolverException;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -124,8 +124,8 @@ final class EventSteps {
     }
 
     private static SimulationException noHeadway(double time, String why, double end) {
-        return new SimulationException(time, -1, String.format(Locale.ROOT,
-                SimulationException.NO_HEADWAY + ": %s, and %.3g s of the step are left", why, end - time), null);
+        return new SimulationException(time, -1, SimulationException.NO_HEADWAY + ": " + why + ", and "
+                + Digits.few(end - time) + " s of the step are left", null);
     }
 
     private boolean mayTurnWithin(double time) {
@@ -187,8 +187,8 @@ final class EventSteps {
             }
             double covered = time - windowStart;
             if (events > window && covered >= STEADY * before && end - time > MOST_WINDOWS * covered) {
-                throw noHeadway(time, String.format(Locale.ROOT, "the last %d impacts or changes of contact cover %.3g"
-                        + " s", window, covered), end);
+                throw noHeadway(time, "the last " + window + " impacts or changes of contact cover "
+                        + Digits.few(covered) + " s", end);
             }
             before = covered;
             windowStart = time;

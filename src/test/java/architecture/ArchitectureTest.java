@@ -37,32 +37,35 @@ class ArchitectureTest {
             deSolvers.catalog:             deSolvers deSolvers.adaptive deSolvers.extrapolation deSolvers.implicit
                                            deSolvers.multistep deSolvers.symplectic
             deSolvers.extrapolation:       deSolvers deSolvers.adaptive
-            deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear
+            deSolvers.implicit:            deSolvers deSolvers.adaptive deSolvers.linear deSolvers.text
             deSolvers.linear:              deSolvers org.ejml
             deSolvers.multistep:           deSolvers
             deSolvers.problems:            deSolvers
             deSolvers.rungeKutta:          deSolvers
             deSolvers.symplectic:          deSolvers
-            particles:                     deSolvers particles.engine particles.law
+            deSolvers.text:
+            particles:                     deSolvers deSolvers.text particles.engine particles.law
             particles.app:                 particles.app.cli particles.app.experiments particles.app.run
                                            particles.app.student particles.output.files particles.output.report
             particles.app.cli:             deSolvers deSolvers.catalog particles particles.experiments.runs
                                            particles.output.charts particles.output.files particles.scene picocli
-            particles.app.experiments:     deSolvers.catalog particles particles.app.cli particles.app.student
-                                           particles.experiments.energy particles.experiments.lecture
-                                           particles.experiments.phase particles.experiments.race
-                                           particles.experiments.runs particles.experiments.spectrum
-                                           particles.experiments.stability particles.experiments.work particles.law
-                                           particles.messages particles.output.animation particles.output.charts
-                                           particles.output.files particles.output.frames particles.output.race
-                                           particles.output.raster particles.output.report particles.output.text
-                                           particles.scene particles.scene.format particles.view picocli
-            particles.app.run:             deSolvers.catalog particles particles.app.cli particles.app.student
-                                           particles.experiments.energy particles.experiments.phase
-                                           particles.experiments.runs particles.lab particles.law particles.messages
-                                           particles.output.animation particles.output.charts particles.output.files
-                                           particles.output.frames particles.output.raster particles.scene
-                                           particles.scene.format particles.threads particles.view picocli
+            particles.app.experiments:     deSolvers.catalog deSolvers.text particles particles.app.cli
+                                           particles.app.student particles.experiments.energy
+                                           particles.experiments.lecture particles.experiments.phase
+                                           particles.experiments.race particles.experiments.runs
+                                           particles.experiments.spectrum particles.experiments.stability
+                                           particles.experiments.work particles.law particles.output.animation
+                                           particles.output.charts particles.output.files particles.output.frames
+                                           particles.output.race particles.output.raster particles.output.report
+                                           particles.output.text particles.scene particles.scene.format particles.view
+                                           picocli
+            particles.app.run:             deSolvers.catalog deSolvers.text particles particles.app.cli
+                                           particles.app.student particles.experiments.energy
+                                           particles.experiments.phase particles.experiments.runs particles.lab
+                                           particles.law particles.messages particles.output.animation
+                                           particles.output.charts particles.output.files particles.output.frames
+                                           particles.output.raster particles.scene particles.scene.format
+                                           particles.threads particles.view picocli
             particles.app.student:         deSolvers deSolvers.catalog particles.app.cli particles.law
                                            particles.output.charts particles.output.files particles.output.report
                                            particles.output.text
@@ -73,7 +76,7 @@ class ArchitectureTest {
             particles.effects:             particles.law particles.spec
             particles.effects.springs:     particles.law particles.view
             particles.engine:              deSolvers particles.law
-            particles.experiments.energy:  particles particles.experiments.runs particles.law particles.messages
+            particles.experiments.energy:  deSolvers.text particles particles.experiments.runs particles.law
                                            particles.scene particles.scene.format particles.view
             particles.experiments.lecture: deSolvers deSolvers.catalog deSolvers.problems particles.experiments.runs
                                            particles.experiments.stability particles.view
@@ -99,7 +102,7 @@ class ArchitectureTest {
             particles.lab.browser:         deSolvers particles.effects particles.lab particles.spec org.teavm
             particles.lab.compile:         particles.lab javax.tools org.teavm
             particles.law:
-            particles.messages:            deSolvers deSolvers.catalog particles particles.effects
+            particles.messages:            deSolvers deSolvers.catalog deSolvers.text particles particles.effects
                                            particles.experiments.stability particles.law particles.reactions
                                            particles.scene particles.spec
             particles.output.animation:    particles.output.files particles.output.frames java.awt javax.imageio
@@ -117,7 +120,7 @@ class ArchitectureTest {
             particles.output.report:       particles.output.charts particles.output.files particles.output.text
                                            particles.view java.awt javax.imageio javax.xml
             particles.output.text:         particles.output.files particles.view java.awt org.jfree
-            particles.reactions:           particles particles.law particles.reactions.algebra
+            particles.reactions:           deSolvers.text particles particles.law particles.reactions.algebra
                                            particles.reactions.contact particles.reactions.wires particles.view
             particles.reactions.algebra:   org.ejml
             particles.reactions.contact:   particles particles.law

@@ -3,8 +3,11 @@ package architecture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Map;
@@ -27,6 +30,10 @@ class LabReachTest {
             "java\\.lang\\.(Thread|Process|ClassLoader|reflect\\.).*|java\\.util\\.concurrent\\..*"
             + "|java\\.nio\\.(file|channels)\\..*|java\\.io\\.(File|RandomAccess).*|java\\.security\\..*"
             + "|java\\.net\\..*|java\\.util\\.HexFormat|javax\\..*|java\\.awt\\..*");
+
+    /** What is formatted in a text, and the conversions that the page's String.format has: no %e, %g or %n. */
+    private static final Pattern CONVERSION = Pattern.compile("%[-+0,(#]*\\d*(?:\\.\\d+)?([a-zA-Z])");
+    private static final String CONVERSIONS = "bcdfhosxBCDHOSX";
 
     /** Classes compiled without the method that uses these: the page replaces it, or never calls it. */
     private static final Map<String, Set<String>> NOT_CALLED = Map.of(
@@ -83,6 +90,33 @@ class LabReachTest {
         assertTrue(reached.contains("deSolvers.RK4Solver"), reached.toString());
         assertTrue(reached.contains("particles.Simulation"), reached.toString());
         assertEquals(Set.of(), missing(uses, reached));
+    }
+
+    private static Set<String> unknownFormats(Set<String> reached) throws IOException {
+        Set<String> unknown = new TreeSet<>();
+        for (String name : reached) {
+            Path source = Path.of("src/main/java", name.replaceFirst("\\$.*", "").replace('.', '/') + ".java");
+            String text = Files.exists(source) ? Files.readString(source) : "";
+            Matcher conversion = CONVERSION.matcher(text.matches("(?s).*(\\.format\\(|formatted\\().*") ? text : "");
+            while (conversion.find()) {
+                if (!CONVERSIONS.contains(conversion.group(1))) {
+                    unknown.add(source.getFileName() + " formats with " + conversion.group());
+                }
+            }
+        }
+        return unknown;
+    }
+
+    @Test
+    void thePageKnowsEveryFormatThatItsClassesUse() throws Exception {
+        assertEquals(Set.of(), unknownFormats(reached(uses(), Session.class.getName())));
+    }
+
+    /** Tests this test: charts, which the page does not draw, use others. */
+    @Test
+    void theProgramUsesFormatsThatThePageDoesNotKnow() throws Exception {
+        Set<String> found = unknownFormats(reached(uses(), "particles.app.Main"));
+        assertTrue(found.contains("PortraitChart.java formats with %.0e"), found.toString());
     }
 
     /** Tests this test: the whole program does use threads and files. */

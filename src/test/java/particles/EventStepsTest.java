@@ -86,8 +86,8 @@ class EventStepsTest {
         SimulationException e = assertThrows(SimulationException.class, () -> run(sequence));
         assertEquals(210, sequence.events);
         assertEquals(210e-8, e.getTime(), 1e-12);
-        assertEquals("contacts make no headway: the last 105 impacts or changes of contact cover 1.05e-06 s, and"
-                + " 0.100 s of the step are left", e.getMessage());
+        assertEquals("contacts make no headway: the last 105 impacts or changes of contact cover 1.05e-6 s, and"
+                + " 0.1 s of the step are left", e.getMessage());
     }
 
     /** The bounces of a ball with restitution 0.998 take 0.05 s; the last ones are 1e-11 s apart. */
@@ -121,7 +121,7 @@ class EventStepsTest {
     void aStepOfTooManyEvaluationsIsGivenUpNearATurnOnly() {
         assertEquals(0.2, run(new Turns(false), new Laborious()).getOwnState()[0], 1e-12);
         SimulationException e = assertThrows(SimulationException.class, () -> run(new Turns(true), new Laborious()));
-        assertEquals("contacts make no headway: this step took 1200009 evaluations, and 0.0700 s of the step are left",
+        assertEquals("contacts make no headway: this step took 1200009 evaluations, and 0.07 s of the step are left",
                 e.getMessage());
     }
 

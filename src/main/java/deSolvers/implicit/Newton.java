@@ -4,8 +4,8 @@ import deSolvers.DESolverException;
 import deSolvers.FiniteCheck;
 import deSolvers.StepTransaction;
 import deSolvers.implicit.ShiftedJacobian.Kind;
+import deSolvers.text.Digits;
 import java.util.Arrays;
-import java.util.Locale;
 
 /**
  * Newton's method for the equation of all one-stage implicit methods, m = s + g f(m, t), at the source's present time.
@@ -237,13 +237,13 @@ final class Newton {
     }
 
     private DESolverException failure() {
-        String cause = size == Double.POSITIVE_INFINITY
-                ? "the linear solver failed at Newton's iteration %d: the matrix is singular or not finite, or GMRES"
-                        + " did not converge"
-                : "Newton's iteration did not converge: after %d iterations the correction is %.2g of the unknowns"
-                        + " (limit %.0e) and the largest residual %.2g";
         int made = Math.min(iterations, MOST_ITERATIONS);
-        return source.failure(-1, String.format(Locale.ROOT, cause, made, size, TOLERANCE,
-                NewtonUpdate.largest(residual)) + "; deltaT is probably too large for what the forces do within it");
+        String cause = size == Double.POSITIVE_INFINITY
+                ? "the linear solver failed at Newton's iteration " + made + ": the matrix is singular or not finite,"
+                        + " or GMRES did not converge"
+                : "Newton's iteration did not converge: after " + made + " iterations the correction is "
+                        + Digits.few(size) + " of the unknowns (limit " + Digits.few(TOLERANCE)
+                        + ") and the largest residual " + Digits.few(NewtonUpdate.largest(residual));
+        return source.failure(-1, cause + "; deltaT is probably too large for what the forces do within it");
     }
 }

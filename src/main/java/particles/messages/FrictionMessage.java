@@ -3,6 +3,7 @@ package particles.messages;
 import deSolvers.DESolverException;
 import deSolvers.catalog.SolverCatalog;
 import deSolvers.catalog.SolverInfo;
+import deSolvers.text.Digits;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import particles.SimulationException;

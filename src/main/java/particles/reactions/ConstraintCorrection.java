@@ -1,6 +1,6 @@
 package particles.reactions;
 
-import java.util.Locale;
+import deSolvers.text.Digits;
 import java.util.Optional;
 import particles.SimulationException;
 import particles.law.Particles;
@@ -46,12 +46,9 @@ final class ConstraintCorrection {
                 return iteration > 0;
             }
             if (iteration == MOST_ITERATIONS || !(error <= Double.MAX_VALUE)) {
-                throw new SimulationException(time, -1,
-                        String.format(Locale.ROOT, "no positions satisfy the rods and wires at t = %s"
-                        + " s: after %d iterations the relative error of their lengths"
-                        + " is still %.2g", time, iteration,
-                        error),
-                        null);
+                throw new SimulationException(time, -1, "no positions satisfy the rods and wires at t = " + time
+                        + " s: after " + iteration + " iterations the relative error of their lengths is still "
+                        + Digits.few(error), null);
             }
             before = error;
             correct(mobility, state, 0);

@@ -1,20 +1,19 @@
 package particles.app.experiments;
 
 import deSolvers.catalog.SolverCatalog;
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.NoSuchElementException;
 import java.util.Optional;
-import particles.messages.Digits;
 import particles.app.cli.OptionStyle;
+import particles.experiments.lecture.LectureFigures;
 import particles.experiments.lecture.LectureFigures.Figure;
 import particles.experiments.lecture.LectureFigures.Result;
-import particles.experiments.lecture.LectureFigures;
 import particles.experiments.runs.ProgressListener;
-import particles.messages.Digits;
-import particles.output.files.OutputFolder;
 import particles.output.charts.Panel;
+import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;
 import picocli.CommandLine.Command;

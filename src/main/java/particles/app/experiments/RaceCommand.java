@@ -1,17 +1,16 @@
 package particles.app.experiments;
 
+import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import particles.messages.Digits;
 import particles.app.cli.OptionStyle;
-import particles.experiments.race.Race.Result;
 import particles.experiments.race.Race;
+import particles.experiments.race.Race.Result;
 import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
-import particles.messages.Digits;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;

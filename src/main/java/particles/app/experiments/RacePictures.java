@@ -1,22 +1,20 @@
 package particles.app.experiments;
 
+import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
 import particles.Observer;
-import particles.messages.Digits;
+import particles.experiments.race.Race;
 import particles.experiments.race.Race.Lane;
 import particles.experiments.race.Race.Result;
-import particles.experiments.race.Race;
 import particles.experiments.race.RaceCharts;
 import particles.experiments.runs.Extent;
 import particles.experiments.runs.SolverChoice;
 import particles.law.Vector3;
-import particles.messages.Digits;
 import particles.output.charts.ChartWriter;
 import particles.output.files.OutputFolder;
 import particles.output.frames.FrameSetup;

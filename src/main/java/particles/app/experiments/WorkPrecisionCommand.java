@@ -1,5 +1,6 @@
 package particles.app.experiments;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -7,19 +8,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.NoSuchElementException;
 import java.util.Optional;
-import particles.messages.Digits;
 import particles.app.cli.OptionStyle;
-import particles.experiments.lecture.CostExercise.Cost;
 import particles.experiments.lecture.CostExercise;
+import particles.experiments.lecture.CostExercise.Cost;
 import particles.experiments.runs.ProgressListener;
 import particles.experiments.runs.SolverChoice;
 import particles.experiments.work.WorkCharts;
-import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkPrecision;
+import particles.experiments.work.WorkPrecision.Curve;
 import particles.experiments.work.WorkProblem;
 import particles.experiments.work.WorkProblems;
 import particles.experiments.work.WorkTables;
-import particles.messages.Digits;
 import particles.output.files.OutputFolder;
 import particles.output.report.Picture;
 import particles.output.report.ResultPage;

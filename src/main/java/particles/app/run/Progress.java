@@ -1,11 +1,10 @@
 package particles.app.run;
 
+import deSolvers.text.Digits;
 import java.io.PrintWriter;
 import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
-import particles.messages.Digits;
-import particles.messages.Digits;
 
 /** Prints the progress of a long run: at most one line a second, none for short runs. */
 final class Progress implements Observer {

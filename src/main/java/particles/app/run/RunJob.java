@@ -1,5 +1,6 @@
 package particles.app.run;
 
+import deSolvers.text.Digits;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -12,7 +13,6 @@ import particles.app.cli.OptionStyle;
 import particles.app.student.StudentClasses;
 import particles.experiments.energy.NumericalErrorLimit;
 import particles.messages.BlowUpMessage;
-import particles.messages.Digits;
 import particles.messages.FrictionMessage;
 import particles.output.charts.ChartFormat;
 import particles.output.files.OutputFolder;

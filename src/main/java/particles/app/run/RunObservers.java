@@ -1,5 +1,6 @@
 package particles.app.run;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -10,7 +11,6 @@ import particles.experiments.energy.EnergyLedgerRecorder;
 import particles.experiments.phase.Axis;
 import particles.experiments.phase.PhaseHistory;
 import particles.experiments.phase.VectorFields;
-import particles.messages.Digits;
 import particles.output.animation.Film;
 import particles.output.animation.GifAnimation;
 import particles.output.charts.ChartFormat;
@@ -24,8 +24,8 @@ import particles.output.frames.FrameSink;
 import particles.output.frames.LastSteps;
 import particles.output.frames.PngFrames;
 import particles.scene.Scene;
-import particles.scene.format.OutputDescription.Video;
 import particles.scene.format.OutputDescription;
+import particles.scene.format.OutputDescription.Video;
 import particles.view.Camera;
 import particles.view.ChartData;
 import particles.view.VectorField;

@@ -1,5 +1,6 @@
 package particles.app.run;
 
+import deSolvers.text.Digits;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -7,7 +8,6 @@ import particles.Simulation;
 import particles.app.cli.Version;
 import particles.experiments.energy.EnergyHistory;
 import particles.experiments.energy.EnergyLedgerRecorder;
-import particles.messages.Digits;
 import particles.output.files.RunSummary;
 import particles.scene.Scene;
 

@@ -1,12 +1,12 @@
 package particles.app.run;
 
+import deSolvers.text.Digits;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import particles.Motion;
 import particles.Observer;
 import particles.SimulationException;
-import particles.messages.Digits;
 import particles.scene.Scene;
 import particles.scene.SceneBuilder;
 import particles.scene.format.Overrides;

@@ -1,5 +1,6 @@
 package particles.experiments.energy;
 
+import deSolvers.text.Digits;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Comparator;
@@ -9,7 +10,6 @@ import java.util.stream.Stream;
 import particles.experiments.energy.EnergyDrift.Comparison;
 import particles.experiments.energy.EnergyDrift.Drift;
 import particles.experiments.energy.EnergyDrift.Kind;
-import particles.messages.Digits;
 
 /** One sentence about a comparison: each solver's energy error with its size, the worst first. */
 final class DriftHeadline {

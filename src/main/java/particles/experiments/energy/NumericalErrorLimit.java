@@ -1,11 +1,11 @@
 package particles.experiments.energy;
 
+import deSolvers.text.Digits;
 import particles.Motion;
 import particles.NumericalErrorException;
 import particles.Observer;
 import particles.ParticleSystem;
 import particles.law.Particles;
-import particles.messages.Digits;
 
 /**
  * Fails a run whose numerical error, as a gain of energy, became larger than its energy. It fails at the end if the

@@ -1,7 +1,6 @@
 package particles.lab.browser;
 
 import deSolvers.DESolver;
-import java.util.Locale;
 
 /** Replaces methods that a page lacks, or that are slow there, by methods with the same names and parameters. */
 public final class Missing {
@@ -28,17 +27,6 @@ public final class Missing {
     /** @return the memory that a run may take (bytes); a page cannot ask, and most pages can have this */
     public static long maxMemory() {
         return MEMORY;
-    }
-
-    /** @return a text with numbers in it */
-    public static String format(String format, Object... arguments) {
-        return format(Locale.ROOT, format, arguments);
-    }
-
-    /** @return the same in the format of a locale */
-    public static String format(Locale locale, String format, Object... arguments) {
-        GeneralFormat general = new GeneralFormat(format, arguments);
-        return String.format(locale, general.format(), general.arguments());
     }
 
     /** @return a student's solver, in the place of one that is found by reflection */

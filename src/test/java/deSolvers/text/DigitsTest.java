@@ -1,4 +1,4 @@
-package particles.messages;
+package deSolvers.text;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,4 +1,4 @@
-package particles.messages;
+package deSolvers.text;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
